@@ -92,7 +92,10 @@ void NewProjectPage::makeRows() {
   dropCalibration_ = addButton("newDropCalibration", [this] { setCalibration({}); });
   create_ = addButton("newCreate", [this] { create(); });
   create_->setDefault(true);
-  cancel_ = addButton("newCancel", [this] { Q_EMIT cancelled(); });
+  cancel_ = addButton("newCancel", [this] {
+    forgetSearches();
+    Q_EMIT cancelled();
+  });
   buttons_->layout()->setSpacing(kSpacing);
   buttons_->addButton(create_, QDialogButtonBox::AcceptRole);
   buttons_->addButton(cancel_, QDialogButtonBox::RejectRole);
@@ -164,8 +167,7 @@ void NewProjectPage::begin(const QStringList& files) {
   // Whichever of them the platform puts first.
   setTabOrder(dropCalibration_, create_);
   setTabOrder(create_, cancel_);
-  searches_ = std::make_unique<JobQueue>();
-  underWay_ = 0;
+  forgetSearches();
   imageFolders_.clear();
   cameras_->setRowCount(0);
   name_->clear();
@@ -198,6 +200,11 @@ void NewProjectPage::search(std::function<std::vector<Place>()> look,
       update();
     };
   });
+}
+
+void NewProjectPage::forgetSearches() {
+  searches_ = std::make_unique<JobQueue>();
+  underWay_ = 0;
 }
 
 void NewProjectPage::addFiles(const QStringList& files) {
