@@ -4457,16 +4457,19 @@ bei %4, %5, %6 m</translation>
         <translation>Die Änderungen an diesem Projekt speichern?</translation>
     </message>
     <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentMenu</name>
+    <message>
         <source>Nothing yet</source>
         <translation>Noch nichts</translation>
     </message>
     <message>
         <source>Forget these</source>
         <translation>Diese vergessen</translation>
-    </message>
-    <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
     </message>
 </context>
 <context>

@@ -4457,16 +4457,19 @@ en %4, %5, %6 m</translation>
         <translation>¿Guardar los cambios de este proyecto?</translation>
     </message>
     <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentMenu</name>
+    <message>
         <source>Nothing yet</source>
         <translation>Nada todavía</translation>
     </message>
     <message>
         <source>Forget these</source>
         <translation>Olvidar estos</translation>
-    </message>
-    <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
     </message>
 </context>
 <context>

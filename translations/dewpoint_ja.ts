@@ -4455,16 +4455,19 @@ at %4, %5, %6 m</source>
         <translation>このプロジェクトの変更を保存しますか？</translation>
     </message>
     <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentMenu</name>
+    <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
     <message>
         <source>Forget these</source>
         <translation>履歴を消去</translation>
-    </message>
-    <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,6 +96,7 @@ int run(int argc, char** argv) {
   const dewpoint::ui::Theme theme =
       options.theme.empty() ? dewpoint::ui::Preferences().theme()
                             : dewpoint::ui::themeFromName(QString::fromStdString(options.theme));
+  std::optional<dewpoint::app::RunOutput> output; // goes after the window, when all is written
   dewpoint::ui::MainWindow window(&dewpoint::app::openProject);
   window.setTheme(theme);
   const bool unattended = !options.screenshot.empty() || !options.out.empty();
@@ -112,7 +114,7 @@ int run(int argc, char** argv) {
                                   options.frames);
   }
   if (!options.out.empty()) {
-    dewpoint::app::writeRunTo(window, options.out);
+    output.emplace(window, options.out);
   }
   window.show();
   if (!unattended) {

@@ -7,24 +7,44 @@
 #include <QCoreApplication>
 
 #include <cstdio>
-#include <memory>
+#include <utility>
 
 namespace dewpoint::app {
 
-void writeRunTo(MainWindow& window, const std::filesystem::path& folder) {
-  const auto ended = std::make_shared<bool>(false);
+RunOutput::RunOutput(MainWindow& window, std::filesystem::path folder)
+    : window_(window), folder_(std::move(folder)) {
   QObject::connect(&window, &MainWindow::snapshotShown, &window,
-                   [&window, folder, ended](const TrackSnapshotPtr& snapshot) {
+                   [this](const TrackSnapshotPtr& snapshot) {
                      const bool now = snapshot->state == PlayState::Ended;
-                     if (now && !*ended) {
-                       window.saveRun(folder);
+                     if (!std::exchange(ended_, now) && now) {
+                       write({});
                      }
-                     *ended = now;
                    });
-  QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window, [&window, folder] {
-    if (window.shown() != nullptr && !window.saveRun(folder)) {
-      std::fprintf(stderr, "dewpoint: %s: the run could not be written\n", folder.c_str());
+  QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window, [this] {
+    if (window_.shown() != nullptr) {
+      write([folder = folder_](bool written) {
+        if (!written) {
+          std::fprintf(stderr, "dewpoint: %s: the run could not be written\n", folder.c_str());
+        }
+      });
     }
+  });
+}
+
+RunOutput::~RunOutput() {
+  for (int left = *underWay_; left > 0; left = *underWay_) {
+    underWay_->wait(left);
+  }
+}
+
+void RunOutput::write(const std::function<void(bool)>& written) {
+  ++*underWay_;
+  window_.saveRun(folder_, [written, underWay = underWay_](bool good) {
+    if (written) {
+      written(good);
+    }
+    --*underWay;
+    underWay->notify_all();
   });
 }
 

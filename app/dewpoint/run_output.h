@@ -3,7 +3,10 @@
 
 #include "core/base/floors.h"
 
+#include <atomic>
 #include <filesystem>
+#include <functional>
+#include <memory>
 
 namespace dewpoint::ui {
 class MainWindow;
@@ -13,6 +16,22 @@ namespace dewpoint::app {
 
 /// `dewpoint --out DIR`: leaves trajectory.csv and run.json in a folder whenever the recording was
 /// tracked to its end, and when the application quits.
-void writeRunTo(MainWindow& window, const std::filesystem::path& folder);
+class RunOutput {
+public:
+  RunOutput(MainWindow& window, std::filesystem::path folder);
+  /// Waits until all is written, however long the disk takes: for the end of the program, when the
+  /// window is gone.
+  ~RunOutput();
+  RunOutput(const RunOutput&) = delete;
+  RunOutput& operator=(const RunOutput&) = delete;
+
+private:
+  void write(const std::function<void(bool)>& written);
+
+  MainWindow& window_;
+  std::filesystem::path folder_;
+  std::shared_ptr<std::atomic<int>> underWay_ = std::make_shared<std::atomic<int>>(0);
+  bool ended_ = false;
+};
 
 } // namespace dewpoint::app

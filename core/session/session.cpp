@@ -57,34 +57,42 @@ Result<std::size_t> Session::saveTrajectory(const std::filesystem::path& file) c
   return writeTrajectory(found, file).map([&] { return found.samples.size(); });
 }
 
-Status Session::saveRun(const std::filesystem::path& folder) const {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    return failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message());
-  }
+RunRecord Session::record() const {
   auto [project, figures] = impl_->loop.log().run();
   const TrackSnapshotPtr last = newest();
   figures.droppedFrames = last->droppedFrames;
   for (const Error& notice : last->notices) {
     figures.notices.push_back(sentence(notice));
   }
-  if (const Status saved = saveTables(methodFamily(project.method).tables, folder); !saved) {
+  return {std::move(project), std::move(figures), peopleRecord(), boxTrack()};
+}
+
+Status Session::saveRun(const std::filesystem::path& folder) const {
+  return record().save(folder);
+}
+
+Status RunRecord::save(const std::filesystem::path& folder) const {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, folder.string(), "", problem.message());
+  }
+  if (const Status saved = saveTables(folder); !saved) {
     return saved;
   }
   return writeTextFile(folder / "run.json", runReport(project, figures));
 }
 
-Status Session::saveTables(RunTables tables, const std::filesystem::path& folder) const {
-  switch (tables) {
+Status RunRecord::saveTables(const std::filesystem::path& folder) const {
+  switch (methodFamily(project.method).tables) {
   case RunTables::Trajectory:
-    return writeTrajectory(trajectory(), folder / "trajectory.csv");
+    return writeTrajectory(people.trajectory, folder / "trajectory.csv");
   case RunTables::Boxes:
-    return writeBoxTrack(boxTrack(), folder);
+    return writeBoxTrack(boxes, folder);
   case RunTables::People:
     break;
   }
-  return savePeople(peopleRecord(), folder, [](double) { return true; }).map([](std::size_t) {});
+  return savePeople(people, folder, [](double) { return true; }).map([](std::size_t) {});
 }
 
 PeopleRecord Session::peopleRecord() const {

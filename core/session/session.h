@@ -5,6 +5,7 @@
 #include "core/session/frames/frame_tap.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
+#include "core/session/run/run_report.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session_inputs.h"
 #include "core/trajectory/trajectory.h"
@@ -18,6 +19,23 @@
 #include <vector>
 
 namespace dewpoint::session {
+
+/// All that a run leaves in a folder: a value of its own, to be written in any thread however the
+/// run goes on.
+struct RunRecord {
+  Project project;
+  RunFigures figures;
+  PeopleRecord people; ///< its trajectory is that of other methods, too
+  BoxTrack boxes;      ///< of methods that follow boxes
+
+  /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist; with
+  /// methods that follow boxes boxes.csv and boxes_mot.txt instead of the trajectory; of methods
+  /// for people volumes.csv, hulls.csv and ground.csv too (PeopleWriter).
+  Status save(const std::filesystem::path& folder) const;
+
+private:
+  Status saveTables(const std::filesystem::path& folder) const;
+};
 
 /// The running machine: one tracking thread that takes frame sets, iterates the filters and
 /// publishes snapshots. Every call returns at once; wishes are queued and obeyed at the next step.
@@ -66,9 +84,9 @@ public:
   Trajectory trajectory() const;
   /// Writes it as CSV; how many samples it held.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
-  /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist; with
-  /// methods that follow boxes boxes.csv and boxes_mot.txt instead of the trajectory; of methods
-  /// for people volumes.csv, hulls.csv and ground.csv too (PeopleWriter).
+  /// What the run leaves, as it is now.
+  RunRecord record() const;
+  /// Writes it at once, see RunRecord.
   Status saveRun(const std::filesystem::path& folder) const;
   /// All that is known of the people of the run; nothing for other methods.
   PeopleRecord peopleRecord() const;
@@ -108,8 +126,6 @@ public:
   void setFrameTap(FrameTap tap);
 
 private:
-  Status saveTables(RunTables tables, const std::filesystem::path& folder) const;
-
   class Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -137,8 +137,10 @@ bool isDevice(const std::string& location) {
 /// A folder with an image in it.
 bool holdsImages(const fs::path& folder) {
   std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.is_regular_file(problem) && holds(kImageEndings, entry.path())) {
+  std::error_code unread; // the rest of a disk that gives up
+  for (fs::directory_iterator entry(folder, unread); !unread && entry != fs::directory_iterator();
+       entry.increment(unread)) {
+    if (entry->is_regular_file(problem) && holds(kImageEndings, entry->path())) {
       return true;
     }
   }

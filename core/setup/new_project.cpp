@@ -164,7 +164,8 @@ SourceKind guessedSource(const std::string& location) {
   if (location.starts_with("gst:") || location.find("://") != std::string::npos) {
     return SourceKind::Stream;
   }
-  return std::filesystem::is_directory(location) ? SourceKind::Images : SourceKind::Video;
+  std::error_code problem;
+  return std::filesystem::is_directory(location, problem) ? SourceKind::Images : SourceKind::Video;
 }
 
 Result<MadeProject> makeProject(const NewProject& wanted) {

@@ -3,7 +3,7 @@
 #include "core/base/text_file.h"
 #include "tests/ui/box_window.h"
 #include "ui/selection/selection.h"
-#include "ui/style/theme.h"
+#include "ui/text/hold_text.h"
 
 #include <QComboBox>
 #include <QLabel>

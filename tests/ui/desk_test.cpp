@@ -215,7 +215,9 @@ void DeskTest::workLeftBehindIsOffered() {
 void DeskTest::oneClickLearnsAColorAndTracksIt() {
   QVERIFY(recordDemo(folder_.path().toStdString()));
   drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
-  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  auto* create = find<QPushButton>("newCreate");
+  QVERIFY(waitFor([&] { return create->isEnabled(); }));
+  QTest::mouseClick(create, Qt::LeftButton);
   QVERIFY(isOpen(2));
   QVERIFY(window_->document().project().targets.empty());
 

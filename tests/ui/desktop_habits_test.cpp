@@ -4,6 +4,7 @@
 #include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "tests/ui/saved_run.h"
 #include "tests/ui/wait.h"
 #include "ui/actions/action_id.h"
 #include "ui/actions/action_registry.h"
@@ -223,7 +224,7 @@ void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
   QTemporaryDir folder;
   const auto threadsOfRun = [&] {
     QFile report(folder.filePath(QStringLiteral("run.json")));
-    return window_->saveRun(folder.path().toStdString()) && report.open(QIODevice::ReadOnly)
+    return test::savesRun(*window_, folder.path().toStdString()) && report.open(QIODevice::ReadOnly)
                ? QJsonDocument::fromJson(report.readAll()).object().value("threads").toInt()
                : -1;
   };

@@ -140,7 +140,9 @@ void FirstRunTest::fromTwoVideosAndACalibrationToATrack() {
   click(find<QToolButton>("startVideos"));
   chooseFiles({"calibration.toml"});
   click(find<QPushButton>("newChooseCalibration"));
-  click(find<QPushButton>("newCreate"));
+  auto* create = find<QPushButton>("newCreate");
+  QVERIFY(waitFor([&] { return create->isEnabled(); }));
+  click(create);
   QVERIFY2(waitFor([this] { return window_->shown() && window_->shown()->frame >= 0; }),
            qPrintable(find<QLabel>("messageText")->text()));
   auto* view = find<CameraView>("cameraView0");

@@ -26,12 +26,22 @@ private Q_SLOTS:
   void whatIsNoFootageIsRefused();
   void anErrorIsOverWhenAnotherProjectOpens();
   void cancelOfANewProjectChangesNothing();
+  void aTypedFolderHasARate();
+
+private:
+  /// Waits until the page has found out about all that was dropped.
+  bool hasRows(int rows) const {
+    return waitFor([&] {
+      return find<QTableWidget>("newCameras")->rowCount() == rows &&
+             find<QPushButton>("newCreate")->isEnabled();
+    });
+  }
 };
 
 void NewPageTest::twoVideosAndACalibrationMakeAProject() {
   QVERIFY(recordDemo(folder_.path().toStdString()));
   drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
-  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
+  QVERIFY(hasRows(2));
   QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
   QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
   QVERIFY(isOpen(2));
@@ -47,6 +57,7 @@ void NewPageTest::whatCannotBeMadeIsSaidAndNothingIsLost() {
   action("actionNew")->trigger();
   QVERIFY(!find<QPushButton>("newCreate")->isEnabled());
   drop({file("left.mkv"), file("nowhere.mkv")});
+  QVERIFY(hasRows(2));
   QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
   QVERIFY(waitFor([this] {
     return find<QLabel>("messageText")->text().contains(QStringLiteral("nowhere.mkv"));
@@ -66,7 +77,7 @@ void NewPageTest::furtherDropsAddToTheNewProject() {
   drop({file("cam 1.mkv")});
   drop({file("cam 1.mkv"), file("calibration.toml")}); // twice the same is one camera
   auto* table = find<QTableWidget>("newCameras");
-  QCOMPARE(table->rowCount(), 3);
+  QVERIFY(hasRows(3));
   QCOMPARE(table->item(0, 0)->text(), QStringLiteral("cam 2")); // numbers as numbers
   QCOMPARE(table->item(1, 0)->text(), QStringLiteral("cam 10"));
   QCOMPARE(table->item(2, 0)->text(), QStringLiteral("cam 1"));
@@ -81,7 +92,7 @@ void NewPageTest::whatIsNoFootageIsRefused() {
   table.close();
   QVERIFY(QDir().mkpath(file("no images")));
   drop({file("left.mkv"), file("truth.csv"), file("calibration.toml"), file("no images")});
-  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 1);
+  QVERIFY(hasRows(1));
   QCOMPARE(find<QTableWidget>("newCameras")->item(0, 0)->text(), QStringLiteral("left"));
   const QString text = find<QLabel>("messageText")->text();
   QVERIFY2(text.contains(QStringLiteral("truth.csv")) && text.contains(QStringLiteral("no images")),
@@ -117,6 +128,18 @@ void NewPageTest::cancelOfANewProjectChangesNothing() {
   QVERIFY(keepsItsSize(window_.get()));
   QCOMPARE(window_->size(), size);
   QVERIFY(window_->document().project() == before);
+}
+
+void NewPageTest::aTypedFolderHasARate() {
+  action("actionNew")->trigger();
+  QVERIFY(QDir().mkpath(file("images")));
+  QTest::mouseClick(find<QPushButton>("newAddAddress"), Qt::LeftButton);
+  QTableWidgetItem* source = find<QTableWidget>("newCameras")->item(0, 1);
+  source->setText(file("images"));
+  auto* rate = find<QWidget>("newRate");
+  QVERIFY(waitFor([&] { return rate->isVisible(); }));
+  source->setText(QStringLiteral("rtsp://camera.example/1"));
+  QVERIFY(!rate->isVisible());
 }
 
 } // namespace dewpoint::tests

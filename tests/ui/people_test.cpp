@@ -3,6 +3,7 @@
 #include "core/base/text_file.h"
 #include "core/session/people/people_overlay.h"
 #include "core/session/run/snapshot.h"
+#include "tests/ui/saved_run.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"
@@ -78,7 +79,7 @@ private:
   void exportTo(const QString& folder);
   std::string trajectory() {
     const QTemporaryDir folder;
-    return window_->saveRun(folder.path().toStdString())
+    return test::savesRun(*window_, folder.path().toStdString())
                ? readTextFile(folder.filePath(QStringLiteral("trajectory.csv")).toStdString())
                      .value_or("")
                : std::string();

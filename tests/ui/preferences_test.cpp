@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/floors.h"
 #include "ui/preferences/preferences.h"
+#include "ui/start/recent_projects.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -120,8 +121,18 @@ void PreferencesTest::recentProjectsAreTheNewestThatAreThere() {
   preferences.addRecentProject(newestFirst.at(4));
   QCOMPARE(preferences.recentProjects().front(), newestFirst.at(4));
   QCOMPARE(preferences.recentProjects().size(), 10);
+  RecentProjects offered;
+  offered.look();
+  QCOMPARE(offered.files(), preferences.recentProjects());
   QVERIFY(QFile::remove(newestFirst.at(4)));
-  QVERIFY(!preferences.recentProjects().contains(newestFirst.at(4)));
+  offered.look();
+  QVERIFY(QTest::qWaitFor([&] { return !offered.files().contains(newestFirst.at(4)); },
+                          DEWPOINT_PATIENCE_MS));
+  QCOMPARE(offered.files().size(), 9);
+  QVERIFY(QFile(newestFirst.at(4)).open(QIODevice::WriteOnly)); // it is back
+  offered.look();
+  QVERIFY(QTest::qWaitFor([&] { return offered.files() == preferences.recentProjects(); },
+                          DEWPOINT_PATIENCE_MS));
   preferences.clearRecentProjects();
   QVERIFY(preferences.recentProjects().isEmpty());
 }

@@ -15,13 +15,21 @@
 #include "ui/document/project_saver.h"
 #include "ui/jobs/job_thread.h"
 #include "ui/mainwindow/main_window.h"
+#include "ui/preferences/preferences.h"
+#include "ui/start/new_project_page.h"
+#include "ui/start/recent_projects.h"
 #include "ui/view3d/birds_eye_view.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -29,8 +37,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <fcntl.h>
 #include <functional>
 #include <memory>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace dewpoint::tests {
 
@@ -74,6 +86,10 @@ private Q_SLOTS:
   void whatIsChangedWhileItIsSavedIsStillUnsaved();
   void aDeadStreamDoesNotHoldUpTheNextProject();
   void aBoardThatIsLookedForHoldsNobodyUp();
+  void recentProjectsAreOfferedUntilTheDiskAnswers();
+  void footageComesInOrderOnceItIsRead();
+  void footageThatIsGivenUpIsNotHeard();
+  void aRunIsWrittenWhenTheWindowIsGone();
 
 private:
   std::filesystem::path place(const char* name) const {
@@ -88,6 +104,10 @@ private:
   /// Answers the next question about unsaved changes.
   static void answer(QMessageBox::StandardButton button);
   double particlesIn(const std::filesystem::path& file) const;
+  /// A recording whose name does not say what it is, and whose first bytes do not come: whoever
+  /// looks at it waits until the file that this returns is closed. -1: nobody looks at it.
+  int pipeThatIsRead() const;
+  QString pipe() const { return folder_->filePath(QStringLiteral("pipe")); }
 
   std::unique_ptr<QTemporaryDir> folder_;
   std::shared_ptr<Gate> disk_;
@@ -258,6 +278,99 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   // What was shown is looked at to the end, by a thread that nobody waits for, and wakes nobody.
   QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
   QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
+}
+
+void SlowWorldTest::recentProjectsAreOfferedUntilTheDiskAnswers() {
+  const QString one = QString::fromStdString(demoFile("one").string());
+  Preferences().addRecentProject(QString::fromStdString(place("gone.toml").string()));
+  Preferences().addRecentProject(one);
+  window_->findChild<RecentProjects*>()->setExists([disk = disk_](const QString& file) {
+    disk->pass();
+    return QFile::exists(file);
+  });
+  trigger("actionNew");
+  window_->findChild<QPushButton*>("newCancel")->click(); // to the start page
+  auto* list = window_->findChild<QListWidget*>("startRecent");
+  QCOMPARE(list->count(), 2);
+  auto* menu = window_->findChild<QMenu*>("menuRecent");
+  Q_EMIT menu->aboutToShow();
+  QCOMPARE(menu->actions().size(), 4); // with the line, and what forgets them
+  QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));
+  window_->openProject(one.toStdString());
+  QVERIFY(isOpen("one"));
+  QCOMPARE(disk_->waiting(), 1); // however often it is asked for
+  QCOMPARE(list->count(), 2);
+  disk_->open();
+  QVERIFY(waitFor([&] { return list->count() == 1; }));
+  QCOMPARE(list->item(0)->toolTip(), one);
+  Q_EMIT menu->aboutToShow();
+  QCOMPARE(menu->actions().size(), 3);
+}
+
+int SlowWorldTest::pipeThatIsRead() const {
+  int writer = -1;
+  const std::string name = pipe().toStdString();
+  const bool read = waitFor([&] {
+    writer = ::open(name.c_str(), O_WRONLY | O_NONBLOCK); // only once somebody reads
+    return writer >= 0;
+  });
+  return read ? writer : -1;
+}
+
+void SlowWorldTest::footageComesInOrderOnceItIsRead() {
+  QCOMPARE(::mkfifo(pipe().toStdString().c_str(), 0600), 0);
+  const QString address = QStringLiteral("rtsp://camera.example/1");
+  auto* page = window_->findChild<NewProjectPage*>();
+  auto* rows = window_->findChild<QTableWidget*>("newCameras");
+  auto* create = window_->findChild<QPushButton*>("newCreate");
+  trigger("actionNew");
+  page->addFiles({pipe()});
+  page->addFiles({address});
+  const int writer = pipeThatIsRead();
+  QVERIFY(writer >= 0);
+  QCOMPARE(rows->rowCount(), 0);
+  QVERIFY(!create->isEnabled());
+  QCOMPARE(::write(writer, "\x1A\x45\xDF\xA3", 4), ssize_t{4}); // as Matroska files begin
+  ::close(writer);
+  QVERIFY(waitFor([&] { return create->isEnabled(); }));
+  QCOMPARE(rows->rowCount(), 2);
+  QCOMPARE(rows->item(0, 1)->text(), pipe());
+  QCOMPARE(rows->item(1, 1)->text(), address);
+}
+
+void SlowWorldTest::footageThatIsGivenUpIsNotHeard() {
+  QCOMPARE(::mkfifo(pipe().toStdString().c_str(), 0600), 0);
+  const QString address = QStringLiteral("rtsp://camera.example/1");
+  auto* page = window_->findChild<NewProjectPage*>();
+  auto* rows = window_->findChild<QTableWidget*>("newCameras");
+  trigger("actionNew");
+  page->addFiles({pipe()});
+  const int writer = pipeThatIsRead();
+  QVERIFY(writer >= 0);
+  window_->findChild<QPushButton*>("newCancel")->click();
+  trigger("actionNew");
+  page->addFiles({address});
+  QVERIFY(waitFor([&] { return rows->rowCount() == 1; }));
+  QVERIFY(window_->findChild<QPushButton*>("newCreate")->isEnabled());
+  ::close(writer);
+  QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
+  QTest::qWait(0);
+  QCOMPARE(rows->rowCount(), 1);
+  QCOMPARE(rows->item(0, 1)->text(), address);
+  QVERIFY(!window_->findChild<QLabel*>("messageText")->isVisible());
+}
+
+void SlowWorldTest::aRunIsWrittenWhenTheWindowIsGone() {
+  window_->openProject(demoFile("one"));
+  QVERIFY(isOpen("one"));
+  window_->saveRun(place("first"), [disk = disk_](bool) { disk->pass(); });
+  window_->saveRun(place("second"));
+  QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));
+  window_.reset();
+  QVERIFY(std::filesystem::exists(place("first") / "run.json"));
+  QVERIFY(!std::filesystem::exists(place("second")));
+  disk_->open();
+  QVERIFY(waitFor([this] { return std::filesystem::exists(place("second") / "run.json"); }));
 }
 
 } // namespace dewpoint::tests

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/camera_motion_mark.h"
 
+#include "ui/style/halo.h"
 #include "ui/style/theme.h"
 
 #include <QPainter>
@@ -16,11 +17,8 @@ void paintBumpMark(QPainter& painter, const QRectF& image, const QString& text,
   painter.save();
   const QColor color = holdColor(HoldState::Lost, palette);
   const QRectF frame = image.adjusted(2.0, 2.0, -2.0, -2.0);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 150), 4.0));
-  painter.drawRect(frame);
-  painter.setPen(QPen(color, 2.0, Qt::DashLine));
-  painter.drawRect(frame);
+  withHalo(
+      painter, color, 2.0, [&] { painter.drawRect(frame); }, Qt::DashLine, edgeHalo(150, 2.0));
   const QString mark = QStringLiteral("▲ ") + text;
   const QFontMetricsF metrics(painter.font());
   const QRectF label(frame.topLeft() + QPointF(6.0, 6.0),

@@ -2,6 +2,7 @@
 #include "ui/cameraview/image_pick_overlay.h"
 
 #include "ui/cameraview/camera_view.h"
+#include "ui/style/halo.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -18,13 +19,10 @@ namespace {
 constexpr double kStepsAcross = 64.0; ///< of an arrow key, over the width of the image
 constexpr double kArm = 14.0;         ///< of the cross, widget pixels
 
-/// Bright on a dark halo: readable on any image.
 void stroke(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style) {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 170), 3.0));
-  painter.drawPolygon(outline);
-  painter.setPen(QPen(QColor("#f0e442"), 1.4, style));
-  painter.drawPolygon(outline);
+  withHalo(
+      painter, QColor("#f0e442"), 1.4, [&] { painter.drawPolygon(outline); }, style,
+      edgeHalo(170, 1.6));
 }
 
 } // namespace

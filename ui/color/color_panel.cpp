@@ -11,6 +11,7 @@
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/style/theme.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/retranslation.h"
 #include "ui/text/verdict_text.h"
 
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace dewpoint::ui {
@@ -341,9 +343,9 @@ void ColorPanel::showBox() {
     verdict_->setText(
         tr("Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press "
            "Box and click the thing for another box.")
-            .arg(camera < project.cameras.size()
-                     ? QString::fromStdString(project.cameras[camera].camera.name)
-                     : QString::number(box.camera + 1))
+            .arg(cameraName(camera < project.cameras.size() ? project.cameras[camera].camera.name
+                                                            : std::string(),
+                            camera))
             .arg(box.frame + 1)
             .arg(qRound(box.box.width))
             .arg(qRound(box.box.height)));

@@ -2,6 +2,7 @@
 #include "ui/color/color_sample_list.h"
 
 #include "core/project/project.h"
+#include "ui/text/camera_names.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace dewpoint::ui {
 
@@ -54,9 +56,9 @@ void ColorSampleList::setSamples(const Project& project, int target) {
   if (target >= 0 && target < static_cast<int>(project.targets.size())) {
     for (const ColorSample& sample : project.targets[static_cast<std::size_t>(target)].samples) {
       const auto camera = static_cast<std::size_t>(sample.camera);
-      const QString name = camera < project.cameras.size()
-                               ? QString::fromStdString(project.cameras[camera].camera.name)
-                               : QString::number(sample.camera + 1);
+      const QString name = cameraName(
+          camera < project.cameras.size() ? project.cameras[camera].camera.name : std::string(),
+          camera);
       const QString text =
           sample.excluded ? tr("not this: %1, frame %2, at %3, %4") : tr("%1, frame %2, at %3, %4");
       list_->addItem(text.arg(name)

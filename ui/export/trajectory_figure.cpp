@@ -4,6 +4,7 @@
 #include "core/base/text_file.h"
 #include "core/trajectory/trajectory_figure.h"
 #include "ui/style/theme.h"
+#include "ui/text/quantity_text.h"
 
 #include <QBuffer>
 #include <QPageSize>
@@ -39,14 +40,14 @@ public:
       const QPointF foot = at(x, vertical_.low);
       line(foot, {foot.x(), frame_.top()}, kGrid);
       if (numbersBelow) {
-        text(QRectF(foot.x() - 40, foot.y() + 3, 80, 16), Qt::AlignHCenter, number(x));
+        text(QRectF(foot.x() - 40, foot.y() + 3, 80, 16), Qt::AlignHCenter, figureNumberText(x));
       }
     }
     for (const double y : gridLines(vertical_)) {
       const QPointF foot = at(horizontal_.low, y);
       line(foot, {frame_.right(), foot.y()}, kGrid);
       text(QRectF(foot.x() - 56, foot.y() - 8, 50, 16), Qt::AlignRight | Qt::AlignVCenter,
-           number(y));
+           figureNumberText(y));
     }
     painter_.setPen(QPen(kInk, 1.0));
     painter_.setBrush(Qt::NoBrush);
@@ -88,9 +89,6 @@ private:
       polygon << at(point.x(), point.y());
     }
     return polygon;
-  }
-  static QString number(double value) {
-    return QString::number(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 5);
   }
   void line(QPointF from, QPointF to, const QColor& color) {
     painter_.setPen(QPen(color, 0.8));

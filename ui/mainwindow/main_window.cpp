@@ -204,16 +204,25 @@ TrackSnapshotPtr MainWindow::shown() const {
   return session_->shown();
 }
 
-bool MainWindow::saveRun(const std::filesystem::path& folder) {
+void MainWindow::saveRun(const std::filesystem::path& folder, std::function<void(bool)> written) {
   const Session* session = session_->session();
   if (session == nullptr) {
-    return false;
+    if (written) {
+      written(false);
+    }
+    return;
   }
-  const auto saved = session->saveRun(folder);
-  if (!saved) {
-    messages_->showError(errorSentence(saved.error()));
-  }
-  return saved.has_value();
+  const auto run = std::make_shared<const RunRecord>(session->record());
+  runWriter_.add([this, run, folder, written = std::move(written)]() -> std::function<void()> {
+    const Status saved = run->save(folder);
+    if (written) {
+      written(saved.has_value());
+    }
+    if (saved) {
+      return {};
+    }
+    return [this, error = saved.error()] { messages_->showError(errorSentence(error)); };
+  });
 }
 
 void MainWindow::setTheme(Theme theme) {

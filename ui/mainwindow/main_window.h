@@ -2,12 +2,14 @@
 #pragma once
 
 #include "ui/document/recovery_folder.h"
+#include "ui/jobs/job_queue.h"
 #include "ui/preferences/preferences.h"
 #include "ui/session/project_loader.h"
 
 #include <QMainWindow>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 namespace dewpoint::session {
@@ -57,9 +59,11 @@ public:
   /// Speaks another language from now on, and remembers it.
   void setLanguage(const QString& language);
 
-  /// Writes trajectory.csv and run.json of the run so far into a folder; what failed is shown in
-  /// the window, too. False also when nothing is open.
-  bool saveRun(const std::filesystem::path& folder);
+  /// Writes what the run leaves so far (RunRecord) into a folder, beside the window; one after the
+  /// other, and also when the window closes meanwhile. What failed is shown in the window.
+  /// `written` is told whether it went well, in the thread that writes; false at once when nothing
+  /// is open.
+  void saveRun(const std::filesystem::path& folder, std::function<void(bool)> written = {});
 
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
@@ -103,6 +107,7 @@ private:
   HistoryDock* history_ = nullptr;
   WindowMenus* menus_ = nullptr;
   SystemColors* systemColors_;
+  JobQueue runWriter_;
   Theme theme_ = Theme::System;
   bool keepsGeometry_ = false;
 };

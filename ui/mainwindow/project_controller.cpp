@@ -5,19 +5,18 @@
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/document/project_saver.h"
+#include "ui/mainwindow/recent_menu.h"
 #include "ui/mainwindow/recovery_offer.h"
-#include "ui/preferences/preferences.h"
 #include "ui/session/open_request.h"
 #include "ui/start/new_project_page.h"
+#include "ui/start/recent_projects.h"
 #include "ui/start/start_page.h"
 #include "ui/widgets/file_choice.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
 
 #include <QAction>
-#include <QFileInfo>
 #include <QMainWindow>
-#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStackedWidget>
@@ -50,7 +49,8 @@ QStringList filesOf(const QMimeData& data) {
 } // namespace
 
 ProjectController::ProjectController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), saver_(new ProjectSaver(bench.document, this)) {
+    : QObject(&bench.window), bench_(bench), recent_(new RecentProjects(this)),
+      recentMenu_(new RecentMenu(*recent_, this)), saver_(new ProjectSaver(bench.document, this)) {
   makePages();
   connectPages();
   connectActions();
@@ -62,7 +62,7 @@ ProjectController::ProjectController(const Workbench& bench)
 void ProjectController::makePages() {
   pages_ = new QStackedWidget(&bench_.window);
   pages_->setObjectName(QStringLiteral("start"));
-  startPage_ = new StartPage(pages_);
+  startPage_ = new StartPage(*recent_, pages_);
   newProject_ = new NewProjectPage(pages_);
   pages_->addWidget(startPage_);
   pages_->addWidget(newProject_);
@@ -96,6 +96,8 @@ void ProjectController::connectActions() {
   const auto unlessUnsaved = [this](const std::function<void()>& run) {
     return [this, run] { whenSettled(run); };
   };
+  connect(recentMenu_, &RecentMenu::wanted, this,
+          [this](const QString& file) { whenSettled([this, file] { open(toPath(file)); }); });
   bench_.onTriggered("actionNew", this, unlessUnsaved([this] { beginNew({}); }));
   bench_.onTriggered("actionOpen", this, [this] { askOpen(); });
   bench_.onTriggered("actionOpenDemo", this, unlessUnsaved([this] { open({}); }));
@@ -118,7 +120,7 @@ void ProjectController::connectRun() {
   connect(run, &SessionController::replaced, this, [this](const OpenRequest& request) {
     const auto& file = bench_.document.project().file;
     if (!request.keepHistory && !file.empty()) {
-      Preferences().addRecentProject(QString::fromStdString(file.string()));
+      recent_->add(QString::fromStdString(file.string()));
     }
     if (request.recovered && recovery_ != nullptr) {
       recovery_->take(*request.recovered);
@@ -130,6 +132,7 @@ void ProjectController::connectRun() {
     }
   });
   connect(run, &SessionController::openFailed, &bench_.messages, &MessageBar::showError);
+  connect(run, &SessionController::openFailed, recent_, &RecentProjects::look);
 }
 
 void ProjectController::open(const std::filesystem::path& file) {
@@ -193,7 +196,7 @@ void ProjectController::saveTo(std::filesystem::path file) {
 
 void ProjectController::connectSaver() {
   connect(saver_, &ProjectSaver::saved, this, [this](const QString& file) {
-    Preferences().addRecentProject(file);
+    recent_->add(file);
     bench_.messages.showNotice(tr("Saved %1.").arg(file));
     if (const auto next = std::exchange(afterSaving_, {})) {
       whenSettled(next); // it may have been changed while it was saved
@@ -243,23 +246,7 @@ bool ProjectController::mayClose() {
 }
 
 void ProjectController::fillRecentMenu(QMenu* menu) {
-  menu->clear();
-  for (const QString& file : Preferences().recentProjects()) {
-    QAction* entry = menu->addAction(QFileInfo(file).completeBaseName());
-    entry->setObjectName(QStringLiteral("qt_recent")); // a person's word, in no language of ours
-    entry->setToolTip(file);
-    connect(entry, &QAction::triggered, this,
-            [this, file] { whenSettled([this, file] { open(toPath(file)); }); });
-  }
-  if (menu->isEmpty()) {
-    menu->addAction(tr("Nothing yet"))->setEnabled(false);
-    return;
-  }
-  menu->addSeparator();
-  connect(menu->addAction(tr("Forget these")), &QAction::triggered, this, [this] {
-    Preferences().clearRecentProjects();
-    startPage_->refresh();
-  });
+  recentMenu_->fill(menu);
 }
 
 bool ProjectController::canDrop(const QMimeData& data) {

@@ -19,6 +19,8 @@ namespace dewpoint::ui {
 
 class NewProjectPage;
 class ProjectSaver;
+class RecentMenu;
+class RecentProjects;
 class Recovery;
 class RecoveryOffer;
 class StartPage;
@@ -66,6 +68,8 @@ private:
   void whenSettled(const std::function<void()>& next);
 
   Workbench bench_;
+  RecentProjects* recent_;
+  RecentMenu* recentMenu_;
   QStackedWidget* pages_ = nullptr;
   StartPage* startPage_ = nullptr;
   NewProjectPage* newProject_ = nullptr;

@@ -3,6 +3,7 @@
 
 #include "core/session/run/snapshot.h"
 #include "ui/document/method_presentation.h"
+#include "ui/text/hold_text.h"
 #include "ui/text/people_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"

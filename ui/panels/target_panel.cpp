@@ -6,7 +6,7 @@
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/document/target_list_model.h"
-#include "ui/style/theme.h"
+#include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"

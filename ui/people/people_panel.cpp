@@ -4,6 +4,7 @@
 #include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
+#include "ui/text/hold_text.h"
 #include "ui/text/people_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"

@@ -64,9 +64,7 @@ void Preferences::setWindowGeometry(const QByteArray& geometry) {
 }
 
 QStringList Preferences::recentProjects() const {
-  QStringList files = read(kRecentProjects).toStringList();
-  files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
-  return files;
+  return read(kRecentProjects).toStringList();
 }
 
 void Preferences::addRecentProject(const QString& file) {

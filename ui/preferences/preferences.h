@@ -41,8 +41,8 @@ public:
   QByteArray windowGeometry() const;
   void setWindowGeometry(const QByteArray& geometry);
 
-  /// Project files that were opened or saved last, the newest first; those that are missing are
-  /// left out.
+  /// Project files that were opened or saved last, the newest first; nobody has looked whether they
+  /// are still there (RecentProjects does).
   QStringList recentProjects() const;
   void addRecentProject(const QString& file);
   void clearRecentProjects();

@@ -25,8 +25,9 @@ struct OpenRequest;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// The run of the window: opens it, ends it, passes on what the document and the selection ask of
-/// it, and gives the views what they show. All policy about the run is here: when it begins to
-/// play, what another method does to what was tracked, whether another calibration keeps it.
+/// it, and gives the views what they show. Decides when a run begins to play, from which frame on
+/// another method holds, and whether another calibration keeps the run or opens it anew; what is
+/// tracked again after a change is decided by the machine itself (RunDriver in core/session).
 class SessionController : public QObject {
   Q_OBJECT
 public:

@@ -8,6 +8,7 @@
 #include "ui/widgets/decimal_field.h"
 #include "ui/widgets/file_choice.h"
 
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -15,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -28,13 +30,10 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kFormWidth = 820;
+constexpr int kSpacing = 8;
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
 
 enum Column { kName, kSource };
-
-bool isImages(const QString& location) {
-  return guessedSource(location.toStdString()) == SourceKind::Images;
-}
 
 } // namespace
 
@@ -42,7 +41,8 @@ NewProjectPage::NewProjectPage(QWidget* parent)
     : QWidget(parent), title_(new QLabel(this)), lead_(new QLabel(this)),
       name_(new QLineEdit(this)), nameLabel_(new QLabel(this)), cameras_(new QTableWidget(this)),
       calibrationLabel_(new QLabel(this)), calibration_(new QLabel(this)),
-      rateLabel_(new QLabel(this)), rate_(new DecimalField(this)) {
+      rateLabel_(new QLabel(this)), rate_(new DecimalField(this)),
+      buttons_(new QDialogButtonBox(this)), searches_(std::make_unique<JobQueue>()) {
   setObjectName(QStringLiteral("newProjectPage"));
   QFont big = title_->font();
   big.setPointSizeF(big.pointSizeF() * 1.6);
@@ -70,6 +70,8 @@ void NewProjectPage::makeTable() {
   cameras_->setSelectionBehavior(QAbstractItemView::SelectRows);
   cameras_->setTabKeyNavigation(false);
   connect(cameras_, &QTableWidget::itemSelectionChanged, this, &NewProjectPage::refresh);
+  connect(cameras_, &QTableWidget::itemChanged, this,
+          [this](const QTableWidgetItem* item) { lookAtTyped(*item); });
 }
 
 QPushButton* NewProjectPage::addButton(const char* name, const std::function<void()>& act) {
@@ -89,10 +91,16 @@ void NewProjectPage::makeRows() {
   dropCalibration_ = addButton("newDropCalibration", [this] { setCalibration({}); });
   create_ = addButton("newCreate", [this] { createProject(); });
   create_->setDefault(true);
-  cancel_ = addButton("newCancel", [this] { Q_EMIT cancelled(); });
+  cancel_ = addButton("newCancel", [this] {
+    forgetSearches();
+    Q_EMIT cancelled();
+  });
+  buttons_->layout()->setSpacing(kSpacing);
+  buttons_->addButton(create_, QDialogButtonBox::AcceptRole);
+  buttons_->addButton(cancel_, QDialogButtonBox::RejectRole);
   const auto row = [](std::initializer_list<QWidget*> widgets, int stretched) {
     auto* layout = new QHBoxLayout;
-    layout->setSpacing(8);
+    layout->setSpacing(kSpacing);
     int index = 0;
     for (QWidget* widget : widgets) {
       layout->addWidget(widget, index++ == stretched ? 1 : 0);
@@ -105,24 +113,19 @@ void NewProjectPage::makeRows() {
   auto* middle = new QWidget(this);
   middle->setMaximumWidth(kFormWidth);
   auto* column = new QVBoxLayout(middle);
-  column->setSpacing(8);
+  column->setSpacing(kSpacing);
   column->addWidget(title_);
   column->addWidget(lead_);
-  column->addSpacing(8);
+  column->addSpacing(kSpacing);
   column->addLayout(row({addVideos_, addFolder_, addDevices_, addAddress_, remove_}, -1));
   column->addWidget(cameras_, 1);
   column->addLayout(row({rateLabel_, rate_}, -1));
-  column->addSpacing(8);
+  column->addSpacing(kSpacing);
   column->addLayout(
       row({calibrationLabel_, calibration_, dropCalibration_, chooseCalibration_}, 1));
   column->addLayout(row({nameLabel_, name_}, 1));
-  column->addSpacing(8);
-  auto* last = new QHBoxLayout;
-  last->setSpacing(8);
-  last->addStretch(1);
-  last->addWidget(cancel_);
-  last->addWidget(create_);
-  column->addLayout(last);
+  column->addSpacing(kSpacing);
+  column->addWidget(buttons_);
   auto* all = new QHBoxLayout(this);
   all->setContentsMargins(32, 32, 32, 24);
   all->addStretch(1);
@@ -160,25 +163,75 @@ void NewProjectPage::retranslateUi() {
 }
 
 void NewProjectPage::begin(const QStringList& files) {
+  // Whichever of them the platform puts first.
+  setTabOrder(dropCalibration_, create_);
+  setTabOrder(create_, cancel_);
+  forgetSearches();
+  imageFolders_.clear();
   cameras_->setRowCount(0);
   name_->clear();
   setCalibration({});
+  update();
   addFiles(files);
   addVideos_->setFocus();
 }
 
+std::vector<NewProjectPage::Place>
+NewProjectPage::placesOf(const std::vector<std::string>& locations) {
+  std::vector<Place> places;
+  for (const std::string& location : locations) {
+    const QString file = QString::fromStdString(location);
+    places.push_back({location, showsImages(location),
+                      QFileInfo::exists(file) && !file.startsWith(QStringLiteral("/dev/")),
+                      guessedSource(location) == SourceKind::Images});
+  }
+  return places;
+}
+
+void NewProjectPage::search(std::function<std::vector<Place>()> look,
+                            std::function<void(const std::vector<Place>&)> found) {
+  ++underWay_;
+  update();
+  searches_->add([this, look = std::move(look), found = std::move(found)] {
+    return [this, found, places = look()] {
+      --underWay_;
+      found(places);
+      update();
+    };
+  });
+}
+
+void NewProjectPage::forgetSearches() {
+  searches_ = std::make_unique<JobQueue>();
+  underWay_ = 0;
+}
+
 void NewProjectPage::addFiles(const QStringList& files) {
-  QStringList refused;
   std::vector<std::string> names;
   std::ranges::transform(files, std::back_inserter(names), &QString::toStdString);
+  std::vector<std::string> footage;
   for (const std::string& name : inNaturalOrder(std::move(names))) {
     const QString file = QString::fromStdString(name);
     if (file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive)) {
       setCalibration(file);
-    } else if (!showsImages(name)) {
+    } else {
+      footage.push_back(name);
+    }
+  }
+  if (!footage.empty()) {
+    search([footage] { return placesOf(footage); },
+           [this](const std::vector<Place>& places) { addFootage(places); });
+  }
+}
+
+void NewProjectPage::addFootage(const std::vector<Place>& places) {
+  QStringList refused;
+  for (const Place& place : places) {
+    const QString file = QString::fromStdString(place.location);
+    if (!place.showsImages) {
       refused << QFileInfo(file).fileName();
     } else if (!isListed(file)) { // dropped twice it is still one camera
-      add(file);
+      add(place);
     }
   }
   if (!refused.isEmpty()) {
@@ -192,16 +245,36 @@ bool NewProjectPage::isListed(const QString& location) const {
   return std::ranges::any_of(found, [](auto* item) { return item->column() == kSource; });
 }
 
-void NewProjectPage::add(const QString& location) {
+void NewProjectPage::add(const Place& place) {
   const int row = cameras_->rowCount();
+  const QString location = QString::fromStdString(place.location);
+  if (place.isImages) {
+    imageFolders_.insert(location);
+  }
+  const QSignalBlocker known(cameras_); // nothing was typed
   cameras_->insertRow(row);
-  const bool isFile = QFileInfo::exists(location) && !location.startsWith(QStringLiteral("/dev/"));
-  const QString name = isFile ? QFileInfo(location).completeBaseName()
-                              : cameraName(std::string(), static_cast<std::size_t>(row));
+  const QString name = place.isFile ? QFileInfo(location).completeBaseName()
+                                    : cameraName(std::string(), static_cast<std::size_t>(row));
   cameras_->setItem(row, kName, new QTableWidgetItem(name));
   cameras_->setItem(row, kSource, new QTableWidgetItem(location));
   cameras_->resizeColumnToContents(kName);
   refresh();
+}
+
+void NewProjectPage::lookAtTyped(const QTableWidgetItem& item) {
+  if (item.column() != kSource) {
+    return;
+  }
+  update();
+  searches_->add([this, location = item.text()]() -> std::function<void()> {
+    if (guessedSource(location.toStdString()) != SourceKind::Images) {
+      return {};
+    }
+    return [this, location] {
+      imageFolders_.insert(location);
+      update();
+    };
+  });
 }
 
 void NewProjectPage::removeRow() {
@@ -221,26 +294,27 @@ void NewProjectPage::chooseVideos() {
 void NewProjectPage::chooseFolder() {
   const QString folder = askForFolder(this, tr("Choose a folder of images"));
   if (!folder.isEmpty()) {
-    add(folder);
+    search([folder] { return placesOf({folder.toStdString()}); },
+           [this](const std::vector<Place>& places) { add(places.front()); });
   }
 }
 
 void NewProjectPage::addAddress() {
-  add({});
+  add(Place());
   const int row = cameras_->rowCount() - 1;
   cameras_->setCurrentCell(row, kSource);
   cameras_->editItem(cameras_->item(row, kSource));
 }
 
 void NewProjectPage::addConnectedCameras() {
-  const std::vector<std::string> devices = connectedCameras();
-  for (const std::string& device : devices) {
-    add(QString::fromStdString(device));
-  }
-  if (devices.empty()) {
-    Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be added by "
-                     "its address."));
-  }
+  search([] { return placesOf(connectedCameras()); },
+         [this](const std::vector<Place>& devices) {
+           std::ranges::for_each(devices, [this](const Place& device) { add(device); });
+           if (devices.empty()) {
+             Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be "
+                              "added by its address."));
+           }
+         });
 }
 
 void NewProjectPage::chooseCalibration() {
@@ -263,12 +337,12 @@ void NewProjectPage::refresh() {
   bool images = false;
   for (int row = 0; row < cameras_->rowCount(); ++row) {
     const QTableWidgetItem* source = cameras_->item(row, kSource);
-    images = images || (source != nullptr && isImages(source->text()));
+    images = images || (source != nullptr && imageFolders_.contains(source->text()));
   }
   rateLabel_->setVisible(images);
   rate_->setVisible(images);
   remove_->setEnabled(!cameras_->selectedItems().isEmpty());
-  create_->setEnabled(cameras_->rowCount() > 0);
+  create_->setEnabled(cameras_->rowCount() > 0 && underWay_ == 0);
 }
 
 NewProject NewProjectPage::wanted() const {
@@ -279,19 +353,24 @@ NewProject NewProjectPage::wanted() const {
     return item == nullptr ? std::string() : item->text().trimmed().toStdString();
   };
   for (int row = 0; row < cameras_->rowCount(); ++row) {
-    const std::string location = text(row, kSource);
-    wanted.cameras.push_back({text(row, kName), guessedSource(location), location});
+    wanted.cameras.push_back({.name = text(row, kName), .location = text(row, kSource)});
   }
   if (!calibrationFile_.isEmpty()) {
     wanted.calibration = calibrationFile_.toStdString();
   }
-  wanted.framesPerSecond = rate_->isVisible() ? rate_->value() : 0.0;
+  wanted.framesPerSecond = rate_->value();
   return wanted;
 }
 
 void NewProjectPage::createProject() {
   create_->setEnabled(false);
-  making_.start([this, wanted = wanted()](const BackgroundJob::Progress&) {
+  making_.start([this, wanted = wanted()](const BackgroundJob::Progress&) mutable {
+    bool images = false;
+    for (NewCamera& camera : wanted.cameras) {
+      camera.source = guessedSource(camera.location);
+      images = images || camera.source == SourceKind::Images;
+    }
+    wanted.framesPerSecond = images ? wanted.framesPerSecond : 0.0;
     auto result = std::make_shared<Result<MadeProject>>(makeProject(wanted));
     return [this, result] { finish(*result); };
   });

@@ -2,17 +2,24 @@
 #pragma once
 
 #include "core/setup/new_project.h"
+#include "ui/jobs/job_queue.h"
 #include "ui/jobs/latest_job.h"
 
+#include <QSet>
 #include <QWidget>
 
 #include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
+class QDialogButtonBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTableWidget;
+class QTableWidgetItem;
 
 namespace dewpoint::ui {
 
@@ -24,7 +31,7 @@ public:
 
   /// Starts from scratch, with these files (videos, image folders, a calibration) already in it.
   void begin(const QStringList& files);
-  /// Adds files to those it has; a .toml file is the calibration.
+  /// Adds files to those it has, once it is known what they are; a .toml file is the calibration.
   void addFiles(const QStringList& files);
   /// Asks for videos, and adds them.
   void chooseVideos();
@@ -38,12 +45,27 @@ Q_SIGNALS:
   void cancelled();
 
 private:
+  /// What a place turned out to be: its disk was asked, beside the window.
+  struct Place {
+    std::string location;
+    bool showsImages = false; ///< it can be a camera
+    bool isFile = false;      ///< or a folder: there, and no device
+    bool isImages = false;    ///< a folder of images
+  };
+  static std::vector<Place> placesOf(const std::vector<std::string>& locations);
+
   QPushButton* addButton(const char* name, const std::function<void()>& act);
   void makeTable();
   void makeRows();
   void retranslateUi();
   bool isListed(const QString& location) const;
-  void add(const QString& location);
+  /// Finds out about places in a thread; what was asked for first comes first.
+  void search(std::function<std::vector<Place>()> look,
+              std::function<void(const std::vector<Place>&)> found);
+  void forgetSearches(); ///< what they find is not wanted any more
+  void addFootage(const std::vector<Place>& places);
+  void add(const Place& place);
+  void lookAtTyped(const QTableWidgetItem& item);
   void removeRow();
   void chooseFolder();
   void addAddress();
@@ -70,9 +92,13 @@ private:
   QPushButton* dropCalibration_ = nullptr;
   QLabel* rateLabel_;
   QDoubleSpinBox* rate_;
+  QDialogButtonBox* buttons_;
   QPushButton* create_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QString calibrationFile_;
+  QSet<QString> imageFolders_;         ///< of the sources; known to be some
+  std::unique_ptr<JobQueue> searches_; ///< of this project; one that is given up is not heard
+  int underWay_ = 0;                   ///< searches whose rows are still to come
   LatestJob making_{LatestJob::Overtaken::Dropped}; ///< the first image of a video may take long
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/start_page.h"
 
-#include "ui/preferences/preferences.h"
+#include "ui/start/recent_projects.h"
 #include "ui/style/symbolic_icon.h"
 #include "ui/text/retranslation.h"
 
@@ -25,8 +25,8 @@ enum Choice { kDemo, kVideos, kCameras, kProject };
 
 } // namespace
 
-StartPage::StartPage(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(this)), lead_(new QLabel(this)),
+StartPage::StartPage(RecentProjects& recent, QWidget* parent)
+    : QWidget(parent), projects_(recent), title_(new QLabel(this)), lead_(new QLabel(this)),
       choices_(new QWidget(this)), recentTitle_(new QLabel(this)), recent_(new QListWidget(this)),
       hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("startPage"));
@@ -52,6 +52,7 @@ StartPage::StartPage(QWidget* parent)
   connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     Q_EMIT projectWanted(item->data(Qt::UserRole).toString());
   });
+  connect(&projects_, &RecentProjects::changed, this, &StartPage::list);
   connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
 
   auto* middle = new QWidget(this);
@@ -109,13 +110,23 @@ void StartPage::retranslateUi() {
 }
 
 void StartPage::refresh() {
+  list();
+  projects_.look();
+}
+
+void StartPage::list() {
+  const QListWidgetItem* now = recent_->currentItem();
+  const QString chosen = now == nullptr ? QString() : now->data(Qt::UserRole).toString();
   recent_->clear();
-  for (const QString& file : Preferences().recentProjects()) {
+  for (const QString& file : projects_.files()) {
     const QFileInfo info(file);
     auto* item = new QListWidgetItem(
         QStringLiteral("%1   –   %2").arg(info.completeBaseName(), info.absolutePath()), recent_);
     item->setData(Qt::UserRole, file);
     item->setToolTip(file);
+    if (file == chosen) {
+      recent_->setCurrentItem(item);
+    }
   }
   recentTitle_->setVisible(recent_->count() > 0);
   recent_->setVisible(recent_->count() > 0);

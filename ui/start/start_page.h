@@ -11,13 +11,15 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
+class RecentProjects;
+
 /// What a person sees while no project is open: the ways to begin, and where they were last.
 class StartPage : public QWidget {
   Q_OBJECT
 public:
-  explicit StartPage(QWidget* parent = nullptr);
+  explicit StartPage(RecentProjects& recent, QWidget* parent = nullptr);
 
-  /// Reads the list of recent projects again.
+  /// Reads the list of recent projects again, and asks which of them are still there.
   void refresh();
 
 Q_SIGNALS:
@@ -33,7 +35,9 @@ private:
   QToolButton* addChoice(const char* name, const QString& icon);
   void retranslateUi();
   void drawIcons();
+  void list();
 
+  RecentProjects& projects_;
   QLabel* title_;
   QLabel* lead_;
   QWidget* choices_;

@@ -12,14 +12,23 @@ namespace dewpoint::ui {
 /// The dark line under a bright stroke, so that it reads on any image.
 struct Halo {
   int alpha = 150;
-  double extra = 2.2; ///< wider than the stroke, pixels
+  double extra = 2.2;                    ///< wider than the stroke, pixels
+  bool whole = false;                    ///< unbroken, also under a dashed stroke
+  Qt::PenCapStyle cap = Qt::RoundCap;    ///< of the stroke, too
+  Qt::PenJoinStyle join = Qt::RoundJoin; ///< of the stroke, too
 };
 /// Under the lines of grids and boards, of which there are many side by side.
 inline constexpr Halo kGridHalo{170, 2.0};
 
+/// A halo under frames, crosses and handles: whole, and with corners that are not rounded.
+constexpr Halo edgeHalo(int alpha, double extra) {
+  return {alpha, extra, true, Qt::SquareCap, Qt::BevelJoin};
+}
+
 /// The pen of the halo under a stroke of this width.
 inline QPen haloPen(double width, const Halo& halo = {}, Qt::PenStyle style = Qt::SolidLine) {
-  return QPen(QColor(0, 0, 0, halo.alpha), width + halo.extra, style, Qt::RoundCap, Qt::RoundJoin);
+  return QPen(QColor(0, 0, 0, halo.alpha), width + halo.extra, halo.whole ? Qt::SolidLine : style,
+              halo.cap, halo.join);
 }
 
 /// Strokes twice: the halo, then the bright line.
@@ -29,7 +38,7 @@ void withHalo(QPainter& painter, const QColor& color, double width, const Draw& 
   painter.setBrush(Qt::NoBrush);
   painter.setPen(haloPen(width, halo, style));
   draw();
-  painter.setPen(QPen(color, width, style, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(QPen(color, width, style, halo.cap, halo.join));
   draw();
 }
 

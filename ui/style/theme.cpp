@@ -5,7 +5,6 @@
 #include "ui/style/identity_badge.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QStyleOption>
@@ -95,36 +94,6 @@ bool isThemeApplied() {
   const QPalette ours = themePalette(isDarkPalette(now));
   return now.color(QPalette::Window) == ours.color(QPalette::Window) &&
          now.color(QPalette::Highlight) == ours.color(QPalette::Highlight);
-}
-
-QString holdText(HoldState state) {
-  switch (state) {
-  case HoldState::Held:
-    return QCoreApplication::translate("HoldState", "● held");
-  case HoldState::Hidden:
-    return QCoreApplication::translate("HoldState", "◌ hidden");
-  case HoldState::Searching:
-    return QCoreApplication::translate("HoldState", "○ searching");
-  case HoldState::Lost:
-    return QCoreApplication::translate("HoldState", "▲ lost");
-  case HoldState::Missing:
-    return QCoreApplication::translate("HoldState", "✕ missing");
-  case HoldState::NotTracked:
-    return QCoreApplication::translate("HoldState", "– not tracked");
-  case HoldState::NoBox:
-    return QCoreApplication::translate("HoldState", "– no box");
-  case HoldState::NoTarget:
-    return QCoreApplication::translate("HoldState", "No target yet");
-  case HoldState::Learning:
-    return QCoreApplication::translate("HoldState", "◔ learning the room");
-  case HoldState::Nobody:
-    return QCoreApplication::translate("HoldState", "◌ nobody there");
-  case HoldState::Gone:
-    return QCoreApplication::translate("HoldState", "– not there");
-  case HoldState::NoImages:
-    break;
-  }
-  return QCoreApplication::translate("HoldState", "– no images");
 }
 
 QColor holdColor(HoldState state, const QPalette& palette) {

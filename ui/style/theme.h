@@ -5,7 +5,6 @@
 
 #include <QColor>
 #include <QPalette>
-#include <QString>
 
 #include <string>
 
@@ -20,8 +19,7 @@ void applyTheme(bool dark);
 /// The palette that applyTheme() set is the application's, and nobody has set another one since.
 bool isThemeApplied();
 
-/// Word and shape ("● held"), and the color that reads on the given palette.
-QString holdText(HoldState state);
+/// The color of a state that reads on the given palette; its words are holdText() (ui/text).
 QColor holdColor(HoldState state, const QPalette& palette);
 /// Okabe-Ito, by index of the target; for strokes on images and dark ground.
 QColor targetColor(int target);

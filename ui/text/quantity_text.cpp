@@ -24,9 +24,8 @@ QString metersText(const QString& number) {
 
 QString readout(double meters) {
   const double size = std::abs(meters);
-  return size < 1.0
-             ? millimeters(numberText(1000.0 * meters, size < 0.01 ? 1 : 0, NumberForm::Table))
-             : metersText(numberText(meters, 2, NumberForm::Table));
+  return size < 1.0 ? millimeters(tableText(1000.0 * meters, size < 0.01 ? 1 : 0))
+                    : metersText(tableText(meters, 2));
 }
 
 QString withoutTrailingZeros(QString text) {
@@ -70,10 +69,22 @@ QString numberText(double value, int decimals, NumberForm form) {
   return form == NumberForm::Signed && value > 0.0 ? QStringLiteral("+") + text : text;
 }
 
+QString tableText(double value, int decimals) {
+  return numberText(value, decimals, NumberForm::Table);
+}
+
+QString figureNumberText(double value) {
+  return QString::number(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 5);
+}
+
 QString digitsText(double value, int digits) {
   const int decimals =
       value > 0.0 ? digits - 1 - static_cast<int>(std::floor(std::log10(value))) : 0;
   return numberText(value, std::clamp(decimals, 0, 4));
+}
+
+QString differenceText(double value) {
+  return QLocale().toString(value, 'g', 2);
 }
 
 QString ratioText(double value) {

@@ -18,8 +18,15 @@ enum class NumberForm {
 };
 /// With so many decimals; "∞" for what is infinite.
 QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
+/// As it stands in a table.
+QString tableText(double value, int decimals);
+/// At the axes of figures that are printed: five digits at most, in no language, and zero for what
+/// is next to nothing.
+QString figureNumberText(double value);
 /// With so many digits that count, at most four decimals and never as a power of ten.
 QString digitsText(double value, int digits);
+/// Two digits at most, however small it is: how far pixels are off.
+QString differenceText(double value);
 /// Three digits at most: a ratio of 1000 or of 1.08.
 QString ratioText(double value);
 

@@ -2,7 +2,7 @@
 #include "ui/timeline/timeline_model.h"
 
 #include "core/trajectory/motion.h"
-#include "ui/style/theme.h"
+#include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 

@@ -7,14 +7,6 @@
 
 namespace dewpoint::ui {
 
-namespace {
-
-QString number(double value, int decimals) {
-  return numberText(value, decimals, NumberForm::Table);
-}
-
-} // namespace
-
 void BoxModel::replaceFrom(std::size_t first, const std::vector<BoxSample>& samples) {
   const std::size_t kept = std::min(first, samples_.size());
   const std::size_t before = samples_.size();
@@ -68,23 +60,23 @@ QVariant BoxModel::data(const QModelIndex& index, int role) const {
   const BoxEstimate& estimate = sample.estimate;
   switch (index.column()) {
   case Time:
-    return number(sample.time, 3);
+    return tableText(sample.time, 3);
   case Frame:
     return QString::number(sample.frame + 1); // people count from 1
   case Target:
     return names_.value(sample.target - 1, QString::number(sample.target));
   case X:
-    return number(estimate.box.center().x(), 1);
+    return tableText(estimate.box.center().x(), 1);
   case Y:
-    return number(estimate.box.center().y(), 1);
+    return tableText(estimate.box.center().y(), 1);
   case Width:
-    return number(estimate.box.width, 1);
+    return tableText(estimate.box.width, 1);
   case Height:
-    return number(estimate.box.height, 1);
+    return tableText(estimate.box.height, 1);
   case Similarity:
-    return number(estimate.similarity, 2);
+    return tableText(estimate.similarity, 2);
   case Spread:
-    return number(estimate.spread, 1);
+    return tableText(estimate.spread, 1);
   case Seen:
     return estimate.visible ? tr("● held") : tr("◌ hidden");
   default:

@@ -9,14 +9,6 @@
 
 namespace dewpoint::ui {
 
-namespace {
-
-QString number(double value, int decimals) {
-  return numberText(value, decimals, NumberForm::Table);
-}
-
-} // namespace
-
 void TrajectoryModel::clear() {
   beginResetModel();
   log_.clear();
@@ -74,7 +66,7 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   const TrajectorySample& sample = row.sample;
   switch (index.column()) {
   case Time:
-    return number(sample.time, 3);
+    return tableText(sample.time, 3);
   case Frame:
     return QString::number(sample.frame + 1); // people count from 1
   case Target:
@@ -82,17 +74,17 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case X:
   case Y:
   case Z:
-    return number(sample.position[index.column() - X], 4);
+    return tableText(sample.position[index.column() - X], 4);
   case SigmaX:
   case SigmaY:
   case SigmaZ:
-    return number(1000.0 * sigmaOf(sample, index.column() - SigmaX), 1);
+    return tableText(1000.0 * sigmaOf(sample, index.column() - SigmaX), 1);
   case Speed:
-    return number(row.speed, 2);
+    return tableText(row.speed, 2);
   case Cameras:
     return QString::number(sample.cameras);
   case Existence:
-    return number(sample.existenceProbability, 2);
+    return tableText(sample.existenceProbability, 2);
   case Held:
     return sample.valid ? tr("● held") : tr("○ not held");
   default:

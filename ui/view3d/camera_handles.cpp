@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/camera_handles.h"
 
+#include "ui/style/halo.h"
 #include "ui/view3d/view_projection.h"
 
 #include <QPainter>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kReachPx = 12.0;
 constexpr double kCenterPx = 6.0;
 constexpr double kTargetPx = 5.0;
+constexpr double kLinePx = 1.4; ///< wide
 
 double distance(QPointF a, QPointF b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y());
@@ -81,22 +83,22 @@ void CameraHandles::paint(QPainter& painter) const {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor color = view_.palette().color(QPalette::Highlight);
-  const QColor halo(0, 0, 0, 150);
+  const QPen halo = haloPen(kLinePx, edgeHalo(150, 1.6));
   for (int k = 0; k < static_cast<int>(handles_.size()); ++k) {
     const CameraHandle& handle = handles_[static_cast<std::size_t>(k)];
     const QPointF center = projection.inWidget(handle.center);
     painter.setBrush(Qt::NoBrush);
     if (k == chosen_) {
       const QPointF target = projection.inWidget(handle.target);
-      painter.setPen(QPen(halo, 3.0));
+      painter.setPen(halo);
       painter.drawLine(center, target);
       painter.drawEllipse(target, kTargetPx, kTargetPx);
-      painter.setPen(QPen(color, 1.4, Qt::DashLine));
+      painter.setPen(QPen(color, kLinePx, Qt::DashLine));
       painter.drawLine(center, target);
       painter.setPen(QPen(color, 1.6));
       painter.drawEllipse(target, kTargetPx, kTargetPx);
     }
-    painter.setPen(QPen(halo, 3.0));
+    painter.setPen(halo);
     painter.drawEllipse(center, kCenterPx, kCenterPx);
     painter.setPen(QPen(color, 1.6));
     painter.setBrush(k == chosen_ ? QBrush(color) : QBrush(view_.palette().color(QPalette::Base)));

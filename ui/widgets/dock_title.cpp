@@ -2,6 +2,7 @@
 #include "ui/widgets/dock_title.h"
 
 #include "ui/style/symbolic_icon.h"
+#include "ui/text/hold_text.h"
 #include "ui/text/retranslation.h"
 
 #include <QDockWidget>

@@ -3,12 +3,12 @@
 
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
+#include "ui/text/quantity_text.h"
 
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -117,8 +117,7 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
   for (const CameraDifference& camera : conversion.cameras) {
     lines << (camera.refitted ? tr("%1: largest reprojection difference %2 px (fitted anew)")
                               : tr("%1: largest reprojection difference %2 px"))
-                 .arg(QString::fromStdString(camera.camera),
-                      QLocale().toString(camera.largestPixels, 'g', 2));
+                 .arg(QString::fromStdString(camera.camera), differenceText(camera.largestPixels));
     if (camera.lostDirections > 0) {
       lines << tr("%1: %2 of 81 directions have no pixel any more")
                    .arg(QString::fromStdString(camera.camera))

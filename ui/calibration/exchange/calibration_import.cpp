@@ -12,7 +12,6 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalBlocker>
@@ -224,7 +223,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
                       numberText(camera.shift.radians * 180.0 / std::numbers::pi, 2));
   }
   lines << tr("Largest reprojection difference to the file: %1 px")
-               .arg(QLocale().toString(made->largestPixels, 'g', 2));
+               .arg(differenceText(made->largestPixels));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+class QMenu;
+
+namespace dewpoint::ui {
+
+class RecentProjects;
+
+/// The menu of the projects that were open last.
+class RecentMenu : public QObject {
+  Q_OBJECT
+public:
+  explicit RecentMenu(RecentProjects& recent, QObject* parent = nullptr);
+
+  /// Fills a menu that is about to be shown; what proves to be missing goes while it is open.
+  void fill(QMenu* menu);
+
+Q_SIGNALS:
+  void wanted(const QString& file);
+
+private:
+  void list();
+
+  RecentProjects& recent_;
+  QPointer<QMenu> menu_; ///< menus are made anew in another language
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/session/run/hold_state.h"
+
+#include <QString>
+
+namespace dewpoint::ui {
+
+/// Word and shape: "● held".
+QString holdText(HoldState state);
+
+} // namespace dewpoint::ui
