@@ -9,7 +9,7 @@ namespace {
 /// Cameras that were said to be off by 0.12 m at most, and are known to so many meters now.
 WandRefinement refinedTo(double cameras95) {
   WandRefinement refinement;
-  refinement.options.roughPosition = 0.12;
+  refinement.options.initialPositionError = 0.12;
   refinement.accuracy->cameras95 = cameras95;
   return refinement;
 }
