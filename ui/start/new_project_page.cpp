@@ -171,7 +171,7 @@ void NewProjectPage::begin(const QStringList& files) {
   cameras_->setRowCount(0);
   name_->clear();
   setCalibration({});
-  update();
+  refresh();
   addFiles(files);
   addVideos_->setFocus();
 }
@@ -191,12 +191,12 @@ NewProjectPage::placesOf(const std::vector<std::string>& locations) {
 void NewProjectPage::search(std::function<std::vector<Place>()> look,
                             std::function<void(const std::vector<Place>&)> found) {
   ++underWay_;
-  update();
+  refresh();
   searches_->add([this, look = std::move(look), found = std::move(found)] {
     return [this, found, places = look()] {
       --underWay_;
       found(places);
-      update();
+      refresh();
     };
   });
 }
@@ -265,14 +265,14 @@ void NewProjectPage::lookAtTyped(const QTableWidgetItem& item) {
   if (item.column() != kSource) {
     return;
   }
-  update();
+  refresh();
   searches_->add([this, location = item.text()]() -> std::function<void()> {
     if (guessedSource(location.toStdString()) != SourceKind::Images) {
       return {};
     }
     return [this, location] {
       imageFolders_.insert(location);
-      update();
+      refresh();
     };
   });
 }
