@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-
 #include <fmt/format.h>
 #include <opencv2/core/mat.hpp>
 #include <tl/expected.hpp>
