@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace dewpoint::color {
 namespace {
@@ -247,12 +246,11 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorRange& range,
                             const ColorEvidence& before) {
+  bool settled = std::ranges::equal(images, before.images, hasSamePixels);
   // The range matters only where no click shows the target.
-  const bool settled =
-      std::ranges::equal(images, before.images, hasSamePixels) &&
-      std::ranges::all_of(std::views::iota(std::size_t{0}, images.size()), [&](std::size_t i) {
-        return images[i].type() != CV_8UC3 || !before.clicked[i].empty();
-      });
+  for (std::size_t i = 0; settled && i < images.size(); ++i) {
+    settled = images[i].type() != CV_8UC3 || !before.clicked[i].empty();
+  }
   return settled ? before : collect(samples, images, range, &before);
 }
 

@@ -49,12 +49,12 @@ std::optional<Eigen::MatrixXd> inversePositive(const Eigen::MatrixXd& matrix) {
 }
 
 struct SingularValues::Decomposition {
+  Decomposition(const Eigen::MatrixXd& matrix, unsigned vectors) : svd(matrix, vectors) {}
   Eigen::JacobiSVD<Eigen::MatrixXd> svd;
 };
 
 SingularValues::SingularValues(const Eigen::MatrixXd& matrix, Vectors vectors)
-    : decomposition_(std::make_unique<Decomposition>(
-          Eigen::JacobiSVD<Eigen::MatrixXd>(matrix, options(vectors)))) {}
+    : decomposition_(std::make_unique<Decomposition>(matrix, options(vectors))) {}
 
 SingularValues::~SingularValues() = default;
 
