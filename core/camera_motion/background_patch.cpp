@@ -23,6 +23,12 @@ constexpr int kMostSteps = 12;
 constexpr double kEnough = 0.01;  // pixels
 constexpr double kFarthest = 6.0; // pixels from the guess
 
+/// In rows of `width`.
+constexpr std::size_t indexOf(int row, int column, int width) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(column);
+}
+
 using WideGray = std::array<float, std::size_t(kWide) * kWide>;
 
 /// Gray levels of the patch and its rim, the corner of the rim at (left, top).
@@ -34,7 +40,7 @@ bool grayAround(const cv::Mat& image, int left, int top, WideGray& gray) {
     const cv::Vec3b* pixels = image.ptr<cv::Vec3b>(top + row) + left;
     for (int column = 0; column < kWide; ++column) {
       const cv::Vec3b& pixel = pixels[column];
-      gray[std::size_t(row * kWide + column)] =
+      gray[indexOf(row, column, kWide)] =
           0.114F * float(pixel[0]) + 0.587F * float(pixel[1]) + 0.299F * float(pixel[2]);
     }
   }
@@ -76,10 +82,10 @@ bool sample(const cv::Mat& image, const Eigen::Vector2d& center, std::vector<flo
                            right * down};
   values.resize(kCount);
   for (int row = 0; row < kSide; ++row) {
-    const float* upper = &gray[std::size_t(row * kWide)];
+    const float* upper = &gray[indexOf(row, 0, kWide)];
     const float* lower = upper + kWide;
     for (int column = 0; column < kSide; ++column) {
-      values[std::size_t(row * kSide + column)] =
+      values[indexOf(row, column, kSide)] =
           weights[0] * upper[column] + weights[1] * upper[column + 1] + weights[2] * lower[column] +
           weights[3] * lower[column + 1];
     }
@@ -101,8 +107,8 @@ std::optional<BackgroundPatch> BackgroundPatch::at(const cv::Mat& image, const c
   patch.gradientY_.resize(kCount);
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
-      const auto i = std::size_t(row * kSide + column);
-      const auto wide = std::size_t((row + 1) * kWide + column + 1);
+      const auto i = indexOf(row, column, kSide);
+      const auto wide = indexOf(row + 1, column + 1, kWide);
       patch.values_[i] = gray[wide];
       patch.gradientX_[i] = 0.5F * (gray[wide + 1] - gray[wide - 1]);
       patch.gradientY_[i] = 0.5F * (gray[wide + kWide] - gray[wide - kWide]);

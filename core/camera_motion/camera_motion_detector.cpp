@@ -36,6 +36,7 @@ Eigen::Vector3d medianOf(const std::deque<Eigen::Vector3d>& turns) {
   Eigen::Vector3d result;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
+    values.reserve(turns.size());
     for (const Eigen::Vector3d& turn : turns) {
       values.push_back(turn[axis]);
     }

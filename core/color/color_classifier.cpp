@@ -100,7 +100,7 @@ struct HalvesSplit {
   DEWPOINT_KERNEL void split(const std::uint8_t* pixels, std::int16_t* blue, std::int16_t* green,
                              std::int16_t* red) {
     Half part[4]; // pixels 0 to 3; 4 to 7 from byte 4 on, so that nothing behind is read; and so on
-    for (int k = 0; k < 4; ++k) {
+    for (std::ptrdiff_t k = 0; k < 4; ++k) {
       std::memcpy(&part[k], pixels + 24 * (k / 2) + 8 * (k % 2), sizeof(Half));
     }
     const Bytes none{};

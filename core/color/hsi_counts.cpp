@@ -2,6 +2,7 @@
 #include "core/color/hsi_counts.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace dewpoint::color {
@@ -43,7 +44,7 @@ std::vector<HsiColors> HsiCounts::colors() const {
     if (cell.weight > 0.0) {
       std::array<std::uint8_t, 3> mean{};
       for (std::size_t i = 0; i < 3; ++i) {
-        mean[i] = static_cast<std::uint8_t>(cell.sum[i] / cell.weight + 0.5);
+        mean[i] = static_cast<std::uint8_t>(std::lround(cell.sum[i] / cell.weight));
       }
       colors.push_back({hsiFromBgr(mean[0], mean[1], mean[2]), cell.weight});
     }

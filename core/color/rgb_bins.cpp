@@ -3,12 +3,14 @@
 
 #include "core/base/vector_kernel.h"
 
+#include <cstddef>
+
 namespace dewpoint::color {
 namespace {
 
 struct BinKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* bgr, int count, std::uint16_t* bins) {
-    for (int i = 0; i < count; ++i) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
       bins[i] = rgbBin(bgr[3 * i], bgr[3 * i + 1], bgr[3 * i + 2]);
     }
   }

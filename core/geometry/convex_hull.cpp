@@ -63,6 +63,7 @@ std::vector<int> outermostFirst(const Points& points, const Eigen::Vector3d& mid
   }
   std::ranges::sort(order);
   std::vector<int> result;
+  result.reserve(order.size());
   for (const auto& [distance, index] : order) {
     result.push_back(index);
   }

@@ -15,6 +15,7 @@ struct Edge {
   Eigen::Index column;
   Eigen::Index row;
   bool upwards;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of a comparison for a pointer.
   auto operator<=>(const Edge&) const = default;
 };
 

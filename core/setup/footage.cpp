@@ -63,6 +63,7 @@ bool beginsAsFootage(const fs::path& file) {
 struct Sign {
   int kind = 0; ///< 0 end, 1 anything else, 2 digit, 3 letter
   int letter = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 of a comparison for a pointer.
   auto operator<=>(const Sign&) const = default;
 };
 
@@ -116,7 +117,7 @@ std::strong_ordering inOrder(std::string_view one, std::string_view other) {
       const auto first = numberAt(one, i);
       const auto second = numberAt(other, j);
       const auto longer = first.size() <=> second.size();
-      if (const auto order = longer != 0 ? longer : first <=> second; order != 0) {
+      if (const auto order = std::is_neq(longer) ? longer : first <=> second; std::is_neq(order)) {
         return order;
       }
       continue;
@@ -151,7 +152,7 @@ bool holdsImages(const fs::path& folder) {
 
 bool comesBefore(const std::string& name, const std::string& other) {
   const auto order = inOrder(name, other);
-  return order != 0 ? order < 0 : name < other;
+  return std::is_neq(order) ? std::is_lt(order) : name < other;
 }
 
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files) {

@@ -126,6 +126,7 @@ Result<std::vector<ColorClassifier>> wandColors(const Project& project,
                                                 const WandOptions& options) {
   return ballsOf(project, options).map([](const std::vector<const Target*>& balls) {
     std::vector<ColorClassifier> colors;
+    colors.reserve(balls.size());
     for (const Target* ball : balls) {
       colors.emplace_back(ball->color);
     }

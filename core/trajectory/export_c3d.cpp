@@ -55,8 +55,8 @@ public:
   /// The section with its own head of four bytes.
   std::string section() const {
     std::string bytes = "\x01\x50";
-    bytes += '\0'; // the number of blocks, below
-    bytes += 84;   // Intel's order of bytes
+    bytes += '\0';   // the number of blocks, below
+    bytes += '\x54'; // Intel's order of bytes
     bytes += records_;
     bytes.append(2, '\0'); // no name: the end
     padToBlock(bytes);

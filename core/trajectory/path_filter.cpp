@@ -57,7 +57,7 @@ public:
   State first(const Eigen::Vector3d& position) const {
     State state{Eigen::VectorXd::Zero(3 * order_), Eigen::MatrixXd::Zero(3 * order_, 3 * order_)};
     state.mean.head<3>() = position;
-    for (int i = 0; i < order_; ++i) {
+    for (Eigen::Index i = 0; i < order_; ++i) {
       const double sigma = kFirstSigmas[i] * std::pow(unit_, i);
       state.covariance.block<3, 3>(3 * i, 3 * i).diagonal().setConstant(sigma * sigma);
     }
@@ -67,8 +67,8 @@ public:
   Eigen::MatrixXd transition(double seconds) const {
     const double t = seconds / unit_;
     Eigen::MatrixXd one = Eigen::MatrixXd::Zero(order_, order_);
-    for (int i = 0; i < order_; ++i) {
-      for (int j = i; j < order_; ++j) {
+    for (Eigen::Index i = 0; i < order_; ++i) {
+      for (Eigen::Index j = i; j < order_; ++j) {
         one(i, j) = std::pow(t, j - i) / factorial(j - i);
       }
     }
@@ -86,10 +86,10 @@ private:
   /// s^(a+b) / (a! b!), where a and b are how often it is integrated.
   Eigen::MatrixXd noise(double t) const {
     Eigen::MatrixXd one(order_, order_);
-    for (int i = 0; i < order_; ++i) {
-      for (int j = 0; j < order_; ++j) {
-        const int a = order_ - 1 - i;
-        const int b = order_ - 1 - j;
+    for (Eigen::Index i = 0; i < order_; ++i) {
+      for (Eigen::Index j = 0; j < order_; ++j) {
+        const Eigen::Index a = order_ - 1 - i;
+        const Eigen::Index b = order_ - 1 - j;
         one(i, j) =
             strength_ * std::pow(t, a + b + 1) / ((a + b + 1) * factorial(a) * factorial(b));
       }
@@ -97,7 +97,7 @@ private:
     return forAllAxes(one);
   }
 
-  int order_;
+  Eigen::Index order_;
   double unit_; ///< seconds
   double strength_;
 };

@@ -26,8 +26,9 @@ struct BoardCoverage {
   static constexpr int kRows = 4;
   static constexpr int kTilts = 5;
 
-  std::array<int, kColumns * kRows> corners{}; ///< corners seen in each region, row by row
-  std::array<int, kTilts> tilts{};             ///< views at each BoardTilt
+  std::array<int, std::size_t{kColumns} * kRows>
+      corners{};                   ///< corners seen in each region, row by row
+  std::array<int, kTilts> tilts{}; ///< views at each BoardTilt
 
   /// The region of a pixel of an image of that size.
   static int regionOf(const Eigen::Vector2d& pixel, int width, int height);

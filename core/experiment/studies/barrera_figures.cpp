@@ -299,10 +299,12 @@ Status barreraStarts(const ExperimentOptions& options) {
   const std::vector<double> halves{0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0};
   const std::vector<double> beyond{0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0};
   std::vector<ConvergenceCase> boxes;
+  boxes.reserve(halves.size());
   for (const double half : halves) {
     boxes.push_back({"box", ball, ball, Eigen::Vector3d::Constant(half), options.runs, 150});
   }
   std::vector<ConvergenceCase> points;
+  points.reserve(beyond.size());
   for (const double y : beyond) {
     points.push_back({"point", ball, {0.5, y, 0.15}, Eigen::Vector3d::Zero(), options.runs, 150});
   }

@@ -11,9 +11,9 @@ namespace dewpoint::experiment {
 namespace {
 
 /// A figure that is begun only where its report can be written.
-template <Status (*figure)(const ExperimentOptions&)>
+template <Status (*Figure)(const ExperimentOptions&)>
 Status intoFolder(const ExperimentOptions& options) {
-  return prepareReportFolder(options.folder).and_then([&] { return figure(options); });
+  return prepareReportFolder(options.folder).and_then([&] { return Figure(options); });
 }
 
 } // namespace

@@ -183,6 +183,7 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
                       "mohedano-ms and mohedano-msc are the paper's methods by motion alone and "
                       "by motion and color, people is our own.");
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(summaries.size());
   for (const PeopleSummary& one : summaries) {
     rows.push_back({clothesName(one.clothes), one.method,
                     fmt::format("{} of {}", one.kept, one.runs),

@@ -119,6 +119,7 @@ cv::Mat boxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox
   const auto frames = tellingFrames(few.boxes, truth);
   for (const BoxRow* row : {&few, &many}) {
     std::vector<cv::Mat> cells;
+    cells.reserve(frames.size());
     for (const std::size_t frame : frames) {
       cells.push_back(cellOf(images[frame], frame, truth[frame], row->boxes[frame]));
     }

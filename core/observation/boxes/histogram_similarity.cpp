@@ -53,7 +53,7 @@ struct SlotKernel {
 
 struct RgbBinKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* bgr, int count, std::uint16_t* bins) {
-    for (int i = 0; i < count; ++i) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
       bins[i] = rgbBin(bgr[3 * i], bgr[3 * i + 1], bgr[3 * i + 2]);
     }
   }

@@ -32,7 +32,9 @@ constexpr double kAnchor = 0.5;
 ImageBox TargetColors::partOf(const ImageBox& box, int part) {
   const double width = box.width / kColumns;
   const double height = box.height / kRows;
-  return {box.x + part % kColumns * width, box.y + part / kColumns * height, width, height};
+  const int column = part % kColumns;
+  const int row = part / kColumns;
+  return {box.x + column * width, box.y + row * height, width, height};
 }
 
 void TargetColors::learn(const cv::Mat& bgr, const ImageBox& box) {

@@ -84,7 +84,8 @@ double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, 
   for (std::size_t k = kBodyPieces / 2; k < kBodyPieces; ++k) {
     sum += std::max(floor, score.mean(silhouette.pieces[k]));
   }
-  return sum / (kBodyPieces - kBodyPieces / 2);
+  constexpr auto kLower = kBodyPieces - kBodyPieces / 2;
+  return sum / kLower;
 }
 
 } // namespace dewpoint::observation

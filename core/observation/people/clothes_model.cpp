@@ -50,7 +50,8 @@ std::size_t clothesBin(const std::uint8_t* bgr) {
   const int red = cell(bgr[2], sum, 17, 57);
   const int green = cell(bgr[1], sum, 17, 49);
   const int bright = sum < 210 ? 0 : sum < 390 ? 1 : 2;
-  return static_cast<std::size_t>((bright * 8 + green) * 8 + red);
+  const int bin = (bright * 8 + green) * 8 + red;
+  return static_cast<std::size_t>(bin);
 }
 
 void ClothesModel::learn(const cv::Mat& image, const cv::Mat& mask,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace dewpoint::observation {
 
@@ -36,7 +37,7 @@ void addColorScores(const cv::Mat& image, const cv::Mat& mask, const cv::Rect& a
     auto* out = scores.ptr<std::uint8_t>(row);
     for (int column = inside.x; column < inside.x + inside.width; ++column) {
       if (moving[column] != 0) {
-        const int score = out[column] + table[clothesBin(colors + 3 * column)];
+        const int score = out[column] + table[clothesBin(colors + std::ptrdiff_t{3} * column)];
         out[column] = static_cast<std::uint8_t>(std::clamp(score, 0, 255));
       }
     }

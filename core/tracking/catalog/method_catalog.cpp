@@ -61,10 +61,10 @@ Made makePeople(const ParameterValues& parameters, const CameraRig& rig,
   return std::make_unique<T>(parameters, rig);
 }
 
-template <bool color>
+template <bool WithColor>
 Made makeMohedano(const ParameterValues& parameters, const CameraRig& rig,
                   const Targets& /*targets*/) {
-  return std::make_unique<MohedanoTracker>(parameters, rig, color);
+  return std::make_unique<MohedanoTracker>(parameters, rig, WithColor);
 }
 
 /// The one place that knows all methods.

@@ -95,7 +95,8 @@ std::unique_ptr<Tracker> MohedanoTracker::clone() const {
 }
 
 std::size_t MohedanoTracker::beliefBytes() const {
-  return sizeof(Belief) + 3 * 8 * sizeof(double) * std::size_t(parameters_.at("particles"));
+  return sizeof(Belief) +
+         std::size_t{3} * 8 * sizeof(double) * std::size_t(parameters_.at("particles"));
 }
 
 PersonObservation MohedanoTracker::observation() const {

@@ -130,7 +130,8 @@ std::unique_ptr<Tracker> PeopleParticleTracker::clone() const {
 }
 
 std::size_t PeopleParticleTracker::beliefBytes() const {
-  return sizeof(Belief) + 3 * 5 * sizeof(double) * std::size_t(parameters_.at("particles"));
+  return sizeof(Belief) +
+         std::size_t{3} * 5 * sizeof(double) * std::size_t(parameters_.at("particles"));
 }
 
 bool PeopleParticleTracker::near(std::size_t one, std::size_t other) const {
