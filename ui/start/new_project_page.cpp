@@ -30,7 +30,7 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kFormWidth = 820;
-constexpr int kSpacing = 8;
+constexpr int kSpacing = 8;         ///< pixels
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
 
 enum Column { kName, kSource };

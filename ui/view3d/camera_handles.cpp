@@ -16,7 +16,7 @@ namespace {
 constexpr double kReachPx = 12.0;
 constexpr double kCenterPx = 6.0;
 constexpr double kTargetPx = 5.0;
-constexpr double kLinePx = 1.4; ///< wide
+constexpr double kLinePx = 1.4; ///< width of an outline
 
 double distance(QPointF a, QPointF b) {
   return std::hypot(a.x() - b.x(), a.y() - b.y());

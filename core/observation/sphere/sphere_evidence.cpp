@@ -25,7 +25,7 @@ constexpr double kInsideMatch = 4.5;
 constexpr double kInsideMiss = -4.5;
 constexpr double kRingClean = 1.2;
 constexpr double kRingMatch = -9.0;
-/// Samples of one image are far from independent: their sum counts this much.
+/// Share, 0 to 1, at which the sum of an image's samples counts: they are far from independent.
 constexpr double kSampleCorrelationFactor = 0.12;
 /// Pixels; smaller outlines count less, since their samples fall on the same pixels.
 constexpr double kFullArea = 60.0;

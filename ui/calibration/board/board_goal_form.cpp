@@ -22,7 +22,7 @@ namespace {
 
 /// In the order of the choice.
 constexpr std::array<BoardGoal, 3> kGoals{{{true, true}, {true, false}, {false, true}}};
-constexpr double kMillimeter = 1e-3;
+constexpr double kMillimeter = 1e-3; ///< meters
 
 } // namespace
 
