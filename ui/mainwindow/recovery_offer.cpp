@@ -40,7 +40,7 @@ void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
     return;
   }
   offered_ = true;
-  const RecoverableWork work = left.front();
+  const RecoverableWork& work = left.front();
   // Meanwhile a project may be opened, and much be said: the question comes back after that.
   bench_.messages.askUntilAnswered(
       tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")

@@ -56,6 +56,7 @@ PlotDeclaration durationPlot() {
 std::vector<CurveDeclaration> cameraCurves(const QStringList& cameras, const QString& what,
                                            std::size_t offset) {
   std::vector<CurveDeclaration> curves;
+  curves.reserve(static_cast<std::size_t>(cameras.size()));
   for (int camera = 0; camera < cameras.size(); ++camera) {
     curves.push_back({cameras[camera], what + QLatin1Char('_') + plainName(cameras[camera]),
                       kFirstCamera + kPerCamera * static_cast<std::size_t>(camera) + offset,
