@@ -14,6 +14,7 @@ void fillHull(const ConvexHull& hull, vtkPolyData* faces, vtkPolyData* edges) {
   Strokes lines;
   for (const auto& face : hull.faces) {
     std::vector<Eigen::Vector3d> corners;
+    corners.reserve(face.size());
     for (const int vertex : face) {
       corners.push_back(hull.vertices[static_cast<std::size_t>(vertex)]);
     }

@@ -156,8 +156,9 @@ std::string whatIsWrong(const BoardDescription& board) {
 
 Eigen::Vector3d BoardDescription::corner(int id) const {
   const int offset = kind == Kind::Chessboard ? 0 : 1;
-  return squareSize *
-         Eigen::Vector3d(id % cornerColumns() + offset, id / cornerColumns() + offset, 0.0);
+  const int column = id % cornerColumns() + offset;
+  const int row = id / cornerColumns() + offset;
+  return squareSize * Eigen::Vector3d(column, row, 0.0);
 }
 
 Eigen::Vector3d BoardDescription::middle() const {

@@ -15,6 +15,12 @@ constexpr double kDarkLevel = 25.0;
 constexpr double kLightLevel = 230.0;
 constexpr double kGroundLevel = 128.0;
 
+/// Where the cell of a table with `columns` columns is, row by row.
+std::size_t indexOf(int column, int row, int columns) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+         static_cast<std::size_t>(column);
+}
+
 /// The cells of all markers a board needs, with their border, row by row.
 std::vector<std::vector<char>> markerCells(const BoardDescription& board, int& cells) {
   const auto& names = markerDictionaries();
@@ -27,10 +33,10 @@ std::vector<std::vector<char>> markerCells(const BoardDescription& board, int& c
        ++id) {
     const cv::Mat bits = cv::aruco::Dictionary::getBitsFromByteList(
         dictionary->bytesList.rowRange(id, id + 1), dictionary->markerSize);
-    std::vector<char> marker(static_cast<std::size_t>(cells) * cells, 1);
+    std::vector<char> marker(indexOf(0, cells, cells), 1);
     for (int row = 0; row < bits.rows; ++row) {
       for (int column = 0; column < bits.cols; ++column) {
-        marker[static_cast<std::size_t>((row + 1) * cells + column + 1)] =
+        marker[indexOf(column + 1, row + 1, cells)] =
             bits.at<unsigned char>(row, column) == 0 ? 1 : 0;
       }
     }
@@ -42,7 +48,7 @@ std::vector<std::vector<char>> markerCells(const BoardDescription& board, int& c
 } // namespace
 
 BoardPattern::BoardPattern(const BoardDescription& board) : board_(board) {
-  markerOfSquare_.assign(static_cast<std::size_t>(board.squareColumns() * board.squareRows()), -1);
+  markerOfSquare_.assign(indexOf(0, board.squareRows(), board.squareColumns()), -1);
   if (board.kind != BoardDescription::Kind::Charuco) {
     return;
   }
@@ -56,12 +62,11 @@ BoardPattern::BoardPattern(const BoardDescription& board) : board_(board) {
 }
 
 int BoardPattern::markerAt(int column, int row) const {
-  return markerOfSquare_[static_cast<std::size_t>(row * board_.squareColumns() + column)];
+  return markerOfSquare_[indexOf(column, row, board_.squareColumns())];
 }
 
 bool BoardPattern::markerCell(int marker, int column, int row) const {
-  return markers_[static_cast<std::size_t>(marker)]
-                 [static_cast<std::size_t>(row * cells_ + column)] != 0;
+  return markers_[static_cast<std::size_t>(marker)][indexOf(column, row, cells_)] != 0;
 }
 
 std::vector<BoardPattern::Rectangle> BoardPattern::darkRectangles() const {
@@ -87,9 +92,11 @@ std::vector<BoardPattern::Rectangle> BoardPattern::darkRectangles() const {
         dark.push_back({left + size - margin, top + margin, margin, board_.markerSize});
       }
       for (int k = 0; k < cells_ * cells_; ++k) {
-        if (markerCell(marker, k % cells_, k / cells_) != board_.inverted) {
-          dark.push_back({left + margin + cell * (k % cells_), top + margin + cell * (k / cells_),
-                          cell, cell});
+        const int cellColumn = k % cells_;
+        const int cellRow = k / cells_;
+        if (markerCell(marker, cellColumn, cellRow) != board_.inverted) {
+          dark.push_back(
+              {left + margin + cell * cellColumn, top + margin + cell * cellRow, cell, cell});
         }
       }
     }
@@ -174,7 +181,7 @@ cv::Mat renderBoard(const BoardDescription& board, const Camera& camera,
   cv::Mat picture(camera.intrinsics.height, width, CV_8UC1);
   for (int row = 0; row < picture.rows; ++row) {
     for (int column = 0; column < width; ++column) {
-      const auto* above = &grid[static_cast<std::size_t>(row * (width + 1) + column)];
+      const auto* above = &grid[indexOf(column, row, width + 1)];
       const auto* below = above + width + 1;
       double sum = 0.0;
       for (int k = 0; k < samples * samples; ++k) {

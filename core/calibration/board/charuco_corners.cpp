@@ -159,7 +159,9 @@ void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
   const auto markers = seenMarkers(gray, board, markerSquares);
   const double gap = 0.5 * (1.0 - board.markerSize / board.squareSize);
   for (int id = 0; id < board.cornerCount(); ++id) {
-    const cv::Point2d corner(id % board.cornerColumns() + 1, id / board.cornerColumns() + 1);
+    const int column = id % board.cornerColumns() + 1;
+    const int row = id / board.cornerColumns() + 1;
+    const cv::Point2d corner(column, row);
     const auto map = localMap(markers, corner);
     if (!map) {
       continue;

@@ -85,7 +85,8 @@ double firstSquareDarkness(const cv::Mat& gray, const Grid& grid, int columns) {
   const int rows = static_cast<int>(grid.size()) / columns;
   for (int row = 0; row + 1 < rows; ++row) {
     for (int column = 0; column + 1 < columns; ++column) {
-      const auto at = static_cast<std::size_t>(row * columns + column);
+      const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                      static_cast<std::size_t>(column);
       const auto below = at + static_cast<std::size_t>(columns);
       const cv::Point2f middle = (grid[at] + grid[at + 1] + grid[below] + grid[below + 1]) / 4.0F;
       const double level = grayAt(gray, middle.x, middle.y);

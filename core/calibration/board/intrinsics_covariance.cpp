@@ -48,6 +48,7 @@ std::vector<Eigen::Vector3d> moved(const std::vector<Eigen::Vector3d>& points, i
                                    double step) {
   const Eigen::Vector3d unit = Eigen::Vector3d::Unit(axis % 3);
   std::vector<Eigen::Vector3d> result;
+  result.reserve(points.size());
   for (const Eigen::Vector3d& point : points) {
     result.push_back(axis < 3 ? Eigen::Vector3d(Eigen::AngleAxisd(step, unit) * point)
                               : Eigen::Vector3d(point + step * unit));
@@ -153,9 +154,10 @@ double projectionSigma(const Camera& camera, const IntrinsicsParameters& paramet
   const Unprojector unprojector(atOrigin);
   std::vector<Eigen::Vector3d> rays;
   for (int k = 0; k < kGrid * kGrid; ++k) {
-    const Eigen::Vector2d pixel((camera.intrinsics.width - 1.0) * (k % kGrid) / (kGrid - 1.0),
-                                (camera.intrinsics.height - 1.0) * (k / kGrid) /
-                                    (kGrid - 1.0)); // NOLINT
+    const int column = k % kGrid;
+    const int row = k / kGrid;
+    const Eigen::Vector2d pixel((camera.intrinsics.width - 1.0) * column / (kGrid - 1.0),
+                                (camera.intrinsics.height - 1.0) * row / (kGrid - 1.0));
     const auto ray = unprojector.rayWorld(pixel);
     // Derivatives need some room up to where the model ends.
     if (ray &&

@@ -40,6 +40,7 @@ std::vector<std::size_t> farApart(std::size_t size, std::size_t count, std::size
 /// Drops the views whose edges are soft beside those of the sharpest fifth.
 std::vector<BoardView> sharp(std::vector<BoardView> views) {
   std::vector<double> widths;
+  widths.reserve(views.size());
   for (const BoardView& view : views) {
     widths.push_back(view.detection.edgeWidthPx);
   }
@@ -97,6 +98,7 @@ std::vector<std::vector<BoardView>> chooseInstants(const std::vector<std::vector
                                                    std::optional<std::int64_t> always) {
   std::map<std::int64_t, std::vector<const BoardView*>> byInstant;
   std::vector<std::vector<BoardView>> clear;
+  clear.reserve(views.size());
   for (const auto& camera : views) {
     clear.push_back(sharp(camera));
   }

@@ -78,6 +78,7 @@ ViewFit leftOutView(const BoardView& view, std::string reason) {
 
 double medianRms(const std::vector<ViewFit>& fits) {
   std::vector<double> errors;
+  errors.reserve(fits.size());
   for (const ViewFit& fit : fits) {
     errors.push_back(fit.rmsPx);
   }

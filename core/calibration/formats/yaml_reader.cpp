@@ -27,8 +27,8 @@ Result<YAML::Node> parseYaml(const std::string& text, const std::string& file) {
   }
 }
 
-YamlReader::YamlReader(YAML::Node node, std::string file, std::string prefix)
-    : node_(std::move(node)), file_(std::move(file)), prefix_(std::move(prefix)),
+YamlReader::YamlReader(const YAML::Node& node, std::string file, std::string prefix)
+    : node_(node), file_(std::move(file)), prefix_(std::move(prefix)),
       error_(std::make_shared<std::optional<Error>>()) {}
 
 YAML::Node YamlReader::find(const std::string& key) const {

@@ -22,7 +22,7 @@ Result<YAML::Node> parseYaml(const std::string& text, const std::string& file);
 /// line. Keys nobody asked for are passed over: other tools write more than we need.
 class YamlReader {
 public:
-  YamlReader(YAML::Node node, std::string file, std::string prefix = "");
+  YamlReader(const YAML::Node& node, std::string file, std::string prefix = "");
 
   bool has(const char* key) const;
   /// The mapping below a key; empty, with an error kept, when it is none.

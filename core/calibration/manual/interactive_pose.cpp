@@ -128,9 +128,10 @@ ReferenceGrid gridFor(const CameraRig& rig) {
   for (const double step : kSteps) {
     grid.step = step <= distance / kLinesPerDistance ? step : grid.step;
   }
-  grid.size = Eigen::Vector3d(kCells, kCells, kCells / 2) * grid.step;
+  constexpr int kHalf = kCells / 2;
+  grid.size = Eigen::Vector3d(kCells, kCells, kHalf) * grid.step;
   for (int axis = 0; axis < 2; ++axis) {
-    grid.origin[axis] = (std::round(middle[axis] / grid.step) - kCells / 2) * grid.step;
+    grid.origin[axis] = (std::round(middle[axis] / grid.step) - kHalf) * grid.step;
   }
   grid.origin.z() = 0.0;
   return grid;

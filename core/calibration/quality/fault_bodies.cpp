@@ -92,7 +92,9 @@ std::optional<double> misfit(const std::vector<SeenBoard>& boards, double square
     std::vector<Eigen::Vector3d> points;
     for (std::size_t id = 0; id <= board.ids.back(); ++id) {
       const auto number = static_cast<int>(id);
-      points.emplace_back(square * (number % columns), square * (number / columns), 0.0);
+      const int column = number % columns;
+      const int row = number / columns;
+      points.emplace_back(square * column, square * row, 0.0);
     }
     if (const auto found = laid(board, points)) {
       misfits.push_back(found->rms / (found->worldFromBody.scale * square));

@@ -38,6 +38,7 @@ std::vector<ImageResidual> residualsOf(const BoardReport::CameraPart& camera) {
 std::vector<std::string> tiltCounts(const BoardCoverage& coverage) {
   const char* names[] = {"flat", "left near", "right near", "top near", "bottom near"};
   std::vector<std::string> notes;
+  notes.reserve(std::size(names));
   for (int k = 0; k < BoardCoverage::kTilts; ++k) {
     notes.push_back(fmt::format("{}: {}", names[k], coverage.tilts[static_cast<std::size_t>(k)]));
   }

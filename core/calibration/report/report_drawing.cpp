@@ -37,6 +37,7 @@ double roundBelow(double value) {
 /// Length that nine of ten residuals stay below, pixels.
 double usualResidual(const std::vector<ImageResidual>& residuals) {
   std::vector<double> sizes;
+  sizes.reserve(residuals.size());
   for (const ImageResidual& one : residuals) {
     sizes.push_back(one.residual.norm());
   }
