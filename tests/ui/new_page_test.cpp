@@ -26,6 +26,7 @@ private Q_SLOTS:
   void whatIsNoFootageIsRefused();
   void anErrorIsOverWhenAnotherProjectOpens();
   void cancelOfANewProjectChangesNothing();
+  void cancelWhileItIsMadeOpensNothing();
   void aTypedFolderHasARate();
 
 private:
@@ -128,6 +129,19 @@ void NewPageTest::cancelOfANewProjectChangesNothing() {
   QVERIFY(keepsItsSize(window_.get()));
   QCOMPARE(window_->size(), size);
   QVERIFY(window_->document().project() == before);
+}
+
+void NewPageTest::cancelWhileItIsMadeOpensNothing() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  drop({file("left.mkv"), file("right.mkv")});
+  QVERIFY(hasRows(2));
+  // Both clicks come before the event loop can deliver what was made.
+  find<QPushButton>("newCreate")->click();
+  find<QPushButton>("newCancel")->click();
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+  letTimePass();
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+  QVERIFY(!find<QLabel>("messageText")->isVisible());
 }
 
 void NewPageTest::aTypedFolderHasARate() {

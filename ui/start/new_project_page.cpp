@@ -92,7 +92,7 @@ void NewProjectPage::makeRows() {
   create_ = addButton("newCreate", [this] { createProject(); });
   create_->setDefault(true);
   cancel_ = addButton("newCancel", [this] {
-    forgetSearches();
+    forgetWork();
     Q_EMIT cancelled();
   });
   buttons_->layout()->setSpacing(kSpacing);
@@ -166,7 +166,7 @@ void NewProjectPage::begin(const QStringList& files) {
   // Whichever of them the platform puts first.
   setTabOrder(dropCalibration_, create_);
   setTabOrder(create_, cancel_);
-  forgetSearches();
+  forgetWork();
   imageFolders_.clear();
   cameras_->setRowCount(0);
   name_->clear();
@@ -201,7 +201,8 @@ void NewProjectPage::search(std::function<std::vector<Place>()> look,
   });
 }
 
-void NewProjectPage::forgetSearches() {
+void NewProjectPage::forgetWork() {
+  making_.cancel();
   searches_ = std::make_unique<JobQueue>();
   underWay_ = 0;
 }

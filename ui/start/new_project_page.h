@@ -62,7 +62,8 @@ private:
   /// Finds out about places in a thread; what was asked for first comes first.
   void search(std::function<std::vector<Place>()> look,
               std::function<void(const std::vector<Place>&)> found);
-  void forgetSearches(); ///< what they find is not wanted any more
+  /// What is searched for or made just now is not wanted any more.
+  void forgetWork();
   void addFootage(const std::vector<Place>& places);
   void add(const Place& place);
   void lookAtTyped(const QTableWidgetItem& item);
