@@ -39,6 +39,7 @@ OfficeRenderer::OfficeRenderer(OfficeScene scene, simulation::ViewCache& views)
 cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
   const auto& view = *views_.at(camera);
   std::vector<std::vector<simulation::BodyPart>> people;
+  people.reserve(scene_.people.size() + scene_.furniture.size());
   const double time = scene_.timeOf(frame);
   for (const auto& walker : scene_.people) {
     people.push_back(walker.presentAt(time) ? bodyParts(walker, time)
