@@ -126,6 +126,7 @@ void addStrolls(PeopleScenario& scenario, int count, Draws& draws) {
     scenario.scene.people.push_back(std::move(walker));
   }
   scenario.before = kAppear + 1.0;
+  scenario.after = std::max(scenario.after, scenario.before + 2.0);
 }
 
 /// Walks to a point, takes a posture there, rises and walks on.
@@ -144,9 +145,10 @@ Walker pausing(int number, Posture posture, const Vector2d& at, double rest, Dra
   return walker;
 }
 
-/// A piece of furniture that glides, in one second, from one drawn point to another.
+constexpr double kGlide = 1.0; ///< seconds in which furniture is moved
+
+/// A piece of furniture that glides from one drawn point to another, from `since` on.
 void addMoved(PeopleScenario& scenario, MovableFurniture furniture, double since, Draws& draws) {
-  constexpr double kGlide = 1.0;
   const Vector2d from = drawPoint(draws);
   const double yaw = draws.uniform(0.0, 2.0 * std::numbers::pi);
   const double distance = draws.uniform(0.8, 1.5);
@@ -280,7 +282,8 @@ void drawMovedFurniture(PeopleScenario& scenario, Draws& draws) {
   const double since = kAppear + draws.uniform(0.8, 1.8);
   addMoved(scenario, simulation::makeCabinet({0.25F, 0.2F, 0.45F}, rgb(120, 96, 78)), since, draws);
   addMoved(scenario, simulation::makeStool(simulation::seatHeight(1.75)), since, draws);
-  scenario.after += 1.0; // what the furniture leaves behind shows later
+  // What the furniture leaves behind shows later.
+  scenario.after = std::max(scenario.after, since + kGlide) + 1.0;
 }
 
 bool movedFurniturePossible(const PeopleScenario& scenario) {
