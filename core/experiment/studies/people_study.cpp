@@ -118,6 +118,7 @@ public:
     result.stepMs = steps_ > 0 ? 1000.0 * seconds_ / steps_ : 0.0;
     result.pictures = pictures_;
     result.everybody = everybody_.result(0.0);
+    result.persons.reserve(tallies_.size());
     for (std::size_t k = 0; k < tallies_.size(); ++k) {
       result.persons.push_back(tallies_[k].result(scenario.scene.people[k].height));
     }

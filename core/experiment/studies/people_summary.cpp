@@ -175,8 +175,10 @@ void addHeights(const std::vector<PeopleTrial>& trials, FigurePage& page) {
   if (!anySmall) {
     return;
   }
+  const auto summaries = summarize(trials);
   std::vector<std::vector<std::string>> rows;
-  for (const PeopleSummary& one : summarize(trials)) {
+  rows.reserve(summaries.size() * kClasses.size());
+  for (const PeopleSummary& one : summaries) {
     for (const HeightClass& height : kClasses) {
       rows.push_back(heightRow(trials, one, height));
     }
