@@ -116,6 +116,9 @@ void addCoverage(const std::vector<PeopleSummary>& summaries, FigurePage& page) 
     }
     const double all = motion.silhouette.recall;
     const double part = color->silhouette.recall;
+    if (std::isnan(all) || std::isnan(part)) {
+      continue; // nobody was found
+    }
     const auto outcome = !(all > part)   ? ClaimOutcome::NotReproduced
                          : all < kCovers ? ClaimOutcome::InPart
                                          : ClaimOutcome::Reproduced;

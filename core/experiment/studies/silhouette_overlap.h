@@ -13,7 +13,7 @@
 namespace dewpoint::experiment {
 
 /// The pixels whose centers lie in a convex polygon: CV_8UC1 of `size`, 255 inside, else 0. Corners
-/// in pixels, in either sense of rotation, also outside the image; nothing for fewer than three.
+/// in pixels, clockwise or counterclockwise, also outside the image; no pixel for fewer than three.
 cv::Mat filledOutline(const std::vector<Eigen::Vector2d>& outline, cv::Size size);
 
 /// How an estimated silhouette lies on the true one of a body in an image, in pixels.

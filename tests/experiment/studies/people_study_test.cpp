@@ -78,6 +78,24 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   EXPECT_LT(trial.persons[0].heightError, 0.3);
 }
 
+// Mohedano et al. 2009, figure 4(a), as far as it comes out: a review measured recalls of 0.44 and
+// 0.27 in this scene, with seeds of its own.
+TEST(PeopleStudy, MotionAloneCoversMoreThanMotionAndColor) {
+  simulation::ViewCache views;
+  PeopleStudySetup setup;
+  setup.scenario = "apart";
+  setup.methods = {"mohedano-ms", "mohedano-msc"};
+  setup.seed = 1;
+  const auto trials = studyPeople(setup, views);
+  ASSERT_TRUE(trials);
+  ASSERT_EQ(trials->size(), 2U);
+  const double motion = (*trials)[0].everybody.silhouette.recall;
+  const double color = (*trials)[1].everybody.silhouette.recall;
+  EXPECT_GT(motion, color);
+  EXPECT_GT(color, 0.1);
+  EXPECT_LT(motion, 0.9);
+}
+
 TEST(PeopleStudy, NamesABadParameter) {
   simulation::ViewCache views;
   PeopleStudySetup setup;
