@@ -1203,8 +1203,8 @@
         <translation>Mehrere Personen nach Bewegung und Farbe, jede mit eigenem Filter (Mohedano u. a. 2009, MS+C): hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
-        <translation>Mehrere Personen nur nach Bewegung (Mohedano u. a. 2009, MS): erfasst ganze Körper, verwechselt aber Personen, die sich nahe kommen.</translation>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
+        <translation>Mehrere Personen nur nach Bewegung (Mohedano u. a. 2009, MS): erfasst mehr vom Körper als MS+C, verwechselt aber Personen, die sich nahe kommen.</translation>
     </message>
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>

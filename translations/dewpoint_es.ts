@@ -1203,8 +1203,8 @@
         <translation>Varias personas por movimiento y color, cada una con su propio filtro (Mohedano et al. 2009, MS+C): las distingue cuando su ropa es distinta.</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
-        <translation>Varias personas solo por movimiento (Mohedano et al. 2009, MS): abarca cuerpos enteros, pero confunde a quienes se acercan.</translation>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
+        <translation>Varias personas solo por movimiento (Mohedano et al. 2009, MS): abarca más del cuerpo que MS+C, pero confunde a quienes se acercan.</translation>
     </message>
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>

@@ -1203,8 +1203,8 @@
         <translation>動きと色による複数の人物、それぞれ独立したフィルター（Mohedano ら 2009、MS+C）：服が異なれば区別できます。</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
-        <translation>動きだけによる複数の人物（Mohedano ら 2009、MS）：体全体を捉えますが、近づいた人を取り違えます。</translation>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
+        <translation>動きだけによる複数の人物（Mohedano ら 2009、MS）：MS+C より体の広い範囲を捉えますが、近づいた人を取り違えます。</translation>
     </message>
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>

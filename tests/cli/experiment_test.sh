@@ -15,9 +15,11 @@ done
 
 # Short names of the people's scenarios.
 expectExit 0 experiment apart --seeds 1 --clothes similar --method people --out apart
-expectText apart/report.html "People: apart" similar-people-1.jpg "so far yes"
+expectText apart/report.html "People: apart" similar-people-1.jpg "so far yes" "silhouette recall"
+expectText apart/people.csv height_m,found,silhouette_recall
 [[ -s apart/similar-people-1.jpg && -s apart/runs.csv ]] || fail "files are missing"
-for name in crossing meet-and-turn side-by-side enter-leave; do
+for name in crossing meet-and-turn side-by-side enter-leave heights sitting carrying crowd \
+  two-cameras contact furniture-moved room-clothes patterned-clothes; do
   expectExit $kUsage experiment $name --set foo=1
   expectSentence foo "unknown key"
 done

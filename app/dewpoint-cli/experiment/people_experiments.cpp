@@ -125,8 +125,9 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         ->check(CLI::IsMember(PeopleStudySetup().methods));
     command->add_option("--set", options->settings,
                         "Set a parameter, of the methods that have it: key=value");
-    command->add_option("--out", options->folder,
-                        "Folder for report.html, its pictures and runs.csv; it is made");
+    command->add_option(
+        "--out", options->folder,
+        "Folder for report.html, its pictures, runs.csv and people.csv; it is made");
     command
         ->add_option("--record", options->record,
                      "Only write the scene of --seed into this folder, as a project to track")

@@ -4,6 +4,7 @@
 #include "core/experiment/metrics/track_frame.h"
 #include "core/experiment/scenarios/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
+#include "core/experiment/studies/person_tally.h"
 #include "core/simulation/view_cache.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -34,10 +35,12 @@ struct PeopleTrial {
   double hota = 0.0;
   double gospa = 0.0; ///< meters, mean, cutoff kPeopleGate
   int identitySwitches = 0;
-  double longestGhost = 0.0;  ///< seconds in a row that an estimate belongs to nobody
-  double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
-  double hullVolume = 0.0;    ///< m³, mean over people and frames
-  double stepMs = 0.0;        ///< mean CPU time of a frame with people
+  double longestGhost = 0.0;         ///< seconds in a row that an estimate belongs to nobody
+  double longestMissed = 0.0;        ///< seconds that somebody whom two cameras see has no estimate
+  double hullVolume = 0.0;           ///< m³, mean over people and frames
+  double stepMs = 0.0;               ///< mean CPU time of a frame with people
+  PersonResult everybody;            ///< over all people of the scene
+  std::vector<PersonResult> persons; ///< in the order of the scene
   std::vector<PeoplePicture> pictures; ///< of tellingInstants(), where they were requested
 };
 
