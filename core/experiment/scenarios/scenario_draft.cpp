@@ -1,57 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/scenarios/scenario_draft.h"
 
+#include "core/experiment/scenarios/grade_model.h"
 #include "core/simulation/scene.h"
-#include "core/simulation/sensor.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-// The constants of grade `room`.
-constexpr double kRadialDistortion = -0.15; // k1; k2 keeps the image monotonous to its corners
-/// k2.
-constexpr double kRadialDistortion2 = 0.04;
-constexpr double kFocalError = 0.005;    // standard deviation, of the focal length
-constexpr double kPositionError = 0.002; // meters, per axis
-constexpr double kTurnError = 0.2 * std::numbers::pi / 180.0; // about a random axis
-/// Quality of JPEG in the grade `Room`.
-constexpr int kJpegQuality = 70;
-/// Loss of light in the corners.
-constexpr double kVignette = 0.25;
-constexpr double kSideLight = 0.12; // at most, per direction
-
 /// Keeps the noise's seed apart from the draws'.
 constexpr std::uint32_t kNoisePart = 0x5EED;
-
-void addDistortion(CameraRig& rig) {
-  for (Camera& camera : rig) {
-    camera.distortion[0] = kRadialDistortion;
-    camera.distortion[1] = kRadialDistortion2;
-  }
-}
-
-CameraRig withCalibrationNoise(CameraRig rig, Draws& draws) {
-  for (Camera& camera : rig) {
-    const double focal = 1.0 + draws.normal(kFocalError);
-    camera.intrinsics.focalX *= focal;
-    camera.intrinsics.focalY *= focal;
-    const Eigen::Vector3d position =
-        camera.center() + Eigen::Vector3d(draws.normal(kPositionError),
-                                          draws.normal(kPositionError),
-                                          draws.normal(kPositionError));
-    const Eigen::AngleAxisd turn(draws.normal(kTurnError), draws.direction());
-    camera.cameraFromWorld.linear() = turn * camera.cameraFromWorld.linear();
-    camera.cameraFromWorld.translation() = -(camera.cameraFromWorld.linear() * position);
-  }
-  return rig;
-}
 
 Trajectory truthOf(const ScenarioDraft& draft) {
   Trajectory truth;
@@ -96,9 +59,20 @@ FramePtr frameOf(const ScenarioDraft& draft, std::size_t camera, std::int64_t fr
       return nullptr;
     }
   }
-  const double time = clock.offset + static_cast<double>(own) / clock.framesPerSecond;
+  const CameraTiming timing = draft.timings.empty() ? CameraTiming{} : draft.timings.at(camera);
+  const RandomStream chances(draft.stage.seed, static_cast<std::uint32_t>(own),
+                             static_cast<std::uint32_t>(camera), RandomPurpose::Start);
+  const auto delivery = delivered(timing, own, chances);
+  if (!delivery) {
+    return nullptr;
+  }
+  const auto stampOf = [&](std::int64_t number) {
+    return clock.offset + static_cast<double>(number) / clock.framesPerSecond;
+  };
+  const double taken = exposureTime(timing, stampOf(delivery->shown));
   return std::make_shared<const Frame>(
-      Frame{own, timeStamp(time), simulation::renderStage(draft.stage, camera, time, own)});
+      Frame{own, timeStamp(stampOf(own) + delivery->stampError),
+            simulation::renderStage(draft.stage, camera, taken, delivery->shown)});
 }
 
 FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame) {
@@ -109,15 +83,24 @@ FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame) {
   return std::make_shared<const FrameSet>(std::move(set));
 }
 
-/// The images' faults of grade `room`; the calibration's are the believed rig's.
-void roughen(simulation::Stage& stage, Draws& draws) {
-  stage.jpegQuality = kJpegQuality;
-  for (const auto& view : stage.views) {
-    const double right = draws.uniform(-kSideLight, kSideLight);
-    const double down = draws.uniform(-kSideLight, kSideLight);
-    stage.unevenness.push_back(
-        simulation::unevenLight({view->width, view->height}, kVignette, right, down));
+/// What the grade and the scenario do to images, time stamps and calibration.
+SensingFaults faultsOf(const ScenarioDraft& draft) {
+  SensingFaults faults = noFaults(draft);
+  if (draft.grade != Grade::Ideal) {
+    const GradeModel& model = gradeModel(draft.grade);
+    Draws draws(draft.seed, draft.name + " " + model.name);
+    FaultContext context;
+    context.cameras = draft.rig.size();
+    context.seconds = draft.timeOf(draft.frameCount);
+    context.framesPerSecond = draft.framesPerSecond;
+    context.exposureSeconds = draft.stage.exposureSeconds;
+    context.middle = draft.stage.bodies[draft.targets.front()].path(0.0);
+    faults = drawFaults(model, context, draws);
   }
+  if (draft.adjustFaults) {
+    draft.adjustFaults(faults);
+  }
+  return faults;
 }
 
 ScenarioRun runOf(ScenarioDraft draft) {
@@ -127,10 +110,10 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.seed = draft.seed;
   run.trueRig = draft.rig;
   run.rig = draft.rig;
-  if (draft.grade == Grade::Room) {
-    Draws faults(draft.seed, draft.name + " room");
-    run.rig = withCalibrationNoise(draft.rig, faults);
-    roughen(draft.stage, faults);
+  // What is ideal stays as it was drawn, to the bit.
+  if (draft.grade != Grade::Ideal || draft.adjustFaults) {
+    Draws errors(draft.seed, draft.name + " calibration");
+    run.rig = applyFaults(faultsOf(draft), draft, errors);
   }
   for (const std::size_t target : draft.targets) {
     const simulation::StageBody& body = draft.stage.bodies[target];
@@ -150,9 +133,8 @@ ScenarioRun runOf(ScenarioDraft draft) {
 Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
                           std::uint64_t seed, Grade grade) {
   ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
-  if (grade == Grade::Room) {
-    addDistortion(draft.rig);
-  }
+  Draws lenses(seed, recipe.name + " lenses");
+  drawLenses(grade, draft.rig, lenses);
   for (const Camera& camera : draft.rig) {
     draft.stage.views.push_back(cache.view(camera, recipe.furnishing));
   }

@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/experiment/scenarios/scenario.h"
+#include "core/experiment/scenarios/sensing_faults.h"
 #include "core/simulation/stage.h"
 #include "core/simulation/view_cache.h"
 
@@ -42,6 +43,11 @@ struct ScenarioDraft {
   /// Frame does not arrive.
   std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
+  /// Changes what the grade has drawn, or what an ideal run has: the faults that the scenario is
+  /// about. Called when all else is complete.
+  std::function<void(SensingFaults&)> adjustFaults = nullptr;
+  /// One per camera, set by the grade and the scenario's faults; empty: all is known and comes.
+  std::vector<CameraTiming> timings = {};
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };

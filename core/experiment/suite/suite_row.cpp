@@ -7,11 +7,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace dewpoint::experiment {
 namespace {
 
 constexpr std::size_t kKeyFields = 4;
+constexpr std::array kGrades{Grade::Ideal, Grade::Room, Grade::Wild};
 constexpr const char* kKeyHeader = "scenario,grade,method,seed";
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -83,16 +85,39 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
 } // namespace
 
 const char* gradeName(Grade grade) {
-  return grade == Grade::Ideal ? "ideal" : "room";
+  switch (grade) {
+  case Grade::Room:
+    return "room";
+  case Grade::Wild:
+    return "wild";
+  case Grade::Ideal:
+    break;
+  }
+  return "ideal";
 }
 
 std::optional<Grade> gradeNamed(const std::string& name) {
-  for (const Grade grade : {Grade::Ideal, Grade::Room}) {
+  for (const Grade grade : kGrades) {
     if (name == gradeName(grade)) {
       return grade;
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names) {
+  std::set<Grade> grades;
+  for (const std::string& name : names) {
+    if (name == "both") {
+      grades.insert({Grade::Ideal, Grade::Room});
+    } else if (const auto grade = gradeNamed(name)) {
+      grades.insert(*grade);
+    } else {
+      return std::nullopt;
+    }
+  }
+  return grades.empty() ? std::nullopt
+                        : std::optional(std::vector<Grade>(grades.begin(), grades.end()));
 }
 
 std::span<const SuiteColumn> suiteColumns() {
