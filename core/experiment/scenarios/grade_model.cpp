@@ -98,21 +98,6 @@ double draw(const Range& range, Draws& draws) {
   return draws.uniform(range.low, range.high);
 }
 
-simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& context,
-                                   Draws& draws) {
-  simulation::SensorModel sensor;
-  sensor.psfSigmaPx = draw(model.psfSigmaPx, draws);
-  sensor.noise = {draw(model.fullWell, draws), draw(model.readElectrons, draws)};
-  sensor.contrast = draw(model.contrast, draws);
-  sensor.sharpening = {draw(model.sharpening, draws), draw(model.sharpeningSigma, draws)};
-  sensor.jpegQuality = static_cast<int>(std::lround(draw(model.jpegQuality, draws)));
-  const double exposure = draw(model.exposureSeconds, draws);
-  sensor.shutter = {std::max(exposure, context.exposureSeconds), draw(model.readoutSeconds, draws)};
-  sensor.drift.rotation = draw(model.driftRadians, draws) * draws.direction();
-  sensor.drift.settleSeconds = draw(model.driftSettleSeconds, draws);
-  return sensor;
-}
-
 simulation::AutomaticGain drawAutomatic(const GradeModel& model, Draws& draws) {
   simulation::AutomaticGain automatic;
   automatic.exposure.speed = draw(model.loopSpeed, draws);
@@ -186,6 +171,22 @@ const GradeModel& gradeModel(Grade grade) {
     break;
   }
   return kIdeal;
+}
+
+simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& context,
+                                   Draws& draws) {
+  simulation::SensorModel sensor;
+  sensor.psfSigmaPx = draw(model.psfSigmaPx, draws);
+  sensor.noise = {draw(model.fullWell, draws), draw(model.readElectrons, draws)};
+  sensor.contrast = draw(model.contrast, draws);
+  sensor.sharpening = {draw(model.sharpening, draws), draw(model.sharpeningSigma, draws)};
+  sensor.jpegQuality = static_cast<int>(std::lround(draw(model.jpegQuality, draws)));
+  const double exposure = draw(model.exposureSeconds, draws);
+  sensor.shutter = {std::max(exposure, context.exposureSeconds), draw(model.readoutSeconds, draws)};
+  const double angle = draw(model.driftRadians, draws);
+  sensor.drift.rotation = angle * draws.direction();
+  sensor.drift.settleSeconds = draw(model.driftSettleSeconds, draws);
+  return sensor;
 }
 
 SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, Draws& draws) {

@@ -77,6 +77,10 @@ struct FaultContext {
 /// Faults of a run in a grade.
 SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, Draws& draws);
 
+/// One camera of a grade from its lens to its stream, without flicker and automatics.
+simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& context,
+                                   Draws& draws);
+
 /// Gives each camera one of the lenses of consumer cameras; `Ideal` leaves pinholes. There are only
 /// few, so that runs can share backgrounds.
 void drawLenses(Grade grade, CameraRig& rig, Draws& draws);
