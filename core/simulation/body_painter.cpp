@@ -32,6 +32,10 @@ cv::Rect rowsOf(const CameraView& view, const Exposure& exposure) {
   return {0, first, view.width, std::max(0, end - first)};
 }
 
+const Vector3f& lampOf(const Body& body) {
+  return body.light != nullptr ? body.light->illumination->lamp : kLampPosition;
+}
+
 /// The color of a matte surface of a body in the light that falls on it.
 Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& normal) {
   if (body.light != nullptr) {
@@ -43,7 +47,7 @@ Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& norma
 /// The color of a ball's surface at `normal`: matte, with a faint broad highlight.
 Vector3f ballColor(const Body& body, const Vector3f& point, const Vector3f& direction) {
   const Vector3f normal = (point - body.center) / body.radius;
-  const Vector3f halfway = ((kLampPosition - point).normalized() - direction).normalized();
+  const Vector3f halfway = ((lampOf(body) - point).normalized() - direction).normalized();
   const float facing = std::max(0.0F, normal.dot(halfway));
   const float facing4 = facing * facing * facing * facing;
   const float gloss = 12.0F * facing4 * facing4 * facing4;
@@ -139,7 +143,7 @@ void addInstant(const CameraView& view, const Body& body, const cv::Rect& area,
 
 void castShadow(const CameraView& view, const Body& body, const cv::Rect& rows, cv::Mat& image) {
   // Only the shadow on the desk (z = 0) is drawn; a sphere around it bounds its pixels.
-  const Vector3f lamp = body.light != nullptr ? body.light->illumination->lamp : kLampPosition;
+  const Vector3f lamp = lampOf(body);
   if (body.box || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
     return;
   }

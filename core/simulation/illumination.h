@@ -39,8 +39,10 @@ struct Illumination {
   std::vector<FurtherLamp> further;
   std::optional<MovingShadow> shadow;
 
-  /// True where there is nothing but the room's own light.
-  bool plain() const { return roomGain == 1.0F && further.empty() && !shadow; }
+  /// True where there is nothing but the light of the lamp where it usually hangs.
+  bool plain() const {
+    return lamp == kLampPosition && roomGain == 1.0F && further.empty() && !shadow;
+  }
 };
 
 /// An illumination at one time, for what moves in it.

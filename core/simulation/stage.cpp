@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/stage.h"
 
+#include "core/simulation/people_painter.h"
 #include "core/simulation/sensor.h"
 
 #include <algorithm>
@@ -18,10 +19,11 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
   bodies.reserve(stage.bodies.size());
   for (const StageBody& body : stage.bodies) {
     const Eigen::Vector3d center = body.path(time);
-    bodies.push_back(
-        {body.box, (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
-         static_cast<float>(body.bound()), body.color.cast<float>(), body.halfSize.cast<float>(),
-         body.axes.cast<float>(), body.presentAt(time), light});
+    bodies.push_back({body.box,
+                      (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
+                      static_cast<float>(body.bound()), body.color.cast<float>(),
+                      body.halfSize.cast<float>(), body.axes.cast<float>(), body.presentAt(time)});
+    bodies.back().light = light;
   }
   return bodies;
 }
@@ -41,13 +43,28 @@ const RelitView* relitOf(const Stage& stage, const CameraView& view) {
   return found != stage.relit.end() ? &*found : nullptr;
 }
 
-/// The room at rest as a camera that has turned sees it.
+/// The people of the stage at a time, by their parts.
+std::vector<std::vector<BodyPart>> peopleAt(const Stage& stage, double time) {
+  std::vector<std::vector<BodyPart>> people;
+  for (const Walker& walker : stage.people) {
+    if (!walker.presentAt(time)) {
+      continue;
+    }
+    people.push_back(bodyParts(walker, time));
+    for (BodyPart& part : people.back()) {
+      part.center.z() += stage.floorHeight;
+    }
+  }
+  return people;
+}
+
+/// The room as a camera that has turned sees it, without the bodies.
 cv::Mat roomAt(const Stage& stage, const CameraView& view, double time,
                const Eigen::Matrix3d& rotation) {
   const RelitView* other = relitOf(stage, view);
-  const cv::Mat image = other != nullptr
-                            ? backgroundAt(view, other->background, stage.illumination, time)
-                            : view.background.clone();
+  cv::Mat image = other != nullptr ? backgroundAt(view, other->background, stage.illumination, time)
+                                   : view.background.clone();
+  paintPeople(view, peopleAt(stage, time), stage.illumination.lamp, image);
   return rotation == Eigen::Matrix3d::Identity() ? image : rotatedImage(view, image, rotation);
 }
 

@@ -5,6 +5,7 @@
 #include "core/simulation/camera_view.h"
 #include "core/simulation/illumination.h"
 #include "core/simulation/sensor_model.h"
+#include "core/simulation/walker.h"
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -71,7 +72,11 @@ struct Stage {
   int jpegQuality = 0;              ///< 1 to 100: images go through JPEG; 0: they do not
   std::vector<SensorModel> sensors; ///< one per camera; empty: ideal ones
   Illumination illumination;        ///< besides the lamp that `views` were rendered with
-  std::vector<RelitView> relit;     ///< of all views, where the illumination is not plain
+  /// Who walks behind the bodies: bodies hide people, never the other way round. The lamp alone
+  /// lights them.
+  std::vector<Walker> people;
+  float floorHeight = 0.0F;     ///< world z of the floor that they walk on, meters
+  std::vector<RelitView> relit; ///< of all views, where the illumination is not plain
 };
 
 /// Computes what follows from the stage's illumination: to be called when it or a view was set.

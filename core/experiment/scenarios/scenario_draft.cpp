@@ -2,6 +2,8 @@
 #include "core/experiment/scenarios/scenario_draft.h"
 
 #include "core/experiment/scenarios/grade_model.h"
+#include "core/experiment/scenarios/wild_rig.h"
+#include "core/experiment/scenarios/wild_room.h"
 #include "core/simulation/scene.h"
 
 #include <Eigen/Geometry>
@@ -96,6 +98,7 @@ SensingFaults faultsOf(const ScenarioDraft& draft) {
     context.exposureSeconds = draft.stage.exposureSeconds;
     context.middle = draft.stage.bodies[draft.targets.front()].path(0.0);
     faults = drawFaults(model, context, draws);
+    faults.illumination.lamp = draft.stage.illumination.lamp;
   }
   if (draft.adjustFaults) {
     draft.adjustFaults(faults);
@@ -130,20 +133,69 @@ ScenarioRun runOf(ScenarioDraft draft) {
   return run;
 }
 
-Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
-                          std::uint64_t seed, Grade grade) {
+/// A draft with its cameras and the room at rest, before the scenario's own part.
+ScenarioDraft usualDraft(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
+                         std::uint64_t seed, Grade grade) {
   ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
   Draws lenses(seed, recipe.name + " lenses");
   drawLenses(grade, draft.rig, lenses);
+  draft.room = std::make_shared<const simulation::Room>(recipe.furnishing);
   for (const Camera& camera : draft.rig) {
     draft.stage.views.push_back(cache.view(camera, recipe.furnishing));
   }
-  draft.stage.seed = derivedSeed(seed, hashOf(recipe.name) ^ kNoisePart);
-  if (!recipe.complete(draft)) {
-    return failure(ErrorCode::NotFound, "", recipe.name,
-                   fmt::format("no place was found for what must be seen (seed {})", seed));
+  return draft;
+}
+
+/// The same with cameras, furniture and people of its own.
+ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int attempt) {
+  ScenarioDraft draft{recipe.name, Grade::Wild, seed, Draws(seed, recipe.name), {}};
+  Draws draws(seed, fmt::format("{} wild {}", recipe.name, attempt));
+  const WildRig wild = drawRig(recipe.rig, recipe.furnishing, attempt, draws);
+  draft.rig = wild.rig;
+  draft.pathScale = wild.pathScale;
+  draft.radiusScale = wild.radiusScale;
+  drawLenses(Grade::Wild, draft.rig, draws);
+  const simulation::RoomDesign design = drawRoom(recipe.furnishing, draft.rig, draws);
+  const auto room = std::make_shared<const simulation::Room>(recipe.furnishing, design);
+  // Not from the cache: no other run has these views.
+  for (const Camera& camera : draft.rig) {
+    draft.stage.views.push_back(std::make_shared<const simulation::CameraView>(camera, *room));
   }
-  return runOf(std::move(draft));
+  draft.room = room;
+  draft.stage.illumination.lamp = room->lamp();
+  draft.stage.floorHeight = floorOf(recipe.furnishing);
+  return draft;
+}
+
+/// Makes the balls as small as the grade wants them: what was placed for larger ones stays clear.
+void shrinkBalls(ScenarioDraft& draft) {
+  for (simulation::StageBody& body : draft.stage.bodies) {
+    if (!body.box) {
+      body.radius *= draft.radiusScale;
+    }
+  }
+}
+
+Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
+                          std::uint64_t seed, Grade grade) {
+  const bool wild = grade == Grade::Wild;
+  for (int attempt = 0; attempt < (wild ? kMostRigs : 1); ++attempt) {
+    ScenarioDraft draft =
+        wild ? wildDraft(recipe, seed, attempt) : usualDraft(recipe, cache, seed, grade);
+    draft.stage.seed = derivedSeed(seed, hashOf(recipe.name) ^ kNoisePart);
+    if (!recipe.complete(draft)) {
+      continue;
+    }
+    if (wild) {
+      shrinkBalls(draft);
+      Draws people(seed, recipe.name + " people");
+      const double seconds = draft.timeOf(draft.frameCount);
+      draft.stage.people = drawPeople(recipe.furnishing, seconds, people);
+    }
+    return runOf(std::move(draft));
+  }
+  return failure(ErrorCode::NotFound, "", recipe.name,
+                 fmt::format("no place was found for what must be seen (seed {})", seed));
 }
 
 } // namespace

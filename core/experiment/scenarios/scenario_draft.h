@@ -49,6 +49,13 @@ struct ScenarioDraft {
   /// One per camera, set by the grade and the scenario's faults; empty: all is known and comes.
   std::vector<CameraTiming> timings = {};
 
+  /// The room that the stage's views show, for views of further cameras.
+  std::shared_ptr<const simulation::Room> room = nullptr;
+  /// Of the extent of smooth paths; below 1 where the cameras show less.
+  double pathScale = 1.0;
+  /// Of the radius of balls, applied when the scenario is complete; at most 1.
+  double radiusScale = 1.0;
+
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
 
