@@ -44,7 +44,7 @@ struct AutomaticGain {
   ControlLoop whiteBalance;
   double firstStops = 0.0;    ///< error of the exposure at frame 0, stops
   double levelStops = 0.0;    ///< what the exposure settles at, stops from the nominal one
-  double huntingStops = 0.0;  ///< amplitude of what misleads the meter (things that come and go)
+  double huntingStops = 0.0;  ///< amplitude of what misleads the meter (objects that come and go)
   double huntingPeriod = 4.0; ///< seconds
   double huntingPhase = 0.0;  ///< radians
   Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero(); ///< lasting error of blue and red

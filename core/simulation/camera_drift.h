@@ -8,8 +8,8 @@
 
 namespace dewpoint::simulation {
 
-/// A camera that slowly turns about its own center, as a mount that warms up: by nothing at time 0,
-/// towards `rotation` with the time constant `settleSeconds`.
+/// A camera that slowly rotates about its own center, as on a mount that warms up: by nothing at
+/// time 0, towards `rotation` with the time constant `settleSeconds`.
 struct CameraDrift {
   /// Axis times angle in the world frame, radians: a direction d from the camera is seen where
   /// the camera at rest would see the rotated direction.

@@ -11,7 +11,7 @@
 namespace dewpoint::simulation {
 namespace {
 
-/// The bodies as a camera that has turned by `rotation` about `eye` sees them.
+/// The bodies as a camera that has rotated by `rotation` about `eye` sees them.
 std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3d& eye,
                            const Eigen::Matrix3d& rotation, const LightField* light) {
   const bool rotated = rotation != Eigen::Matrix3d::Identity();
@@ -58,7 +58,7 @@ std::vector<std::vector<BodyPart>> peopleAt(const Stage& stage, double time) {
   return people;
 }
 
-/// The room as a camera that has turned sees it, without the bodies.
+/// The room as a camera that has rotated sees it, without the bodies.
 cv::Mat roomAt(const Stage& stage, const CameraView& view, double time,
                const Eigen::Matrix3d& rotation) {
   const RelitView* other = relitOf(stage, view);

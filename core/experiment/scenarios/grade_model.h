@@ -58,7 +58,7 @@ struct GradeModel {
 
   // Calibration.
   CalibrationError calibration; ///< standard deviations
-  Range driftRadians;           ///< that the camera turns by in the end, after the calibration
+  Range driftRadians;           ///< that the camera rotates by in the end, after the calibration
   Range driftSettleSeconds;
 };
 

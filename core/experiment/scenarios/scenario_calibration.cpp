@@ -11,7 +11,7 @@ namespace dewpoint::experiment::scenarios {
 namespace {
 
 constexpr std::int64_t kFrames = 180;
-/// What a camera turns by in the end, radians: 0.35 to 1 pixel at a focal length of 350 pixels.
+/// What a camera rotates by in the end, radians: 0.35 to 1 pixel at a focal length of 350 pixels.
 constexpr Range kDrift{0.001, 0.003};
 /// Its time constant, seconds: most of it happens within the run.
 constexpr Range kSettle{1.5, 4.0};
@@ -49,13 +49,13 @@ std::vector<ScenarioRecipe> calibrationScenarios() {
     result.complete = [=](ScenarioDraft& draft) { return withCalibration(draft, error, drift); };
     return result;
   };
-  return {
-      recipe("S16-calibration", "The calibration is as wrong as one by hand.", true, false),
-      recipe("S16-drift",
-             "The cameras slowly turn away from their calibration, by 0.35 to 1 "
-             "pixel.",
-             false, true),
-      recipe("S16-both", "A calibration by hand, and cameras that turn away from it.", true, true)};
+  return {recipe("S16-calibration", "The calibration is as wrong as one by hand.", true, false),
+          recipe("S16-drift",
+                 "The cameras slowly rotate away from their calibration, by 0.35 to 1 "
+                 "pixel.",
+                 false, true),
+          recipe("S16-both", "A calibration by hand, and cameras that rotate away from it.", true,
+                 true)};
 }
 
 } // namespace dewpoint::experiment::scenarios

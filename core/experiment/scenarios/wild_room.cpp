@@ -29,7 +29,7 @@ struct Ground {
   Eigen::Vector2d middle;
   double half = 0.7;  ///< to the sides
   double clear = 0.2; ///< nothing stands nearer to the middle or to a camera
-  double size = 0.06; ///< half size of the largest things
+  double size = 0.06; ///< half size of the largest objects
 };
 
 Ground groundOf(simulation::Furnishing furnishing) {
@@ -61,7 +61,7 @@ Material drawMaterial(Draws& draws) {
   return {kPatterns.at(pattern), drawColor(kTargetColored, draws)};
 }
 
-/// A place on the ground; nothing when the drawn one is taken.
+/// A position on the ground; nothing when the drawn one is taken.
 std::optional<Eigen::Vector2d> drawSpot(const Ground& ground, const CameraRig& rig, Draws& draws) {
   const Eigen::Vector3d half{ground.half, ground.half, 0.0};
   const Eigen::Vector2d spot = ground.middle + draws.inBox(-half, half).head<2>();

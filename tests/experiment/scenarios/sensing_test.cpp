@@ -39,7 +39,7 @@ RandomStream chancesOf(std::int64_t frame) {
   return {99, static_cast<std::uint32_t>(frame), 0, RandomPurpose::Start};
 }
 
-TEST(CameraTiming, IsRightUnlessToldOtherwise) {
+TEST(CameraTiming, IsRightUnlessSetOtherwise) {
   for (std::int64_t frame = 0; frame < 50; ++frame) {
     const auto delivery = delivered({}, frame, chancesOf(frame));
     ASSERT_TRUE(delivery);
@@ -247,7 +247,7 @@ double stepsBehind(const ScenarioRun& run, std::size_t camera) {
 
 TEST(ScenarioTiming, UnknownDelaysAreUpToHalfAFrame) {
   const ScenarioRun late = runOf("S15-offsets-fast");
-  EXPECT_EQ(largestStampError(late), 0.0) << "nobody tells";
+  EXPECT_EQ(largestStampError(late), 0.0) << "the delay is unknown";
   for (std::size_t camera = 0; camera < 2; ++camera) {
     // The shaded rim shifts the blob by up to 2 px, a fifth of a step of 10 px.
     EXPECT_GT(stepsBehind(late, camera), -0.2);

@@ -61,7 +61,7 @@ TEST(WildRig, LaterAttemptsHaveTheUsualSizeAtMost) {
 
 TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
   const CameraRig rig = simulation::demoRig();
-  std::size_t things = 0;
+  std::size_t objects = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Draws draws(seed, "wild room test");
     const simulation::RoomDesign design = drawRoom(Furnishing::ClutteredDesk, rig, draws);
@@ -70,7 +70,7 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
     EXPECT_GT(design.lamp->z(), 1.2F);
     EXPECT_LT(design.lamp->z(), 2.0F) << "below the ceiling, z = 2.05";
     for (const simulation::Solid& solid : design.further.solids()) {
-      ++things;
+      ++objects;
       const auto apart = [&](double x, double y) {
         return std::hypot(solid.center.x() - x, solid.center.y() - y);
       };
@@ -83,7 +83,7 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
     EXPECT_EQ(drawRoom(Furnishing::ClutteredDesk, rig, again).further.solids().size(),
               design.further.solids().size());
   }
-  EXPECT_GT(things, 20U * 7U);
+  EXPECT_GT(objects, 20U * 7U);
 }
 
 TEST(WildRoom, PeopleWalkBehindTheVolume) {
