@@ -162,13 +162,11 @@ const GradeModel& gradeModel(Grade grade) {
     ideal.name = "ideal";
     return ideal;
   }();
-  switch (grade) {
-  case Grade::Room:
+  if (grade == Grade::Room) {
     return kRoom;
-  case Grade::Wild:
+  }
+  if (grade == Grade::Wild) {
     return kWild;
-  case Grade::Ideal:
-    break;
   }
   return kIdeal;
 }

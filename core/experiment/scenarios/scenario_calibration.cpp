@@ -43,7 +43,7 @@ bool withCalibration(ScenarioDraft& draft, bool error, bool drift) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> calibrationScenarios() {
+std::vector<ScenarioRecipe> driftScenarios() {
   const auto recipe = [](const char* name, const char* sentence, bool error, bool drift) {
     ScenarioRecipe result{name, sentence, demoRig()};
     result.complete = [=](ScenarioDraft& draft) { return withCalibration(draft, error, drift); };

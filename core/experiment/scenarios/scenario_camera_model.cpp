@@ -42,7 +42,7 @@ bool withWebcams(ScenarioDraft& draft, bool fast) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> cameraModelScenarios() {
+std::vector<ScenarioRecipe> sensorScenarios() {
   ScenarioRecipe slow{"S14-slow",
                       "The smooth path before webcams: blur, Bayer mosaic, shot noise, sharpening, "
                       "JPEG; all else is ideal.",

@@ -144,7 +144,7 @@ bool withMovingShadow(ScenarioDraft& draft) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> illuminationScenarios() {
+std::vector<ScenarioRecipe> lampScenarios() {
   const auto recipe = [](const char* name, const char* sentence, bool (*complete)(ScenarioDraft&)) {
     ScenarioRecipe result{name, sentence, demoRig()};
     result.complete = complete;

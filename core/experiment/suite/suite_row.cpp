@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -13,7 +14,13 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr std::size_t kKeyFields = 4;
-constexpr std::array kGrades{Grade::Ideal, Grade::Room, Grade::Wild};
+/// The grades and their names, the easiest first.
+struct NamedGrade {
+  Grade grade;
+  const char* name;
+};
+constexpr std::array kGrades{NamedGrade{Grade::Ideal, "ideal"}, NamedGrade{Grade::Room, "room"},
+                             NamedGrade{Grade::Wild, "wild"}};
 constexpr const char* kKeyHeader = "scenario,grade,method,seed";
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -85,21 +92,14 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
 } // namespace
 
 const char* gradeName(Grade grade) {
-  switch (grade) {
-  case Grade::Room:
-    return "room";
-  case Grade::Wild:
-    return "wild";
-  case Grade::Ideal:
-    break;
-  }
-  return "ideal";
+  const auto* const found = std::ranges::find(kGrades, grade, &NamedGrade::grade);
+  return found != kGrades.end() ? found->name : "";
 }
 
 std::optional<Grade> gradeNamed(const std::string& name) {
-  for (const Grade grade : kGrades) {
-    if (name == gradeName(grade)) {
-      return grade;
+  for (const NamedGrade& grade : kGrades) {
+    if (name == grade.name) {
+      return grade.grade;
     }
   }
   return std::nullopt;
