@@ -25,16 +25,36 @@ struct Share {
   float coverage = 0.0F;
 };
 
+/// The rows that an exposure is for, as an area of the image.
+cv::Rect rowsOf(const CameraView& view, const Exposure& exposure) {
+  const int first = std::max(0, exposure.firstRow);
+  const int end = std::min(view.height, exposure.endRow);
+  return {0, first, view.width, std::max(0, end - first)};
+}
+
+const Vector3f& lampOf(const Body& body) {
+  return body.light != nullptr ? body.light->illumination->lamp : kLampPosition;
+}
+
+/// The color of a matte surface of a body in the light that falls on it.
+Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& normal) {
+  if (body.light != nullptr) {
+    return body.light->at(point, normal).cwiseProduct(body.color);
+  }
+  return shade(point, normal, 1.0F) * body.color;
+}
+
 /// The color of a ball's surface at `normal`: matte, with a faint broad highlight.
 Vector3f ballColor(const Body& body, const Vector3f& point, const Vector3f& direction) {
   const Vector3f normal = (point - body.center) / body.radius;
-  const Vector3f halfway = ((kLampPosition - point).normalized() - direction).normalized();
+  const Vector3f halfway = ((lampOf(body) - point).normalized() - direction).normalized();
   const float facing = std::max(0.0F, normal.dot(halfway));
   const float facing4 = facing * facing * facing * facing;
   const float gloss = 12.0F * facing4 * facing4 * facing4;
   // A ball on a desk is dark below: it hides the room's light there from itself.
-  const float light = shade(point, normal, 1.0F);
-  return (light * body.color + Vector3f::Constant(gloss)).cwiseMin(255.0F);
+  const Vector3f color = litColor(body, point, normal) + Vector3f::Constant(gloss);
+  // In other light it is the sensor that cuts.
+  return body.light != nullptr ? color : Vector3f(color.cwiseMin(255.0F));
 }
 
 /// Where a ray enters the sphere; nothing when it misses it or the sphere lies behind.
@@ -78,7 +98,7 @@ Share sample(const CameraView& view, const Body& body, const Vector3f& direction
   if (d[side] > 0.0F) {
     normal = -normal;
   }
-  return {shade(view.center + enter * direction, normal, 1.0F) * body.color, 1.0F};
+  return {litColor(body, view.center + enter * direction, normal), 1.0F};
 }
 
 bool onEdge(const CameraView& view, const Body& body, int column, int row) {
@@ -121,15 +141,16 @@ void addInstant(const CameraView& view, const Body& body, const cv::Rect& area,
   }
 }
 
-void castShadow(const CameraView& view, const Body& body, cv::Mat& image) {
+void castShadow(const CameraView& view, const Body& body, const cv::Rect& rows, cv::Mat& image) {
   // Only the shadow on the desk (z = 0) is drawn; a sphere around it bounds its pixels.
-  const Vector3f lamp = kLampPosition;
+  const Vector3f lamp = lampOf(body);
   if (body.box || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
     return;
   }
   const Vector3f spot = lamp + (body.center - lamp) * (lamp.z() / (lamp.z() - body.center.z()));
   const float penumbra = kLampRadius * body.center.z() / lamp.z();
-  const cv::Rect area = view.boundsOfSphere(spot.cast<double>(), 1.6 * (body.radius + penumbra));
+  const cv::Rect area =
+      rows & view.boundsOfSphere(spot.cast<double>(), 1.6 * (body.radius + penumbra));
   const ShadowCaster caster{body.center, body.radius, lamp, kLampRadius, 0.002F, 0.01F};
   forEachShadedPixel(view, area, caster,
                      [&](int row, int column, std::size_t pixel, float covered, float /*blur*/) {
@@ -146,11 +167,12 @@ void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposur
   const auto middle = bodiesAt(time);
   const auto opening = bodiesAt(time - half);
   const auto closing = bodiesAt(time + half);
+  const cv::Rect rows = rowsOf(view, exposure);
   std::vector<std::size_t> order(middle.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
     if (middle[i].present) {
-      castShadow(view, middle[i], image);
+      castShadow(view, middle[i], rows, image);
     }
   }
   // Far to near: what is nearer covers what is farther.
@@ -163,7 +185,7 @@ void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposur
     };
     const cv::Rect first = boundsAt(opening[i]);
     const cv::Rect last = boundsAt(closing[i]);
-    const cv::Rect area = first | boundsAt(middle[i]) | last;
+    const cv::Rect area = (first | boundsAt(middle[i]) | last) & rows;
     if (area.empty() || !middle[i].present) {
       continue;
     }

@@ -3,6 +3,9 @@
 
 #include "core/simulation/body_painter.h"
 #include "core/simulation/camera_view.h"
+#include "core/simulation/illumination.h"
+#include "core/simulation/sensor_model.h"
+#include "core/simulation/walker.h"
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -48,6 +51,13 @@ struct MovedCamera {
   std::shared_ptr<const CameraView> view;
 };
 
+/// What a camera sees at rest under the stage's illumination; made by prepareLight().
+struct RelitView {
+  std::shared_ptr<const CameraView> view;
+  RelitBackground background;
+  Eigen::Vector3d meanGain = Eigen::Vector3d::Ones(); ///< of its mean color (BGR)
+};
+
 /// Everything that decides the images of a set-up with known truth: what stands and moves before
 /// the cameras, the light and the sensors.
 struct Stage {
@@ -56,11 +66,26 @@ struct Stage {
   std::vector<std::shared_ptr<const CameraView>> views; ///< one per camera
   std::vector<MovedCamera> moves;
   std::function<Light(std::size_t camera, double time)> light; ///< none: full light
-  std::vector<cv::Mat> unevenness; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
-  double noiseSigma = 3.0;         ///< standard deviation of the sensor noise, gray levels
-  double exposureSeconds = 0.01;
-  int jpegQuality = 0; ///< 1 to 100: images go through JPEG; 0: they do not
+  std::vector<cv::Mat> unevenness;  ///< CV_32FC3 gain per pixel, one per camera; empty: even light
+  double noiseSigma = 3.0;          ///< standard deviation of the sensor noise, gray levels
+  double exposureSeconds = 0.01;    ///< of cameras without a model of their own
+  int jpegQuality = 0;              ///< 1 to 100: images go through JPEG; 0: they do not
+  std::vector<SensorModel> sensors; ///< one per camera; empty: ideal ones
+  Illumination illumination;        ///< besides the lamp that `views` were rendered with
+  /// Who walks behind the bodies: bodies hide people, never the other way round. The lamp alone
+  /// lights them.
+  std::vector<Walker> people;
+  float floorHeight = 0.0F;     ///< world z of the floor that they walk on, meters
+  std::vector<RelitView> relit; ///< of all views, where the illumination is not plain
 };
+
+/// Computes what follows from the stage's illumination: to be called when it or a view was set.
+void prepareLight(Stage& stage);
+
+/// How much more light than nominal a camera meters at a time, per channel (BGR), in stops: from
+/// the stage's light and illumination, on what is at rest. A blackout counts as kDarkStops.
+Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time);
+inline constexpr double kDarkStops = -4.0;
 
 /// The image (CV_8UC3, BGR) of one camera with its exposure centered on `time` (seconds): a pure
 /// function of its arguments. `frame` is the camera's frame number and chooses the noise.

@@ -19,7 +19,7 @@ struct SuiteOptions {
   bool list = false;
   std::vector<std::string> scenarios;
   std::vector<std::string> methods;
-  std::string grade = "both";
+  std::vector<std::string> grades{"both"};
   std::optional<int> seeds;
   std::uint64_t firstSeed = kFirstReportingSeed;
   int threads = 1;
@@ -51,8 +51,7 @@ Result<SuiteRequest> requestOf(const SuiteOptions& options) {
   }
   request.scenarios = *scenarios;
   request.methods = *methods;
-  const auto grade = gradeNamed(options.grade);
-  request.grades = grade ? std::vector{*grade} : std::vector{Grade::Ideal, Grade::Room};
+  request.grades = gradesNamed(options.grades).value_or(std::vector<Grade>()); // names are checked
   request.seeds = options.seeds;
   request.firstSeed = options.firstSeed;
   return request;
@@ -115,8 +114,11 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
   command->add_option("--scenario", options->scenarios, "Family (S0) or scenario; all unless given")
       ->delimiter(',');
   command->add_option("--method", options->methods, "Method; all unless given")->delimiter(',');
-  command->add_option("--grade", options->grade, "Images: ideal, room or both")
-      ->check(CLI::IsMember({"ideal", "room", "both"}))
+  command
+      ->add_option("--grade", options->grades,
+                   "Images: ideal, room, wild, a list of them, or both (ideal and room)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"ideal", "room", "wild", "both"}))
       ->capture_default_str();
   command->add_option("--seeds", options->seeds, "Runs per scenario (each has its own number)")
       ->check(CLI::Range(1, 1000000));

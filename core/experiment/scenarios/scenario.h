@@ -16,9 +16,11 @@
 
 namespace dewpoint::experiment {
 
-/// How kind the images are: `Ideal` has sensor noise, shading and clutter, but perfect
-/// calibration; `Room` adds calibration noise, lens distortion, JPEG and uneven light.
-enum class Grade { Ideal, Room };
+/// How rough the images, time stamps and calibration of a run are: `Ideal` has sensor noise,
+/// shading and clutter, and nothing wrong; `Room` has what webcams in a room have (GradeModel says
+/// what, with numbers); `Wild` has more of
+/// it, and other cameras, furniture, lamps and people in each run.
+enum class Grade { Ideal, Room, Wild };
 
 /// Something that happens at a frame and that metrics refer to.
 struct ScenarioEvent {
