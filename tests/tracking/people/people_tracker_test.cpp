@@ -8,6 +8,7 @@
 
 #include <array>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -198,16 +199,33 @@ TEST(PeopleMethod, KeepsTwoInTheSameClothesApart) {
   for (; frame < 10; ++frame) {
     tracker->step(draw(rig, frame, {}), team);
   }
-  for (; frame < 75; ++frame) { // they pass each other at 0.5 m
-    const double x = -1.3 + 0.04 * static_cast<double>(frame - 10);
-    tracker->step(draw(rig, frame, {{{x, -0.25}, kBlue}, {{-x, 0.25}, kBlue}}), team);
+  // They pass each other at 0.5 m, at 0.6 m/s: one along y = -0.25 from left to right, the other
+  // along y = 0.25 from right to left.
+  const auto placeOf = [](bool fromTheLeft, std::int64_t at) -> Eigen::Vector2d {
+    const double x = -1.3 + 0.04 * static_cast<double>(at - 10);
+    return fromTheLeft ? Eigen::Vector2d(x, -0.25) : Eigen::Vector2d(-x, 0.25);
+  };
+  std::map<int, bool> fromTheLeft; // by identity, as it was long before they meet
+  for (; frame < 75; ++frame) {
+    tracker->step(draw(rig, frame, {{placeOf(true, frame), kBlue}, {placeOf(false, frame), kBlue}}),
+                  team);
+    if (frame == 26) { // 1.1 s after they came, 1.4 m apart
+      ASSERT_EQ(tracker->people().size(), 2U);
+      for (const PersonEstimate& person : tracker->people()) {
+        fromTheLeft[person.identity] = person.position.x() < 0.0;
+      }
+    }
   }
+  ASSERT_EQ(fromTheLeft.size(), 2U);
   ASSERT_EQ(tracker->people().size(), 2U);
   for (const PersonEstimate& person : tracker->people()) {
-    // Whoever is on the right at the end began on the left; births were in an order of their own.
-    EXPECT_NEAR(std::abs(person.position.x()), 1.26, 0.2);
+    const auto began = fromTheLeft.find(person.identity);
+    ASSERT_NE(began, fromTheLeft.end()) << "person " << person.identity << " is a new one";
+    // A swap would put each 2.5 m away from where its own body is.
+    EXPECT_LT((person.position.head<2>() - placeOf(began->second, frame - 1)).norm(), 0.2)
+        << "person " << person.identity;
   }
-  EXPECT_LT(tracker->people()[0].position.x() * tracker->people()[1].position.x(), 0.0);
+  EXPECT_NE(fromTheLeft.begin()->second, fromTheLeft.rbegin()->second);
 }
 
 TEST(PeopleMethodNames, HaveParametersAndSentences) {
