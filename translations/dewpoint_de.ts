@@ -937,6 +937,10 @@
         <translation>Barrera et al. 2005, Abschnitt III-B: Mit einer Kamera entfernt sich die Wolke von ihr.</translation>
     </message>
     <message>
+        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
+        <translation>Barrera et al. 2005, Abbildung 5: wo eine Kamera allein die Farbe findet und warum sich die Wolke von ihr entfernt.</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>Abdrift entlang der optischen Achse</translation>
     </message>
@@ -959,6 +963,10 @@
     <message>
         <source>The cloud on its way</source>
         <translation>Die Wolke unterwegs</translation>
+    </message>
+    <message>
+        <source>The cone of one camera</source>
+        <translation>Der Kegel einer Kamera</translation>
     </message>
     <message>
         <source>Where the cloud may start</source>

@@ -937,6 +937,10 @@
         <translation>Barrera et al. 2005, sección III-B: con una cámara la nube se aleja de ella.</translation>
     </message>
     <message>
+        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
+        <translation>Barrera et al. 2005, figura 5: dónde encuentra el color una sola cámara y por qué la nube se aleja de ella.</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>Deriva a lo largo del eje óptico</translation>
     </message>
@@ -959,6 +963,10 @@
     <message>
         <source>The cloud on its way</source>
         <translation>La nube en camino</translation>
+    </message>
+    <message>
+        <source>The cone of one camera</source>
+        <translation>El cono de una cámara</translation>
     </message>
     <message>
         <source>Where the cloud may start</source>

@@ -937,6 +937,10 @@
         <translation>Barrera ら 2005、III-B節:カメラ1台では雲がそこから遠ざかります。</translation>
     </message>
     <message>
+        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
+        <translation>Barrera ら 2005、図5:カメラ1台だけで色が見つかる範囲と、雲がそこから遠ざかる理由。</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>光軸方向のドリフト</translation>
     </message>
@@ -959,6 +963,10 @@
     <message>
         <source>The cloud on its way</source>
         <translation>移動中の雲</translation>
+    </message>
+    <message>
+        <source>The cone of one camera</source>
+        <translation>カメラ1台の円錐</translation>
     </message>
     <message>
         <source>Where the cloud may start</source>

@@ -3,6 +3,7 @@
 
 #include "core/experiment/report/report_folder.h"
 #include "core/experiment/studies/barrera_figures.h"
+#include "core/experiment/studies/drift_figures.h"
 #include "core/experiment/studies/dynamics_figures.h"
 
 #include <array>
@@ -23,10 +24,14 @@ std::span<const FigureExperiment> figureExperiments() {
       FigureExperiment{"barrera-fig3", "Particles in both images",
                        "Barrera et al. 2005, figure 3: the particles projected into both cameras "
                        "while the cloud finds the ball.",
-                       1, &intoFolder<&barreraFigure3>},
+                       50, &intoFolder<&barreraFigure3>},
       FigureExperiment{"barrera-fig4", "Particles from above",
                        "Barrera et al. 2005, figure 4: the same cloud from above.", 1,
                        &intoFolder<&barreraFigure4>},
+      FigureExperiment{"barrera-fig5", "The cone of one camera",
+                       "Barrera et al. 2005, figure 5: where one camera alone finds the color, and "
+                       "why the cloud moves away from it.",
+                       1, &intoFolder<&barreraFigure5>},
       FigureExperiment{"drift", "Drift along the optical axis",
                        "Barrera et al. 2005, section III-B: with one camera the cloud moves away "
                        "from it.",
