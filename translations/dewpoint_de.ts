@@ -328,6 +328,14 @@
         <translation>Zeigen, für wie wahrscheinlich die Kameras jeden Ort um das Ziel halten und welche Orte erwogen wurden</translation>
     </message>
     <message>
+        <source>Show best particle</source>
+        <translation>Bestes Partikel zeigen</translation>
+    </message>
+    <message>
+        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <translation>Das Partikel mit dem höchsten Gewicht (MAP) jedes Ziels in allen Ansichten mit einem Dreieck markieren</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>Kurven</translation>
     </message>

@@ -328,6 +328,14 @@
         <translation>Mostrar lo probable que es para las cámaras cada lugar alrededor del objetivo y qué lugares se consideraron</translation>
     </message>
     <message>
+        <source>Show best particle</source>
+        <translation>Mostrar la mejor partícula</translation>
+    </message>
+    <message>
+        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <translation>Marcar con un triángulo, en todas las vistas, la partícula de mayor peso (MAP) de cada objetivo</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>Gráficos</translation>
     </message>

@@ -328,6 +328,14 @@
         <translation>ターゲットの周囲の各位置をカメラがどれだけ確からしいと見るか、どの位置が候補になったかを表示します</translation>
     </message>
     <message>
+        <source>Show best particle</source>
+        <translation>最良のパーティクルを表示</translation>
+    </message>
+    <message>
+        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <translation>各ターゲットの重みが最大のパーティクル(MAP)を、すべてのビューで三角形で示します</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>グラフ</translation>
     </message>

@@ -70,6 +70,11 @@ void CameraView::setEvidenceShown(bool shown) {
   refresh();
 }
 
+void CameraView::setBestShown(bool shown) {
+  bestShown_ = shown;
+  update();
+}
+
 void CameraView::setChosenTarget(int target) {
   chosenTarget_ = target;
   update();
@@ -210,7 +215,11 @@ void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
       paintEvidence(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
                     proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);
     }
-    paintOverlay(painter, cameraOverlay(*shown_, camera_, shown_->targets[i]), placement_,
+    CameraOverlay overlay = cameraOverlay(*shown_, camera_, shown_->targets[i]);
+    if (!bestShown_) {
+      overlay.best.reset();
+    }
+    paintOverlay(painter, overlay, placement_,
                  targetColor(shown_->targets[i].target.name, static_cast<int>(i)));
   }
   paintBumpMark(painter, picture, bumpText(bumpOf(*shown_, camera_)), palette());

@@ -37,10 +37,7 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
                           sphere.valid,
                           std::nullopt,
                           sphere.existenceProbability,
-                          std::nullopt};
-  if (sphere.particleCount > 0) {
-    sample.best = sphere.best;
-  }
+                          bestParticleOf(sphere)};
   if (sphere.measurement) {
     sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
   }

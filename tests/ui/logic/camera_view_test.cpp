@@ -121,6 +121,29 @@ TEST_F(ShownCameraView, InAMinimizedWindowNothingIsMade) {
   EXPECT_EQ(middleOf(view_), QColor(0, 0, 200));
 }
 
+TEST_F(ShownCameraView, TheBestParticleIsMarkedOnlyWhenItIsWanted) {
+  auto snapshot = std::make_shared<TrackSnapshot>(*showing({0, 200, 0}));
+  Camera camera; // looks along +Z from the origin
+  camera.intrinsics = {80, 60, 50.0, 50.0, 39.5, 29.5};
+  snapshot->rig = std::make_shared<const CameraRig>(CameraRig{camera});
+  SphereEstimate sphere;
+  sphere.particleCount = 10;
+  sphere.mean = {5.0, 0.0, 1.0}; // 250 px beside the image
+  sphere.best = {0.0, 0.0, 1.0}; // in its middle
+  snapshot->targets.emplace_back().estimate = sphere;
+  view_.setSnapshot(snapshot);
+  ASSERT_TRUE(isDrawn(view_));
+  const QImage without = view_.grab().toImage();
+  view_.setBestShown(true);
+  const QImage marked = view_.grab().toImage();
+  EXPECT_NE(marked, without);
+  // The triangle's tip is 8 px above the middle; the corners of the image are as before.
+  EXPECT_NE(marked.copy(70, 48, 20, 20), without.copy(70, 48, 20, 20));
+  EXPECT_EQ(marked.copy(0, 0, 40, 40), without.copy(0, 0, 40, 40));
+  view_.setBestShown(false);
+  EXPECT_EQ(view_.grab().toImage(), without);
+}
+
 // The target's mask is 255 - 0; what has no mask steps back to 35 % of 200.
 TEST_F(ShownCameraView, AMaskTintsTheImage) {
   auto masked = std::make_shared<TrackSnapshot>(*showing({200, 200, 200}));
