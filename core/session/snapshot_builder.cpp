@@ -124,6 +124,23 @@ std::vector<cv::Mat> motionMasks(const TrackingRun& run, const PeopleFinding& fi
   return masks;
 }
 
+/// The maps of a method's last frame, in the sizes of the images.
+std::vector<LikelihoodMap> motionMaps(const TrackingRun& run, const MotionMapping& mapping) {
+  std::vector<LikelihoodMap> maps = mapping.motionLikelihoods();
+  for (std::size_t camera = 0; camera < std::min(maps.size(), run.rig().size()); ++camera) {
+    LikelihoodMap& map = maps[camera];
+    const Intrinsics& intrinsics = run.rig()[camera].intrinsics;
+    const cv::Size size(intrinsics.width, intrinsics.height);
+    if (!map.area.empty() && map.area.size() != size) {
+      cv::Mat larger;
+      cv::resize(map.logLikelihood, larger, size, 0.0, 0.0, cv::INTER_LINEAR);
+      map.logLikelihood = larger;
+      map.area = {{0, 0}, size};
+    }
+  }
+  return maps;
+}
+
 } // namespace
 
 void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& run,
@@ -196,7 +213,7 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
 
 bool SnapshotBuilder::wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
   return run.capability<PeopleFinding>() != nullptr // whose motion is seen without tracking
-             ? wishes_.masks && snapshot.frames != nullptr
+             ? (wishes_.masks || wishes_.maps) && snapshot.frames != nullptr
              : wishes_.maps && snapshot.tracked;
 }
 
@@ -205,9 +222,14 @@ bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& sna
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (const auto* const finding = run.capability<PeopleFinding>()) {
+  const auto* const finding = run.capability<PeopleFinding>();
+  if (finding != nullptr && wishes_.masks) {
     snapshot.masks = motionMasks(run, *finding);
     snapshot.masksShowMotion = true;
+  }
+  const auto* const motion = run.capability<MotionMapping>();
+  if (motion != nullptr && wishes_.maps) {
+    snapshot.motionMaps = motionMaps(run, *motion);
   }
   const auto* const mapping = run.capability<LikelihoodMapping>();
   for (std::size_t k = 0; mapping != nullptr && k < snapshot.targets.size(); ++k) {

@@ -96,6 +96,15 @@ public:
   virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t track, int reach) const = 0;
 };
 
+/// Maps the likelihood of motion over the images of every camera, whoever it is that moves.
+class MotionMapping {
+public:
+  virtual ~MotionMapping() = default;
+  /// One per camera: log D of the last frame (Mohedano et al. 2009, equation 8) over the whole
+  /// image, which is perhaps smaller than the camera's. An empty area where there is no mask.
+  virtual std::vector<LikelihoodMap> motionLikelihoods() const = 0;
+};
+
 /// The centers of some particles of a box, in the image: rows x y, pixels from the upper left
 /// corner, with linear weights.
 struct BoxParticles {

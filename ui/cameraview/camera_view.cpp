@@ -205,6 +205,9 @@ void CameraView::paintEvent(QPaintEvent*) {
 }
 
 void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
+  if (picture_.source.maps == shown_ && !picture_.motionMap.isNull()) {
+    paintEvidence(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {}, placement_);
+  }
   paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
   paintPeopleTrouble(painter, *shown_, camera_, picture);
   for (std::size_t i = 0; i < shown_->targets.size(); ++i) {

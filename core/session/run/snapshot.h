@@ -83,6 +83,9 @@ struct TrackSnapshot {
   /// Per camera CV_8UC1, 255 - k: color of target k. Empty unless wanted.
   std::vector<cv::Mat> masks;
   bool masksShowMotion = false; ///< instead; 255: it moves
+  /// Per camera how likely motion is at each pixel of its image, of methods that map it; empty
+  /// unless wanted.
+  std::vector<LikelihoodMap> motionMaps;
   std::vector<TargetSnapshot> targets;
   std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
   std::int64_t frame = -1;                      ///< the one shown

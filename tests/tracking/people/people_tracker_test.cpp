@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/projector.h"
 #include "core/observation/people/body_silhouette.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/tracker_capabilities.h"
@@ -7,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -163,6 +165,30 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   EXPECT_NEAR(tracker->people()[0].position.x(), 0.5, 0.15);
   placing->removePerson(1);
   EXPECT_TRUE(tracker->people().empty());
+}
+
+TEST_P(PeopleMethods, MapTheLikelihoodOfMotion) {
+  const CameraRig rig = room();
+  PeopleRun run(GetParam(), {{"learning_time", 0.5}, {"image_width", 0.0}});
+  const auto* mapping = capability<MotionMapping>(std::as_const(run.tracker()));
+  ASSERT_NE(mapping, nullptr);
+  ThreadTeam team(1);
+  for (std::int64_t frame = 0; frame < 13; ++frame) { // 0.8 s: longer than it learns
+    run.step(draw(rig, frame,
+                  frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}}),
+             team);
+  }
+  const auto maps = mapping->motionLikelihoods();
+  ASSERT_EQ(maps.size(), rig.size());
+  const auto at = Projector(rig[0]).project({0.2, 0.2, 0.9});
+  ASSERT_TRUE(at);
+  const LikelihoodMap& map = maps[0];
+  EXPECT_EQ(map.area, cv::Rect(0, 0, 320, 240));
+  EXPECT_NEAR(map.least, std::log(0.2), 1e-12); // p_B
+  // D is near 1 in the middle of what moves (a body is 10 px wide, sigma at most 4 px), and p_B in a
+  // corner where nothing does.
+  EXPECT_GT(map.logLikelihood.at<float>(cvRound(at->y()), cvRound(at->x())), std::log(0.5));
+  EXPECT_NEAR(map.logLikelihood.at<float>(0, 0), std::log(0.2), 1e-6);
 }
 
 TEST_P(PeopleMethods, LiveWithoutSomeCamera) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include <cmath>
 #include <memory>
 
 namespace dewpoint::tests {
@@ -142,6 +143,27 @@ TEST_F(ShownCameraView, TheBestParticleIsMarkedOnlyWhenItIsWanted) {
   EXPECT_EQ(marked.copy(0, 0, 40, 40), without.copy(0, 0, 40, 40));
   view_.setBestShown(false);
   EXPECT_EQ(view_.grab().toImage(), without);
+}
+
+TEST_F(ShownCameraView, TheLikelihoodOfMotionIsDrawnOverTheWholeImage) {
+  auto mapped = std::make_shared<TrackSnapshot>(*showing({200, 200, 200}));
+  LikelihoodMap map;
+  map.area = {0, 0, 80, 60};
+  map.logLikelihood = cv::Mat(60, 80, CV_32FC1, cv::Scalar(0.0)); // D = 1 everywhere
+  map.least = std::log(0.2);
+  mapped->motionMaps = {map};
+  view_.setSnapshot(mapped);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(200, 200, 200));
+  view_.setEvidenceShown(true);
+  ASSERT_TRUE(isDrawn(view_));
+  const QColor likely = middleOf(view_); // light yellow over the gray
+  EXPECT_GT(likely.red(), likely.blue() + 20);
+  auto still = std::make_shared<TrackSnapshot>(*mapped);
+  still->motionMaps[0].logLikelihood = cv::Mat(60, 80, CV_32FC1, cv::Scalar(map.least));
+  view_.setSnapshot(still);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_LT(middleOf(view_).lightness(), likely.lightness()); // dark blue
 }
 
 // The target's mask is 255 - 0; what has no mask steps back to 35 % of 200.
