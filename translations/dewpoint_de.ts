@@ -949,6 +949,10 @@
         <translation>Barrera et al. 2005, Abbildung 5: wo eine Kamera allein die Farbe findet und warum sich die Wolke von ihr entfernt.</translation>
     </message>
     <message>
+        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
+        <translation>Mohedano et al. 2009, Abbildungen 1 und 3: was sich in den Bildern einer Kamera bewegt, in Stücken, und für wie wahrscheinlich das eine Person an jedem Pixel macht.</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>Abdrift entlang der optischen Achse</translation>
     </message>
@@ -971,6 +975,10 @@
     <message>
         <source>The cloud on its way</source>
         <translation>Die Wolke unterwegs</translation>
+    </message>
+    <message>
+        <source>Motion masks and motion likelihood</source>
+        <translation>Bewegungsmasken und Bewegungswahrscheinlichkeit</translation>
     </message>
     <message>
         <source>The cone of one camera</source>

@@ -949,6 +949,10 @@
         <translation>Barrera et al. 2005, figura 5: dónde encuentra el color una sola cámara y por qué la nube se aleja de ella.</translation>
     </message>
     <message>
+        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
+        <translation>Mohedano et al. 2009, figuras 1 y 3: lo que se mueve en las imágenes de una cámara, a trozos, y lo probable que hace eso a una persona en cada píxel.</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>Deriva a lo largo del eje óptico</translation>
     </message>
@@ -971,6 +975,10 @@
     <message>
         <source>The cloud on its way</source>
         <translation>La nube en camino</translation>
+    </message>
+    <message>
+        <source>Motion masks and motion likelihood</source>
+        <translation>Máscaras de movimiento y verosimilitud del movimiento</translation>
     </message>
     <message>
         <source>The cone of one camera</source>

@@ -949,6 +949,10 @@
         <translation>Barrera ら 2005、図5:カメラ1台だけで色が見つかる範囲と、雲がそこから遠ざかる理由。</translation>
     </message>
     <message>
+        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
+        <translation>Mohedano ら 2009、図1と図3:カメラの画像で動く部分(断片的)と、それによる各画素での人物の確からしさ。</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>光軸方向のドリフト</translation>
     </message>
@@ -971,6 +975,10 @@
     <message>
         <source>The cloud on its way</source>
         <translation>移動中の雲</translation>
+    </message>
+    <message>
+        <source>Motion masks and motion likelihood</source>
+        <translation>動きのマスクと動きの尤度</translation>
     </message>
     <message>
         <source>The cone of one camera</source>

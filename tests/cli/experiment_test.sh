@@ -4,7 +4,7 @@
 
 # A folder that cannot be made is said before anything is computed: in no time, and without progress.
 : >file
-for name in barrera-fig3 barrera-fig4 barrera-fig5 drift starts dynamics-fig6 dynamics-fig7 dynamics-fig8 \
+for name in barrera-fig3 barrera-fig4 barrera-fig5 drift starts dynamics-fig6 dynamics-fig7 dynamics-fig8 mohedano-fig1 \
   sugandi-rmse people-crossing people-enter-leave apart; do
   expectExit $kOutput experiment $name --out file/o
   expectSentence file/o "cannot be written"

@@ -5,6 +5,7 @@
 #include "core/experiment/studies/barrera_figures.h"
 #include "core/experiment/studies/drift_figures.h"
 #include "core/experiment/studies/dynamics_figures.h"
+#include "core/experiment/studies/motion_figures.h"
 
 #include <array>
 
@@ -52,6 +53,11 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, figure 8: the cloud at six instants, with a small and "
                        "a large motion sigma.",
                        1, &intoFolder<&dynamicsFigure8>},
+      FigureExperiment{
+          "mohedano-fig1", "Motion masks and motion likelihood",
+          "Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, "
+          "in pieces, and how likely that makes a person at each pixel.",
+          1, &intoFolder<&mohedanoMotionFigures>},
   };
   return kAll;
 }

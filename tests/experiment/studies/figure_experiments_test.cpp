@@ -7,8 +7,10 @@
 #include "core/experiment/studies/drift_figures.h"
 #include "core/experiment/studies/dynamics_figures.h"
 #include "core/experiment/studies/figure_experiments.h"
+#include "core/experiment/studies/motion_figures.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -119,6 +121,24 @@ TEST(BarreraFigure5, ALongerConeHasMoreRoom) {
   // The paper's argument: of two equal steps, the one away from the camera keeps more in the cone.
   const std::vector<double> steps = shareThatStaysInCone(0.08, 0.5, 0.03, {-0.03, 0.03});
   EXPECT_GT(steps[1], steps[0]);
+}
+
+TEST(MaskQuality, CountsPiecesAndPixels) {
+  cv::Mat people = cv::Mat::zeros(60, 80, CV_8UC1);
+  people(cv::Rect(10, 10, 10, 40)).setTo(1); // 400 pixels
+  cv::Mat mask = cv::Mat::zeros(60, 80, CV_8UC1);
+  mask(cv::Rect(10, 10, 10, 10)).setTo(255); // 100 of them,
+  mask(cv::Rect(10, 30, 10, 20)).setTo(255); // 200 more in another piece,
+  mask(cv::Rect(50, 10, 10, 10)).setTo(255); // 100 of nobody,
+  mask(cv::Rect(70, 50, 4, 4)).setTo(255);   // and 16 of noise, too few for a region
+  const MaskQuality quality = maskQuality(mask, people);
+  EXPECT_EQ(quality.regions, 3);
+  EXPECT_NEAR(quality.recall, 300.0 / 400.0, 1e-12);
+  EXPECT_NEAR(quality.precision, 300.0 / 416.0, 1e-12);
+  const MaskQuality nothing = maskQuality(cv::Mat::zeros(60, 80, CV_8UC1), people);
+  EXPECT_EQ(nothing.regions, 0);
+  EXPECT_EQ(nothing.recall, 0.0);
+  EXPECT_EQ(nothing.precision, 1.0);
 }
 
 TEST(DynamicsFigure7, SaysOnceWhereTheCloudStarts) {
