@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <unistd.h>
@@ -90,11 +91,21 @@ TEST(SugandiStudy, DrawsTracksAndFrames) {
   ASSERT_TRUE(writeBoxStudy(*study, folder));
   std::ifstream file(folder / kBoxReport);
   const std::string page{std::istreambuf_iterator<char>(file), {}};
-  for (const char* part : {"clip-1.jpg", "x of the center", "Distance to the true center"}) {
+  for (const char* part : {"clip-1.jpg", "x of the center", "Distance to the true center",
+                           "Reference: the colors of the given box", "found with 300 particles"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(page.find("nan"), std::string::npos);
-  for (const char* name : {"clip-1.jpg", "tracks.csv", "sugandi-rmse.csv", "sugandi-rmse.txt"}) {
+  // Both histograms sum to 1 over the rows of the file.
+  ASSERT_EQ(study->figures[0].reference.size(), 512U);
+  ASSERT_EQ(study->figures[0].candidate.size(), 512U);
+  EXPECT_EQ(study->figures[0].candidateFrame, 3U); // of six
+  EXPECT_NEAR(
+      std::accumulate(study->figures[0].candidate.begin(), study->figures[0].candidate.end(), 0.0),
+      1.0, 1e-9);
+  EXPECT_GT(std::ranges::count(boxHistogramsCsv(*study), '\n'), 2);
+  for (const char* name :
+       {"clip-1.jpg", "tracks.csv", "histograms.csv", "sugandi-rmse.csv", "sugandi-rmse.txt"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
   std::filesystem::remove_all(folder);
