@@ -4231,6 +4231,17 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::HistogramView</name>
+    <message>
+        <source>Colors of the box</source>
+        <translation>Farben des Rahmens</translation>
+    </message>
+    <message>
+        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <translation>Farbhistogramme des Rahmens: leere Balken, wie er angegeben wurde, gefüllte Balken, wie er jetzt ist. Gezeigt werden die größten von 512 Klassen, jede in ihrer Farbe.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::HistoryDock</name>
     <message>
         <source>As it was opened</source>

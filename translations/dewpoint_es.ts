@@ -4231,6 +4231,17 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::HistogramView</name>
+    <message>
+        <source>Colors of the box</source>
+        <translation>Colores del recuadro</translation>
+    </message>
+    <message>
+        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <translation>Histogramas de color del recuadro: barras huecas, como se indicó; barras llenas, como es ahora. Se muestran las mayores de 512 clases, cada una en su color.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::HistoryDock</name>
     <message>
         <source>As it was opened</source>

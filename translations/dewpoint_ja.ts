@@ -4229,6 +4229,17 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::HistogramView</name>
+    <message>
+        <source>Colors of the box</source>
+        <translation>枠の色</translation>
+    </message>
+    <message>
+        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <translation>枠の色ヒストグラム：中空の棒は指定時、塗りつぶした棒は現在です。512個のビンのうち大きいものを、それぞれの色で表示します。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::HistoryDock</name>
     <message>
         <source>As it was opened</source>

@@ -2,6 +2,7 @@
 #include "core/session/snapshot_builder.h"
 
 #include "core/color/match_image.h"
+#include "core/observation/boxes/box_histogram.h"
 #include "core/session/box_counterparts.h"
 
 #include <opencv2/imgproc.hpp>
@@ -78,6 +79,27 @@ void addShapes(TrackSnapshot& snapshot) {
     if (target.person() != nullptr && target.particles.rows() > 0) {
       target.shape = std::make_shared<const PersonShape>(
           personShape(BodyCloud{target.particles, target.weights}));
+    }
+  }
+}
+
+/// The colors of the boxes, as they were given and in the images shown.
+void addHistograms(const TrackingRun& run, TrackSnapshot& snapshot) {
+  const auto* const colors = run.capability<ReferenceColors>();
+  const std::size_t count = std::min(snapshot.targets.size(), run.targets().size());
+  for (std::size_t k = 0; colors != nullptr && k < count; ++k) {
+    const BoxEstimate* const box = snapshot.targets[k].box();
+    const auto camera = static_cast<std::size_t>(box != nullptr ? box->camera : 0);
+    if (box == nullptr || camera >= snapshot.frames->frames.size() ||
+        !snapshot.frames->frames[camera] ||
+        snapshot.frames->frames[camera]->image.type() != CV_8UC3) {
+      continue;
+    }
+    ColorHistograms histograms{colors->referenceHistogram(k),
+                               boxHistogram(snapshot.frames->frames[camera]->image, box->box)};
+    if (!histograms.reference.empty() && !histograms.candidate.empty()) {
+      snapshot.targets[k].histograms =
+          std::make_shared<const ColorHistograms>(std::move(histograms));
     }
   }
 }
@@ -166,6 +188,9 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
   }
   if (!snapshot.frames) {
     return;
+  }
+  if (!snapshot.preview) {
+    addHistograms(run, snapshot);
   }
   if (run.capability<PeopleFinding>() == nullptr) { // of whom nobody knows which true one it is
     for (TargetSnapshot& target : snapshot.targets) {

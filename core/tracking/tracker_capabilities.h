@@ -124,6 +124,15 @@ public:
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;
 };
 
+/// Knows the colors of a target as it was given.
+class ReferenceColors {
+public:
+  virtual ~ReferenceColors() = default;
+  /// The color histogram (boxHistogram()) of the box from which a target is followed; empty while
+  /// it is absent.
+  virtual std::vector<double> referenceHistogram(std::size_t target) const = 0;
+};
+
 /// Creates tracks of people by itself. Identity N is track N - 1, from its creation on.
 class PeopleFinding {
 public:

@@ -99,7 +99,7 @@ std::string tensorText(const ExportCell& cell) {
                      covarianceText(c(0, 2)));
 }
 
-std::string vectorText(const std::optional<Eigen::Vector3d>& p) {
+std::string vectorTuple(const std::optional<Eigen::Vector3d>& p) {
   return p ? fmt::format("{} {} {}", lengthText(p->x()), lengthText(p->y()), lengthText(p->z()))
            : "nan nan nan";
 }
@@ -141,7 +141,7 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
   }
   if (table.best) {
     text += nodeArray(drawing, "Float64", "best", 3,
-                      [&](const Node& node) { return vectorText(cellAt(node).best); });
+                      [&](const Node& node) { return vectorTuple(cellAt(node).best); });
   }
   return text + "</PointData>\n";
 }

@@ -129,8 +129,8 @@ cv::Mat besideEachOther(const std::vector<cv::Mat>& images) {
 }
 
 /// One number of every frame as a curve over time; frames without anybody in view are gaps.
-std::vector<double> overTime(const std::map<std::int64_t, MotionFrame>& frames,
-                             double (*number)(const MotionFrame&)) {
+std::vector<double> valuesOverTime(const std::map<std::int64_t, MotionFrame>& frames,
+                                   double (*number)(const MotionFrame&)) {
   std::vector<double> values;
   for (const auto& [frame, shown] : frames) {
     values.push_back(shown.people == 0 ? std::numeric_limits<double>::quiet_NaN() : number(shown));
@@ -139,7 +139,7 @@ std::vector<double> overTime(const std::map<std::int64_t, MotionFrame>& frames,
 }
 
 /// Mean of the numbers that are there; 0 when none is.
-double meanOf(const std::vector<double>& values) {
+double meanOfPresent(const std::vector<double>& values) {
   double sum = 0.0;
   int count = 0;
   for (const double value : values) {
@@ -160,17 +160,20 @@ struct MaskNumbers {
   std::vector<double> precisions;
 };
 
-MaskNumbers numbersOf(const OfficeScene& scene, const std::map<std::int64_t, MotionFrame>& frames) {
+MaskNumbers maskNumbersOf(const OfficeScene& scene,
+                          const std::map<std::int64_t, MotionFrame>& frames) {
   MaskNumbers numbers;
   for (const auto& [frame, shown] : frames) {
     numbers.times.push_back(scene.timeOf(frame));
   }
-  numbers.regions =
-      overTime(frames, [](const MotionFrame& shown) { return double(shown.quality.regions); });
-  numbers.people = overTime(frames, [](const MotionFrame& shown) { return double(shown.people); });
-  numbers.recalls = overTime(frames, [](const MotionFrame& shown) { return shown.quality.recall; });
+  numbers.regions = valuesOverTime(
+      frames, [](const MotionFrame& shown) { return double(shown.quality.regions); });
+  numbers.people =
+      valuesOverTime(frames, [](const MotionFrame& shown) { return double(shown.people); });
+  numbers.recalls =
+      valuesOverTime(frames, [](const MotionFrame& shown) { return shown.quality.recall; });
   numbers.precisions =
-      overTime(frames, [](const MotionFrame& shown) { return shown.quality.precision; });
+      valuesOverTime(frames, [](const MotionFrame& shown) { return shown.quality.precision; });
   return numbers;
 }
 
@@ -227,13 +230,13 @@ void judgeMasks(const MotionFrame& nearest, const MaskNumbers& numbers, FigurePa
   page.claim("The motion likelihood image has a grayish background: nowhere is it below p_B = 0.2.",
              std::abs(std::exp(least) - 0.2) < 1e-4,
              fmt::format("Here its least value is {:.3f}.", std::exp(least)));
-  const double regions = meanOf(numbers.regions);
-  const double people = meanOf(numbers.people);
+  const double regions = meanOfPresent(numbers.regions);
+  const double people = meanOfPresent(numbers.people);
   page.claim("The regions of the masks are fragmented.", regions > people,
              fmt::format("Here {:.1f} regions for {:.1f} people in the mean over all frames.",
                          regions, people));
-  const double recall = meanOf(numbers.recalls);
-  const double precision = meanOf(numbers.precisions);
+  const double recall = meanOfPresent(numbers.recalls);
+  const double precision = meanOfPresent(numbers.precisions);
   page.claim("The regions of the masks are inaccurate.", recall < 0.95 || precision < 0.95,
              fmt::format("Here the mask has {:.0f} % of the people's pixels, and {:.0f} % of the "
                          "mask's pixels are people's.",
@@ -301,7 +304,7 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
     page.photo("figure-3", fmt::format("Figure 3: motion masks of frames {}", names),
                besideEachOther(masks));
   }
-  const MaskNumbers numbers = numbersOf(scene, *frames);
+  const MaskNumbers numbers = maskNumbersOf(scene, *frames);
   showNumbers(numbers, page);
   judgeMasks(shown, numbers, page);
   return page.write(options.folder);

@@ -138,8 +138,8 @@ std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
   return bars;
 }
 
-BoxClipFigures figuresOf(const BoxClip& clip, const std::vector<cv::Mat>& images, const BoxRow& few,
-                         const BoxRow& many) {
+BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& images,
+                             const BoxRow& few, const BoxRow& many) {
   BoxClipFigures figures;
   figures.clip = clip.name;
   figures.truth = clip.truth;
@@ -172,8 +172,8 @@ Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
         return failure(ErrorCode::Cancelled, "", "", "");
       }
     }
-    study.figures.push_back(figuresOf(clip, *images, *rowOf(study.rows, clip.name, kSugandiFew),
-                                      *rowOf(study.rows, clip.name, kSugandiMany)));
+    study.figures.push_back(clipFiguresOf(clip, *images, *rowOf(study.rows, clip.name, kSugandiFew),
+                                          *rowOf(study.rows, clip.name, kSugandiMany)));
   }
   study.bars = barsOf(study.rows);
   return study;
