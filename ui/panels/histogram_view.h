@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/color_histograms.h"
+#include "core/session/frames/color_histograms.h"
 
 #include <QWidget>
 

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
-#include "core/session/color_histograms.h"
+#include "core/session/frames/color_histograms.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
 #include "core/session/run/camera_motion_watch.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/color_histograms.h"
+#include "core/session/frames/color_histograms.h"
 
 #include "core/observation/boxes/histogram_similarity.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/rgb_bins.h"
-#include "core/session/color_histograms.h"
+#include "core/session/frames/color_histograms.h"
 
 #include <gtest/gtest.h>
 
