@@ -4,7 +4,7 @@
 
 # A folder that cannot be made is said before anything is computed: in no time, and without progress.
 : >file
-for name in barrera-fig3 barrera-fig4 drift starts dynamics-fig6 dynamics-fig7 dynamics-fig8 \
+for name in barrera-fig3 barrera-fig4 barrera-fig5 drift starts dynamics-fig6 dynamics-fig7 dynamics-fig8 mohedano-fig1 \
   sugandi-rmse people-crossing people-enter-leave apart; do
   expectExit $kOutput experiment $name --out file/o
   expectSentence file/o "cannot be written"
@@ -33,6 +33,8 @@ expectExit $kUsage experiment people-apart --record office --set particles=50
 # Every figure has its numbers beside it.
 expectExit 0 experiment drift --runs 1 --out drift
 expectText drift/drift.csv iteration,moved_m
+expectExit 0 experiment barrera-fig5 --out cone
+expectText cone/cone.csv step_m
 expectExit 0 experiment barrera-fig4 --out above
 [[ $(wc -l <above/particles.csv) == 801 ]] || fail "not four instants of 200 particles"
 expectExit 0 experiment dynamics-fig8 --out clouds

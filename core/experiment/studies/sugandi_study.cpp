@@ -3,6 +3,7 @@
 
 #include "core/experiment/baselines/box_follower.h"
 #include "core/experiment/studies/sugandi_pictures.h"
+#include "core/observation/boxes/box_histogram.h"
 
 #include <fmt/format.h>
 
@@ -137,6 +138,20 @@ std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
   return bars;
 }
 
+BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& images,
+                             const BoxRow& few, const BoxRow& many) {
+  BoxClipFigures figures;
+  figures.clip = clip.name;
+  figures.truth = clip.truth;
+  figures.frames = boxFrames(images, clip.truth, few, many);
+  figures.reference = boxHistogram(images.front(), clip.truth.front());
+  figures.candidateFrame = images.size() / 2;
+  if (const auto& found = many.boxes[figures.candidateFrame]) {
+    figures.candidate = boxHistogram(images[figures.candidateFrame], *found);
+  }
+  return figures;
+}
+
 } // namespace
 
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
@@ -157,10 +172,8 @@ Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
         return failure(ErrorCode::Cancelled, "", "", "");
       }
     }
-    study.figures.push_back(
-        {clip.name, clip.truth,
-         boxFrames(*images, clip.truth, *rowOf(study.rows, clip.name, kSugandiFew),
-                   *rowOf(study.rows, clip.name, kSugandiMany))});
+    study.figures.push_back(clipFiguresOf(clip, *images, *rowOf(study.rows, clip.name, kSugandiFew),
+                                          *rowOf(study.rows, clip.name, kSugandiMany)));
   }
   study.bars = barsOf(study.rows);
   return study;

@@ -5,6 +5,7 @@
 #include "core/experiment/scenarios/box_clips.h"
 #include "core/experiment/studies/box_perturbation_study.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -45,6 +46,11 @@ struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
   cv::Mat frames; ///< see boxFrames()
+  /// Color histograms (boxHistogram()) of the given box, and of the one that `sugandi` with 300
+  /// particles found at a frame in the middle of the clip; empty where that lies outside the image.
+  std::vector<double> reference;
+  std::vector<double> candidate;
+  std::size_t candidateFrame = 0;
 };
 
 struct BoxStudy {
