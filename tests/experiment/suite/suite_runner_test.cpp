@@ -200,6 +200,22 @@ TEST(SuiteStore, RefusesFilesOfAnotherVersion) {
   EXPECT_EQ(store.error().code, ErrorCode::Mismatch);
 }
 
+TEST(SuiteStore, RefusesRunsWithoutTheFiguresOfBelief) {
+  // Runs of an earlier version would be taken for done, and their figures missing in the report.
+  const test::TemporaryFolder folder;
+  std::string header = rowHeader();
+  const std::string added = ",coverage50_percent,sure_and_wrong_percent,wrong_percent,"
+                            "wrong_when_sure_percent";
+  ASSERT_NE(header.find(added), std::string::npos);
+  header.erase(header.find(added), added.size());
+  std::ofstream(folder / "runs.csv") << header << "\n";
+  const auto store = SuiteStore::open(folder / "");
+  ASSERT_FALSE(store.has_value());
+  EXPECT_EQ(store.error().code, ErrorCode::Mismatch);
+  EXPECT_TRUE(store.error().file.ends_with("runs.csv"));
+  EXPECT_NE(store.error().detail.find("another version"), std::string::npos);
+}
+
 TEST(SuiteStore, RefusesABrokenLineInTheMiddle) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "runs.csv") << rowHeader() << "\nnonsense\nnonsense\n";
