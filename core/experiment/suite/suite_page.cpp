@@ -126,7 +126,7 @@ std::string belief(const SuiteReport& report) {
 
 std::string overview(const SuiteReport& report) {
   return "<h2 id='overview'>At a glance</h2><p>Median over the runs of each run's RMSE after "
-         "convergence, in millimeters; the smallest in each row is bold. Where more than a "
+         "convergence, in millimetres; the smallest in each row is bold. Where more than a "
          "trace of the frames is lost, that is said beside it: a small error of few frames is "
          "no success.</p>" +
          overviewTable(report.cells);
