@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/baselines/baseline_csrt.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dewpoint::experiment {
+namespace {
+
+/// Pixels; smaller boxes are widened about their center: CSRT learns from the pixels within.
+constexpr int kLeastEdge = 8;
+
+cv::Rect widened(const cv::Rect& box, const cv::Size& image) {
+  const int width = std::max(box.width, kLeastEdge);
+  const int height = std::max(box.height, kLeastEdge);
+  const cv::Rect wide(box.x - (width - box.width) / 2, box.y - (height - box.height) / 2, width,
+                      height);
+  return wide & cv::Rect({0, 0}, image);
+}
+
+} // namespace
 
 bool CsrtFollower::start(const CameraImages& images, const cv::Rect& box) {
   follower_ = makeOpenCvFollower("csrt");
-  const ImageBox first{static_cast<double>(box.x), static_cast<double>(box.y),
-                       static_cast<double>(box.width), static_cast<double>(box.height)};
+  const cv::Rect wide = widened(box, images.bgr.size());
+  const ImageBox first{static_cast<double>(wide.x), static_cast<double>(wide.y),
+                       static_cast<double>(wide.width), static_cast<double>(wide.height)};
   if (!follower_->start(images.bgr, first)) {
     follower_.reset();
   }

@@ -129,7 +129,7 @@ void BaselineTracker::measure(const Members& members, Measured& measured) {
       });
     }
   }
-  find(open, views, std::move(pairs), measured);
+  find(open, views, pairs, measured);
 }
 
 /// Measures those whose followers agree; returns the others.
@@ -182,7 +182,7 @@ void BaselineTracker::joinCameras(std::size_t target, const Views& views,
 }
 
 void BaselineTracker::find(const Members& members, const Views& views,
-                           std::vector<PairedBlobs> pairs, Measured& measured) {
+                           const std::vector<PairedBlobs>& pairs, Measured& measured) {
   std::vector<ExpectedPosition> expected;
   expected.reserve(members.size());
   for (const std::size_t k : members) {

@@ -76,7 +76,7 @@ private:
   Members follow(const Members& members, const Views& views, Measured& measured);
   std::optional<TriangulatedPoint> followed(Tracked& tracked, const Views& views) const;
   void joinCameras(std::size_t target, const Views& views, const Eigen::Vector3d& position);
-  void find(const Members& members, const Views& views, std::vector<PairedBlobs> pairs,
+  void find(const Members& members, const Views& views, const std::vector<PairedBlobs>& pairs,
             Measured& measured);
   ExpectedPosition expectedOf(const Tracked& tracked) const;
   void conclude(std::size_t target, const std::optional<TriangulatedPoint>& position);

@@ -15,7 +15,7 @@ using BarRuns = std::vector<const SuiteResult*>;
 
 /// A figure, and the scenario that decides it where it is one scenario's alone.
 struct BarFigure {
-  BarFigure(double number) : value(number) {} // NOLINT(google-explicit-constructor): a plain figure
+  BarFigure(double number) : value(number) {} // a plain figure is one of no scenario
   BarFigure(double number, std::string name) : value(number), scenario(std::move(name)) {}
   double value;
   std::string scenario;

@@ -85,17 +85,27 @@ std::string requirementsOf(const SuiteReport& report, const std::string& grade) 
          barTable(bars);
 }
 
+/// How many are reached of the bars of this version, or of those that the next one aims at.
+std::string tiles(const SuiteReport& report, bool aims, const char* caption) {
+  std::ptrdiff_t reached = 0;
+  std::ptrdiff_t missed = 0;
+  std::ptrdiff_t open = 0;
+  for (const BarResult& result : report.bars) {
+    if (result.bar->isAim == aims) {
+      ++(!result.measured() ? open : result.reached() ? reached : missed);
+    }
+  }
+  return fmt::format("<p class='soft'>{}</p><div class='tiles'>", caption) +
+         tile("good", reached, "reached") + tile("bad", missed, "not reached") +
+         tile("", open, "not measured") + "</div>";
+}
+
 std::string requirements(const SuiteReport& report) {
-  const auto reached = std::ranges::count_if(report.bars, &BarResult::reached);
-  const auto measured = std::ranges::count_if(report.bars, &BarResult::measured);
-  const auto all = static_cast<std::ptrdiff_t>(report.bars.size());
   std::string text =
-      "<h2 id='bars'>What must be reached</h2><p>Method <b>dewpoint</b>, grade by grade. "
-      "<span class='chip'>next version</span> marks what the next version aims at: this one is "
-      "measured against it. Below a value stands the scenario that decides it.</p>"
-      "<div class='tiles'>" +
-      tile("good", reached, "reached") + tile("bad", measured - reached, "not reached") +
-      tile("", all - measured, "not measured") + "</div>";
+      "<h2 id='bars'>What must be reached</h2><p>Method <b>dewpoint</b>, grade by grade. Below a "
+      "value stands the scenario that decides it. <span class='chip'>next version</span> marks "
+      "what the next version aims at: this one is measured against it.</p>" +
+      tiles(report, false, "This version") + tiles(report, true, "Next version");
   std::set<std::string> done;
   for (const BarResult& result : report.bars) {
     if (done.insert(result.bar->grade).second) {

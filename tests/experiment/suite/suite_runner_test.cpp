@@ -20,7 +20,7 @@ cv::Mat pictureOf(const Scene& scene, const Camera& camera, std::int64_t frame) 
   const auto pixel = Projector(camera).project(ballPosition(scene, 0, frameTime(scene, frame)));
   cv::Mat image(camera.intrinsics.height, camera.intrinsics.width, CV_8UC3, cv::Scalar::all(90));
   cv::circle(image, cv::Point(cvRound(pixel->x()), cvRound(pixel->y())),
-             10 + static_cast<int>(scene.seed % 4),
+             24 + static_cast<int>(scene.seed % 4),
              cv::Scalar(ball.color[0], ball.color[1], ball.color[2]), cv::FILLED);
   return image;
 }
