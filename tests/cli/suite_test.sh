@@ -12,7 +12,7 @@ readonly -a few=(--scenario S0-slow --grade ideal --first-seed 1 --method triang
 rows() { sed 's/,[^,]*,\([^,]*\)$/,\1/' "$1"; }
 
 expectExit 0 suite "${few[@]}" --seeds 2 --threads 2 --out both
-for file in report.html runs.csv summary.csv report.json traces.csv; do
+for file in report.html runs.csv summary.csv belief.csv report.json traces.csv; do
   [[ -s both/$file ]] || fail "$file is missing"
 done
 [[ $(wc -l <both/runs.csv) == 5 ]] || fail "a header and four rows expected: $(cat both/runs.csv)"

@@ -40,6 +40,7 @@ Consistency consistency(std::span<const StateError> errors, double level) {
   Consistency result;
   result.samples = static_cast<std::int64_t>(errors.size());
   result.inside.total = result.samples;
+  result.inside50.total = result.samples;
   double sum = 0.0;
   for (const StateError& sample : errors) {
     const double value = normalizedErrorSquared(sample);
@@ -52,6 +53,8 @@ Consistency consistency(std::span<const StateError> errors, double level) {
         (sample.error.array().square() / sample.covariance.diagonal().array()).matrix();
     if (value <= kChiSquared95ThreeDof)
       ++result.inside.count;
+    if (value <= kChiSquared50ThreeDof)
+      ++result.inside50.count;
   }
   const auto usable = static_cast<double>(result.samples - result.unusable);
   const bool any = usable > 0.0;

@@ -106,8 +106,9 @@ SvgSeries reliabilityOf(const SuiteCell& cell) {
 } // namespace
 
 std::string methodStyle(const std::string& method) {
-  static const std::vector<std::string> order{"dewpoint", "barrera", "triangulation",
-                                              "triangulation-kalman", "camshift"};
+  static const std::vector<std::string> order{
+      "dewpoint", "barrera", "triangulation", "triangulation-kalman",
+      "camshift", "csrt",    "dynamics",      "dewpoint-smoothed"};
   return fmt::format("m{}", std::ranges::find(order, method) - order.begin());
 }
 

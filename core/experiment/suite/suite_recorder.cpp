@@ -6,6 +6,7 @@
 #include "core/experiment/metrics/error_split.h"
 #include "core/experiment/metrics/gospa.h"
 #include "core/experiment/metrics/hota.h"
+#include "core/experiment/metrics/overconfidence.h"
 #include "core/experiment/metrics/reliability.h"
 #include "core/filter/assignment.h"
 
@@ -155,6 +156,14 @@ void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
   const Consistency fit = consistency(samples);
   row.nees = fit.nees.value;
   row.coverage95Percent = 100.0 * fit.inside.value();
+  row.coverage50Percent = 100.0 * fit.inside50.value();
+}
+
+void fillOverconfidence(const std::vector<StatedBelief>& beliefs, SuiteRow& row) {
+  const Overconfidence shares = overconfidence(beliefs, kFollowGate);
+  row.sureAndWrongPercent = 100.0 * shares.sureAndWrong.value();
+  row.wrongPercent = 100.0 * shares.wrong.value();
+  row.wrongWhenSurePercent = 100.0 * shares.wrongWhenSure.value();
 }
 
 } // namespace
@@ -258,6 +267,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   std::vector<Eigen::Vector3d> errors;
   std::vector<StateError> states;
   std::vector<Forecast> forecasts;
+  std::vector<StatedBelief> beliefs;
   Proportion lost;
   Proportion blindInside;
   const auto estimateOf = estimateOfTruth();
@@ -279,6 +289,8 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
       forecasts.push_back(
           {estimate.existenceProbability,
            frames[k].truth.has_value() && (estimate.mean - *frames[k].truth).norm() < kFollowGate});
+      beliefs.push_back({estimate.existenceProbability, isDeclared(estimate), estimate.mean,
+                         estimate.covariance, frames[k].truth});
       if (frames[k].truth && anyBlind(frames[k].frame)) {
         ++blindInside.total;
         blindInside.count += error && isInside95({*error, estimate.covariance}) ? 1 : 0;
@@ -292,6 +304,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   fillErrors(errors, run_.trueRig, row);
   fillConsistency(states, row);
   fillReliability(forecasts, result);
+  fillOverconfidence(beliefs, row);
   fillTracks(trackFrames(), row);
   if (lost.total > 0) {
     row.lostPercent = 100.0 * lost.value();

@@ -31,15 +31,34 @@ Json interval(const Interval& value) {
 Json barJson(const BarResult& result) {
   Json json;
   json["item"] = result.bar->item;
+  json["grade"] = result.bar->grade;
+  json["next_version"] = result.bar->isAim;
   json["requirement"] = result.bar->sentence;
   json["unit"] = result.bar->unit;
   json["low"] = number(result.bar->low);
   json["high"] = number(result.bar->high);
   json["runs"] = result.runs;
   json["value"] = number(result.value);
+  json["scenario"] = result.scenario.empty() ? Json(nullptr) : Json(result.scenario);
+  json["shortfall"] = result.measured() ? number(result.shortfall()) : Json(nullptr);
   json["verdict"] = !result.measured() ? "not measured"
                     : result.reached() ? "reached"
                                        : "not reached";
+  return json;
+}
+
+Json beliefJson(const BeliefSummary& summary) {
+  Json json;
+  json["grade"] = gradeName(summary.grade);
+  json["method"] = summary.method;
+  json["scenarios"] = summary.scenarios;
+  json["runs"] = summary.runs;
+  for (std::size_t k = 0; k < summary.figures.size(); ++k) {
+    const OverScenarios& figure = summary.figures[k];
+    json["figures"][beliefFigures()[k].name] = {{"median", number(figure.median)},
+                                                {"worst", number(figure.worst)},
+                                                {"worst_scenario", figure.worstScenario}};
+  }
   return json;
 }
 
@@ -106,6 +125,19 @@ std::string summaryCsv(const SuiteReport& report) {
   return text;
 }
 
+std::string beliefCsv(const SuiteReport& report) {
+  std::string text = "grade,method,scenarios,runs,figure,median,worst,worst_scenario\n";
+  for (const BeliefSummary& summary : report.belief) {
+    for (std::size_t k = 0; k < summary.figures.size(); ++k) {
+      const OverScenarios& figure = summary.figures[k];
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", gradeName(summary.grade), summary.method,
+                          summary.scenarios, summary.runs, beliefFigures()[k].name,
+                          csvNumber(figure.median), csvNumber(figure.worst), figure.worstScenario);
+    }
+  }
+  return text;
+}
+
 std::string reportJson(const SuiteReport& report) {
   Json json;
   json["version"] = DEWPOINT_VERSION;
@@ -114,6 +146,10 @@ std::string reportJson(const SuiteReport& report) {
   json["bars"] = Json::array();
   for (const BarResult& result : report.bars) {
     json["bars"].push_back(barJson(result));
+  }
+  json["belief"] = Json::array();
+  for (const BeliefSummary& summary : report.belief) {
+    json["belief"].push_back(beliefJson(summary));
   }
   json["cells"] = Json::array();
   for (const SuiteCell& cell : report.cells) {
@@ -127,6 +163,7 @@ Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults&
                         std::span<const ScenarioDeclaration> catalog) {
   SuiteReport report;
   report.cells = summarizeSuite(results, order);
+  report.belief = summarizeBelief(report.cells);
   report.bars = measureBars(report.cells);
   report.catalog = catalog;
   std::set<std::uint64_t> seeds;
@@ -135,6 +172,9 @@ Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults&
   }
   report.seeds.assign(seeds.begin(), seeds.end());
   if (auto written = writeTextFile(folder / "summary.csv", summaryCsv(report)); !written) {
+    return written;
+  }
+  if (auto written = writeTextFile(folder / "belief.csv", beliefCsv(report)); !written) {
     return written;
   }
   if (auto written = writeTextFile(folder / "report.json", reportJson(report)); !written) {

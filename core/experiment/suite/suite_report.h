@@ -13,9 +13,10 @@
 
 namespace dewpoint::experiment {
 
-/// What the three files of a report are made from.
+/// What the files of a report are made from.
 struct SuiteReport {
   std::vector<SuiteCell> cells;
+  std::vector<BeliefSummary> belief;
   std::vector<BarResult> bars;
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, each once
@@ -25,8 +26,11 @@ struct SuiteReport {
 std::string seedSentence(const std::vector<std::uint64_t>& seeds);
 
 std::string summaryCsv(const SuiteReport& report);
+/// One line per grade, method and figure of belief: its median over the scenarios, and the worst of
+/// them by name.
+std::string beliefCsv(const SuiteReport& report);
 std::string reportJson(const SuiteReport& report);
-/// Writes report.html, summary.csv and report.json into the folder.
+/// Writes report.html, summary.csv, belief.csv and report.json into the folder.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
                         std::span<const ScenarioDeclaration> catalog);

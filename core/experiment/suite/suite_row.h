@@ -61,6 +61,10 @@ struct SuiteRow {
   Figure falseAlarmPercent;
   Figure nees;
   Figure coverage95Percent;
+  Figure coverage50Percent;
+  Figure sureAndWrongPercent;
+  Figure wrongPercent;
+  Figure wrongWhenSurePercent;
   Figure gospaMm;
   Figure mota;
   Figure hota;

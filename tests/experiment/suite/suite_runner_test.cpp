@@ -20,7 +20,7 @@ cv::Mat pictureOf(const Scene& scene, const Camera& camera, std::int64_t frame) 
   const auto pixel = Projector(camera).project(ballPosition(scene, 0, frameTime(scene, frame)));
   cv::Mat image(camera.intrinsics.height, camera.intrinsics.width, CV_8UC3, cv::Scalar::all(90));
   cv::circle(image, cv::Point(cvRound(pixel->x()), cvRound(pixel->y())),
-             10 + static_cast<int>(scene.seed % 4),
+             24 + static_cast<int>(scene.seed % 4),
              cv::Scalar(ball.color[0], ball.color[1], ball.color[2]), cv::FILLED);
   return image;
 }
@@ -198,6 +198,22 @@ TEST(SuiteStore, RefusesFilesOfAnotherVersion) {
   const auto store = SuiteStore::open(folder / "");
   ASSERT_FALSE(store.has_value());
   EXPECT_EQ(store.error().code, ErrorCode::Mismatch);
+}
+
+TEST(SuiteStore, RefusesRunsWithoutTheFiguresOfBelief) {
+  // Runs of an earlier version would be taken for done, and their figures missing in the report.
+  const test::TemporaryFolder folder;
+  std::string header = rowHeader();
+  const std::string added = ",coverage50_percent,sure_and_wrong_percent,wrong_percent,"
+                            "wrong_when_sure_percent";
+  ASSERT_NE(header.find(added), std::string::npos);
+  header.erase(header.find(added), added.size());
+  std::ofstream(folder / "runs.csv") << header << "\n";
+  const auto store = SuiteStore::open(folder / "");
+  ASSERT_FALSE(store.has_value());
+  EXPECT_EQ(store.error().code, ErrorCode::Mismatch);
+  EXPECT_TRUE(store.error().file.ends_with("runs.csv"));
+  EXPECT_NE(store.error().detail.find("another version"), std::string::npos);
 }
 
 TEST(SuiteStore, RefusesABrokenLineInTheMiddle) {
