@@ -4,13 +4,19 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/clips/clip_catalog.h"
+#include "core/experiment/clips/real_scenarios.h"
+#include "core/experiment/suite/image_clip_run.h"
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <utility>
 
 namespace dewpoint::app {
 namespace {
@@ -24,24 +30,63 @@ struct SuiteOptions {
   std::uint64_t firstSeed = kFirstReportingSeed;
   int threads = 1;
   std::string folder;
+  ClipFolders clips{{}, "bench/clips"};
 };
 
-int listSuite() {
-  for (const ScenarioDeclaration& scenario : scenarioCatalog()) {
+/// The rendered scenarios and the real clips that are there.
+struct SuiteCatalog {
+  std::vector<ScenarioDeclaration> scenarios;
+  std::vector<std::string> skipped; ///< a sentence for each clip that is not there
+};
+
+SuiteCatalog catalogOf(const SuiteOptions& options) {
+  SuiteCatalog catalog;
+  catalog.scenarios = scenarioCatalog();
+  auto real = realScenarios(options.clips, clipCatalog());
+  std::ranges::move(real.scenarios, std::back_inserter(catalog.scenarios));
+  catalog.skipped = std::move(real.skipped);
+  return catalog;
+}
+
+int listSuite(const SuiteOptions& options) {
+  const SuiteCatalog catalog = catalogOf(options);
+  for (const ScenarioDeclaration& scenario : catalog.scenarios) {
     fmt::print("{:<4} {:<28} {:>5} seeds  {}\n", scenario.family, scenario.name, scenario.seeds,
                scenario.sentence);
   }
+  for (const std::string& sentence : catalog.skipped) {
+    fmt::print("{}\n", sentence);
+  }
+  for (const OmittedRecording& recording : omittedRecordings()) {
+    fmt::print("Recording {} is not measured: {}\n", recording.recording, recording.reason);
+  }
   fmt::print("\nmethods:");
   for (const std::string& method : suiteMethods()) {
+    fmt::print(" {}", method);
+  }
+  fmt::print("\nmethods of clips of one camera:");
+  for (const std::string& method : imageMethods()) {
     fmt::print(" {}", method);
   }
   fmt::print("\n");
   return kExitDone;
 }
 
-Result<SuiteRequest> requestOf(const SuiteOptions& options) {
+/// "both": the rendered grades; "all": real clips too.
+std::vector<Grade> gradesNamed(const std::string& name) {
+  if (const auto grade = gradeNamed(name)) {
+    return {*grade};
+  }
+  std::vector<Grade> grades{Grade::Ideal, Grade::Room};
+  if (name == "all") {
+    grades.push_back(Grade::Real);
+  }
+  return grades;
+}
+
+Result<SuiteRequest> requestOf(const SuiteOptions& options, const SuiteCatalog& catalog) {
   SuiteRequest request;
-  const auto scenarios = selectScenarios(scenarioCatalog(), options.scenarios);
+  const auto scenarios = selectScenarios(catalog.scenarios, options.scenarios);
   if (!scenarios) {
     return tl::make_unexpected(scenarios.error());
   }
@@ -51,8 +96,7 @@ Result<SuiteRequest> requestOf(const SuiteOptions& options) {
   }
   request.scenarios = *scenarios;
   request.methods = *methods;
-  const auto grade = gradeNamed(options.grade);
-  request.grades = grade ? std::vector{*grade} : std::vector{Grade::Ideal, Grade::Room};
+  request.grades = gradesNamed(options.grade);
   request.seeds = options.seeds;
   request.firstSeed = options.firstSeed;
   return request;
@@ -71,23 +115,42 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
   return status;
 }
 
+/// What of the clips that are not there was requested, told on the terminal.
+std::vector<std::string> skippedOf(const SuiteRequest& request, const SuiteCatalog& catalog) {
+  if (std::ranges::find(request.grades, Grade::Real) == request.grades.end()) {
+    return {};
+  }
+  for (const std::string& sentence : catalog.skipped) {
+    fmt::print(stderr, "dewpoint-cli: {}\n", sentence);
+  }
+  return catalog.skipped;
+}
+
 int runSuiteCommand(const SuiteOptions& options) {
-  const auto request = requestOf(options);
+  const SuiteCatalog catalog = catalogOf(options);
+  const auto request = requestOf(options, catalog);
   if (!request) {
     report(request.error());
+    for (const std::string& sentence : catalog.skipped) {
+      if (std::ranges::any_of(options.scenarios,
+                              [&](const auto& name) { return sentence.starts_with(name); })) {
+        fmt::print(stderr, "dewpoint-cli: {}\n", sentence);
+      }
+    }
     return kExitUsage;
   }
   auto store = SuiteStore::open(options.folder);
   if (!store) {
     return report(store.error());
   }
+  const auto skipped = skippedOf(*request, catalog);
   catchInterruption();
   const auto jobs = planSuite(*request, store->results());
   const auto run = runJobs(jobs, options.threads, *store);
-  const auto order = reportOrder(store->results(), scenarioCatalog());
+  const auto order = reportOrder(store->results(), catalog.scenarios);
   auto written = store->rewrite(order);
   if (written) {
-    written = writeSuiteReport(options.folder, store->results(), order, scenarioCatalog());
+    written = writeSuiteReport(options.folder, store->results(), order, catalog.scenarios, skipped);
   }
   if (!run) {
     return report(run.error());
@@ -115,8 +178,18 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
   command->add_option("--scenario", options->scenarios, "Family (S0) or scenario; all unless given")
       ->delimiter(',');
   command->add_option("--method", options->methods, "Method; all unless given")->delimiter(',');
-  command->add_option("--grade", options->grade, "Images: ideal, room or both")
-      ->check(CLI::IsMember({"ideal", "room", "both"}))
+  command
+      ->add_option("--grade", options->grade,
+                   "Images: ideal, room, both of them, real (recordings), or all")
+      ->check(CLI::IsMember({"ideal", "room", "both", "real", "all"}))
+      ->capture_default_str();
+  command
+      ->add_option("--recordings", options->clips.recordings,
+                   "Folder with the recordings of grade real")
+      ->envname("DEWPOINT_DATA");
+  command
+      ->add_option("--clips", options->clips.truth,
+                   "Folder with the truth of recordings that bring none")
       ->capture_default_str();
   command->add_option("--seeds", options->seeds, "Runs per scenario (each has its own number)")
       ->check(CLI::Range(1, 1000000));
@@ -130,7 +203,7 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
   command->add_option("--out", options->folder, "Folder to write, or to go on with");
   command->callback([options, command, &exitCode] {
     if (options->list) {
-      exitCode = listSuite();
+      exitCode = listSuite(*options);
     } else if (options->folder.empty()) {
       throw CLI::RequiredError(command->get_option("--out")->get_name());
     } else {

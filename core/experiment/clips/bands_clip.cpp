@@ -13,7 +13,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-using Json = nlohmann::json;
+using BandJson = nlohmann::json;
 
 constexpr double kBandRate = 30.0; // frames per second, of the recording's notes
 /// The cameras are eight baselines away from the man: half a pixel is 4 cm of depth there.
@@ -30,7 +30,7 @@ struct Band {
 constexpr std::array<Band, 3> kBands{
     {{"yellow", 314.0, 325.0}, {"blue", 369.0, 353.0}, {"pink", 245.0, 303.0}}};
 
-Eigen::Matrix3d matrixOf(const Json& rows) {
+Eigen::Matrix3d matrixOf(const BandJson& rows) {
   Eigen::Matrix3d matrix;
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
@@ -41,7 +41,7 @@ Eigen::Matrix3d matrixOf(const Json& rows) {
   return matrix;
 }
 
-Camera bandCamera(const std::string& name, const Json& matrix, const Json& distortion) {
+Camera bandCamera(const std::string& name, const BandJson& matrix, const BandJson& distortion) {
   const Eigen::Matrix3d k = matrixOf(matrix);
   Camera camera;
   camera.name = name;
@@ -59,7 +59,7 @@ Result<CameraRig> bandRig(const std::filesystem::path& file) {
     return tl::make_unexpected(text.error());
   }
   try {
-    const Json pair = Json::parse(*text).at("videos_18h");
+    const BandJson pair = BandJson::parse(*text).at("videos_18h");
     Camera left = bandCamera("left", pair.at("K_left"), pair.at("dist_left"));
     Camera right = bandCamera("right", pair.at("K_right"), pair.at("dist_right"));
     Eigen::Matrix3d leftFromWorld;
@@ -68,13 +68,13 @@ Result<CameraRig> bandRig(const std::filesystem::path& file) {
         0.0, 1.0, 0.0;
     left.cameraFromWorld.linear() = leftFromWorld;
     right.cameraFromWorld.linear() = matrixOf(pair.at("R")) * leftFromWorld;
-    const Json& direction = pair.at("T_unit");
+    const BandJson& direction = pair.at("T_unit");
     right.cameraFromWorld.translation() =
         kBandBaseline * Eigen::Vector3d(direction.at(0).get<double>(),
                                         direction.at(1).get<double>(),
                                         direction.at(2).get<double>());
     return CameraRig{std::move(left), std::move(right)};
-  } catch (const Json::exception& problem) {
+  } catch (const BandJson::exception& problem) {
     return failure(ErrorCode::NotParsed, file.string(), "videos_18h", problem.what());
   }
 }

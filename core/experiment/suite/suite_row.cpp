@@ -83,11 +83,19 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
 } // namespace
 
 const char* gradeName(Grade grade) {
-  return grade == Grade::Ideal ? "ideal" : "room";
+  switch (grade) {
+  case Grade::Ideal:
+    return "ideal";
+  case Grade::Room:
+    return "room";
+  case Grade::Real:
+    break;
+  }
+  return "real";
 }
 
 std::optional<Grade> gradeNamed(const std::string& name) {
-  for (const Grade grade : {Grade::Ideal, Grade::Room}) {
+  for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Real}) {
     if (name == gradeName(grade)) {
       return grade;
     }
@@ -135,6 +143,12 @@ std::span<const SuiteColumn> suiteColumns() {
       SuiteColumn{"largest_step_mm", &SuiteRow::largestStepMm,
                   "largest step of the error, mean of five frames before and after, where a camera "
                   "drops out or returns"},
+      SuiteColumn{"rmse_px", &SuiteRow::rmsePx,
+                  "of real clips: RMS distance in the images from the true centers, after "
+                  "convergence; of clips of one camera over all frames"},
+      SuiteColumn{"success", &SuiteRow::success,
+                  "of clips of one camera: area under the success curve of the boxes (Wu, Lim and "
+                  "Yang 2013); lost frames and convergence count within the clip's radius there"},
       SuiteColumn{"us_per_frame", &SuiteRow::usPerFrame,
                   "processor time of the method per frame, microseconds, one thread"},
       SuiteColumn{"frames", &SuiteRow::frames, "frames of the run"},

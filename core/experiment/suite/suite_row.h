@@ -23,7 +23,7 @@ inline constexpr double kQuickFrames = 5.0;
 /// Bins of the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// "ideal" or "room".
+/// "ideal", "room" or "real".
 const char* gradeName(Grade grade);
 std::optional<Grade> gradeNamed(const std::string& name);
 
@@ -66,6 +66,8 @@ struct SuiteRow {
   Figure blackoutRmseMm;
   Figure blackoutCoverage95Percent;
   Figure largestStepMm;
+  Figure rmsePx;
+  Figure success;
   Figure usPerFrame;
   Figure frames;
 };

@@ -35,10 +35,12 @@ Result<std::vector<const ScenarioDeclaration*>>
 selectScenarios(std::span<const ScenarioDeclaration> catalog,
                 const std::vector<std::string>& names);
 
-/// The methods meant, in the order of the tables, each once; all for none. NotFound.
+/// The methods meant, in the order of the tables, each once; all for none: those of suiteMethods(),
+/// then those of imageMethods(), which only follow clips of one camera. NotFound.
 Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& names);
 
-/// What is still to do, in order.
+/// What is still to do, in order. A scenario is run in its own grades and by the methods that can:
+/// real clips in grade `Real`, all others in the others; clips of one camera by imageMethods().
 std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done);
 std::int64_t runCount(const std::vector<SuiteJob>& jobs);
 

@@ -32,6 +32,13 @@ TEST(SuiteRow, IsReadBackAsItWasWritten) {
   EXPECT_EQ(rowText(*row), text);
 }
 
+TEST(SuiteRow, KnowsItsGradesByName) {
+  for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Real}) {
+    EXPECT_EQ(gradeNamed(gradeName(grade)), grade);
+  }
+  EXPECT_FALSE(gradeNamed("perfect").has_value());
+}
+
 TEST(SuiteRow, HasOneFieldPerColumnOfTheHeader) {
   const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
   EXPECT_EQ(commas(rowHeader()), commas(rowText(sampleRow())));
