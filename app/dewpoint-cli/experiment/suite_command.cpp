@@ -36,7 +36,7 @@ struct SuiteOptions {
 /// The rendered scenarios and the real clips that are there.
 struct SuiteCatalog {
   std::vector<ScenarioDeclaration> scenarios;
-  std::vector<std::string> skipped; ///< a sentence for each clip that is not there
+  std::vector<SkippedClip> skipped; ///< the real clips that are not there
 };
 
 SuiteCatalog catalogOf(const SuiteOptions& options) {
@@ -54,8 +54,8 @@ int listSuite(const SuiteOptions& options) {
     fmt::print("{:<4} {:<28} {:>5} seeds  {}\n", scenario.family, scenario.name, scenario.seeds,
                scenario.sentence);
   }
-  for (const std::string& sentence : catalog.skipped) {
-    fmt::print("{}\n", sentence);
+  for (const SkippedClip& clip : catalog.skipped) {
+    fmt::print("{}\n", clip.sentence);
   }
   for (const OmittedRecording& recording : omittedRecordings()) {
     fmt::print("Recording {} is not measured: {}\n", recording.recording, recording.reason);
@@ -84,9 +84,52 @@ std::vector<Grade> gradesNamed(const std::string& name) {
   return grades;
 }
 
+/// Whether a name on the command line means a clip: it is the clip's own, or its family's.
+bool means(const std::string& name, const SkippedClip& clip) {
+  return clip.name == name || clip.name.starts_with(name + "-");
+}
+
+/// The sentences of the clips that are not there and that were requested.
+std::vector<std::string> skippedOf(const SuiteOptions& options, const SuiteCatalog& catalog) {
+  std::vector<std::string> sentences;
+  const auto grades = gradesNamed(options.grade);
+  if (std::ranges::find(grades, Grade::Real) == grades.end()) {
+    return sentences;
+  }
+  for (const SkippedClip& clip : catalog.skipped) {
+    if (options.scenarios.empty() || std::ranges::any_of(options.scenarios, [&](const auto& name) {
+          return means(name, clip);
+        })) {
+      sentences.push_back(clip.sentence);
+    }
+  }
+  return sentences;
+}
+
+/// The scenarios that were requested, without the clips that are not there: the rest is run.
+/// NotFound for a name that is unknown, and when nothing is left.
+Result<std::vector<const ScenarioDeclaration*>> scenariosOf(const SuiteOptions& options,
+                                                            const SuiteCatalog& catalog) {
+  std::vector<std::string> names;
+  for (const std::string& name : options.scenarios) {
+    const bool isFamily =
+        std::ranges::find(catalog.scenarios, name, &ScenarioDeclaration::family) !=
+        catalog.scenarios.end();
+    if (isFamily || std::ranges::none_of(catalog.skipped, [&](const SkippedClip& clip) {
+          return means(name, clip);
+        })) {
+      names.push_back(name);
+    }
+  }
+  if (names.empty() && !options.scenarios.empty()) {
+    return failure(ErrorCode::NotFound, "", "--scenario", "its recordings; see --recordings");
+  }
+  return selectScenarios(catalog.scenarios, names);
+}
+
 Result<SuiteRequest> requestOf(const SuiteOptions& options, const SuiteCatalog& catalog) {
   SuiteRequest request;
-  const auto scenarios = selectScenarios(catalog.scenarios, options.scenarios);
+  const auto scenarios = scenariosOf(options, catalog);
   if (!scenarios) {
     return tl::make_unexpected(scenarios.error());
   }
@@ -115,35 +158,21 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
   return status;
 }
 
-/// What of the clips that are not there was requested, told on the terminal.
-std::vector<std::string> skippedOf(const SuiteRequest& request, const SuiteCatalog& catalog) {
-  if (std::ranges::find(request.grades, Grade::Real) == request.grades.end()) {
-    return {};
-  }
-  for (const std::string& sentence : catalog.skipped) {
-    fmt::print(stderr, "dewpoint-cli: {}\n", sentence);
-  }
-  return catalog.skipped;
-}
-
 int runSuiteCommand(const SuiteOptions& options) {
   const SuiteCatalog catalog = catalogOf(options);
+  const auto skipped = skippedOf(options, catalog);
+  for (const std::string& sentence : skipped) {
+    fmt::print(stderr, "dewpoint-cli: {}\n", sentence);
+  }
   const auto request = requestOf(options, catalog);
   if (!request) {
     report(request.error());
-    for (const std::string& sentence : catalog.skipped) {
-      if (std::ranges::any_of(options.scenarios,
-                              [&](const auto& name) { return sentence.starts_with(name); })) {
-        fmt::print(stderr, "dewpoint-cli: {}\n", sentence);
-      }
-    }
     return kExitUsage;
   }
   auto store = SuiteStore::open(options.folder);
   if (!store) {
     return report(store.error());
   }
-  const auto skipped = skippedOf(*request, catalog);
   catchInterruption();
   const auto jobs = planSuite(*request, store->results());
   const auto run = runJobs(jobs, options.threads, *store);

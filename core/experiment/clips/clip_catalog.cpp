@@ -48,7 +48,9 @@ ClipDeclaration bandsRow() {
                   "pixels, as the length of the baseline is not known.";
   clip.start = "one click per band in the left camera, from which its color is learned, and a box "
                "around all three, with 0.3 m around them.";
-  clip.truth = "centroids of the bands' colors in both images of every frame";
+  clip.truth =
+      "centroids of the bands' colors in both images of every frame; the shaded lower part "
+      "of the yellow band is left out of it, which lifts its center by up to 5 px";
   clip.origin = TruthOrigin::Segmented;
   clip.truthSigma = kCentroidPx;
   clip.tunedOn = TunedOn::No;

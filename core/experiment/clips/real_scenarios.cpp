@@ -78,7 +78,7 @@ RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDecl
     if (const std::string reason = reasonToSkip(clip, folders); reason.empty()) {
       result.scenarios.push_back(scenarioOf(clip, folders));
     } else {
-      result.skipped.push_back(fmt::format("{} is skipped: {}.", clip.name, reason));
+      result.skipped.push_back({clip.name, fmt::format("{} is skipped: {}.", clip.name, reason)});
     }
   }
   return result;

@@ -10,11 +10,16 @@
 
 namespace dewpoint::experiment {
 
+/// A clip that is left out because its files are not there.
+struct SkippedClip {
+  std::string name;     ///< of the clip
+  std::string sentence; ///< with the name, and what is missing
+};
+
 /// The real clips as scenarios of the suite.
 struct RealScenarios {
   std::vector<ScenarioDeclaration> scenarios;
-  /// One sentence for each clip that is left out because its files are not there, with its name.
-  std::vector<std::string> skipped;
+  std::vector<SkippedClip> skipped;
 };
 
 /// The clips of a catalog (clipCatalog()) whose recordings are in the folders. A recording that is

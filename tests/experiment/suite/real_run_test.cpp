@@ -21,7 +21,7 @@ TrajectorySample sampleAt(std::int64_t frame, double x) {
   return sample;
 }
 
-TEST(MeasuredPart, NumbersTheMeasuredFramesAnew) {
+TEST(MeasuredPart, RenumbersTheMeasuredFrames) {
   ScenarioRun run;
   run.frameCount = 40;
   run.framesPerSecond = 30.0;
