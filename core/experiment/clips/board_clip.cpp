@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kBoardCameras = 4;
 constexpr std::size_t kBoardCorners = 12; // 3 x 4, row by row: corner k is opposite to 11 - k
 constexpr double kBoardRate = 6.0;        // instants per second; their own times are used
-/// One click in camera 1, in a white square near the middle of the board, at the first instant.
+/// One click in camera 1, in a white square near the center of the board, at the first instant.
 constexpr double kBoardClickX = 656.0;
 constexpr double kBoardClickY = 164.0;
 /// What 30 mm, the suite's gate, are in these images: 640 to 900 pixels of focal length, 1 m away.

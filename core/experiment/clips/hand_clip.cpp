@@ -10,7 +10,7 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr double kHandRate = 30.0; // frames per second, of the recording's notes
-/// One click in camera 1, in the middle of the hand in frame 21: the first marked frame in which
+/// One click in camera 1, at the center of the hand in frame 21: the first marked frame in which
 /// the hand is not blurred.
 constexpr std::int64_t kHandClickFrame = 21;
 constexpr double kHandClickX = 515.0;

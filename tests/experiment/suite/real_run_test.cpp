@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of the suite that measure real clips: some frames only, in pixels, boxes of one camera.
+#include "core/base/text_file.h"
 #include "core/experiment/suite/image_clip_run.h"
 #include "core/experiment/suite/measured_part.h"
 #include "core/experiment/suite/pixel_recorder.h"
+#include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"
+#include "core/experiment/suite/suite_tables.h"
+#include "tests/capture/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -106,7 +110,7 @@ TEST(PixelRecorder, TakesTheWorstOfTheCameras) {
   ScenarioRun run = markedRun();
   run.rig.push_back(run.rig[0]);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
-    run.marks.push_back({frame, 0, 1, {62.0, 40.0}}); // 12 px from a mean in the middle
+    run.marks.push_back({frame, 0, 1, {62.0, 40.0}}); // 12 px from a mean at the center
   }
   PixelRecorder recorder(run);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
@@ -211,6 +215,42 @@ TEST(SuiteRunner, RunsRealClipsInTheirGradeByTheMethodsThatCan) {
   ASSERT_EQ(done.size(), 2U);
   EXPECT_TRUE(done[0].starts_with("R2-disk,real,camshift,")) << done[0];
   EXPECT_TRUE(done[1].starts_with("R2-disk,real,histogram,")) << done[1];
+}
+
+TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
+  std::vector<ScenarioDeclaration> catalog(1);
+  catalog[0].name = "R2-disk";
+  catalog[0].family = "R2";
+  catalog[0].sentence = "A disk. Tuned on: no.";
+  catalog[0].recorded = true;
+  catalog[0].clip = [] { return Result<BoxClip>(diskClip()); };
+  SuiteRequest request;
+  request.scenarios = *selectScenarios(catalog, {});
+  request.grades = {Grade::Real};
+  request.methods = *selectMethods({"histogram"});
+  request.seeds = 1;
+  SuiteResults results;
+  const auto sink = [&](const SuiteResult& result) -> Status {
+    results[result.row.key] = result;
+    return {};
+  };
+  ASSERT_TRUE(runSuite(planSuite(request, {}), 1, sink, kGoOnWithIt));
+  ASSERT_EQ(results.size(), 1U);
+  const test::TemporaryFolder folder;
+  const auto written = writeSuiteReport(folder / "", results, reportOrder(results, catalog),
+                                        catalog, {"R1-hand is skipped: for a test."});
+  ASSERT_TRUE(written) << sentence(written.error());
+  const std::string page = *readTextFile(folder / "report.html");
+  const auto has = [&](const char* text) { return page.find(text) != std::string::npos; };
+  EXPECT_TRUE(has("R1-hand is skipped: for a test."));
+  EXPECT_TRUE(has("Real clips of one camera"));
+  EXPECT_TRUE(has("Tuned on: no."));
+  const std::string inPixels = figureText(*results.begin()->second.row.rmsePx) + " px</td>";
+  EXPECT_TRUE(has(inPixels.c_str())) << "the overview is in pixels where there are no lengths";
+  EXPECT_TRUE(has("success<br>of boxes"));
+  EXPECT_FALSE(has("Error over time: median")) << "no plot of millimeters";
+  EXPECT_FALSE(has("Does P(exists)")) << "no P(exists)";
+  EXPECT_NE(readTextFile(folder / "report.json")->find("R1-hand is skipped"), std::string::npos);
 }
 
 } // namespace
