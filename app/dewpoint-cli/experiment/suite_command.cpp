@@ -25,7 +25,7 @@ struct SuiteOptions {
   bool list = false;
   std::vector<std::string> scenarios;
   std::vector<std::string> methods;
-  std::string grade = "both";
+  std::vector<std::string> grades{"both"};
   std::optional<int> seeds;
   std::uint64_t firstSeed = kFirstReportingSeed;
   int threads = 1;
@@ -72,16 +72,8 @@ int listSuite(const SuiteOptions& options) {
   return kExitDone;
 }
 
-/// "both": the rendered grades; "all": real clips too.
-std::vector<Grade> gradesNamed(const std::string& name) {
-  if (const auto grade = gradeNamed(name)) {
-    return {*grade};
-  }
-  std::vector<Grade> grades{Grade::Ideal, Grade::Room};
-  if (name == "all") {
-    grades.push_back(Grade::Real);
-  }
-  return grades;
+std::vector<Grade> gradesOf(const SuiteOptions& options) {
+  return gradesNamed(options.grades).value_or(std::vector<Grade>()); // names are checked
 }
 
 /// Whether a name on the command line means a clip: it is the clip's own, or its family's.
@@ -92,7 +84,7 @@ bool means(const std::string& name, const SkippedClip& clip) {
 /// The sentences of the clips that are not there and that were requested.
 std::vector<std::string> skippedOf(const SuiteOptions& options, const SuiteCatalog& catalog) {
   std::vector<std::string> sentences;
-  const auto grades = gradesNamed(options.grade);
+  const auto grades = gradesOf(options);
   if (std::ranges::find(grades, Grade::Real) == grades.end()) {
     return sentences;
   }
@@ -133,13 +125,13 @@ Result<SuiteRequest> requestOf(const SuiteOptions& options, const SuiteCatalog& 
   if (!scenarios) {
     return tl::make_unexpected(scenarios.error());
   }
-  const auto methods = selectMethods(options.methods);
+  const auto methods = selectMethods(options.methods, allSuiteMethods());
   if (!methods) {
     return tl::make_unexpected(methods.error());
   }
   request.scenarios = *scenarios;
   request.methods = *methods;
-  request.grades = gradesNamed(options.grade);
+  request.grades = gradesOf(options);
   request.seeds = options.seeds;
   request.firstSeed = options.firstSeed;
   return request;
@@ -208,9 +200,11 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       ->delimiter(',');
   command->add_option("--method", options->methods, "Method; all unless given")->delimiter(',');
   command
-      ->add_option("--grade", options->grade,
-                   "Images: ideal, room, both of them, real (recordings), or all")
-      ->check(CLI::IsMember({"ideal", "room", "both", "real", "all"}))
+      ->add_option("--grade", options->grades,
+                   "Images: ideal, room, real (recordings), a list of them, or both (ideal and "
+                   "room)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"ideal", "room", "real", "both"}))
       ->capture_default_str();
   command
       ->add_option("--recordings", options->clips.recordings,

@@ -3,15 +3,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace dewpoint::experiment {
 namespace {
 
 constexpr std::size_t kKeyFields = 4;
+/// The grades and their names, the easiest first.
+struct NamedGrade {
+  Grade grade;
+  const char* name;
+};
+constexpr std::array kGrades{NamedGrade{Grade::Ideal, "ideal"}, NamedGrade{Grade::Room, "room"},
+                             NamedGrade{Grade::Real, "real"}};
 constexpr const char* kKeyHeader = "scenario,grade,method,seed";
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -83,24 +92,32 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
 } // namespace
 
 const char* gradeName(Grade grade) {
-  switch (grade) {
-  case Grade::Ideal:
-    return "ideal";
-  case Grade::Room:
-    return "room";
-  case Grade::Real:
-    break;
-  }
-  return "real";
+  const auto* const found = std::ranges::find(kGrades, grade, &NamedGrade::grade);
+  return found != kGrades.end() ? found->name : "";
 }
 
 std::optional<Grade> gradeNamed(const std::string& name) {
-  for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Real}) {
-    if (name == gradeName(grade)) {
-      return grade;
+  for (const NamedGrade& grade : kGrades) {
+    if (name == grade.name) {
+      return grade.grade;
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names) {
+  std::set<Grade> grades;
+  for (const std::string& name : names) {
+    if (name == "both") {
+      grades.insert({Grade::Ideal, Grade::Room});
+    } else if (const auto grade = gradeNamed(name)) {
+      grades.insert(*grade);
+    } else {
+      return std::nullopt;
+    }
+  }
+  return grades.empty() ? std::nullopt
+                        : std::optional(std::vector<Grade>(grades.begin(), grades.end()));
 }
 
 std::span<const SuiteColumn> suiteColumns() {

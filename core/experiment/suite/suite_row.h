@@ -26,6 +26,9 @@ inline constexpr int kReliabilityBins = 10;
 /// "ideal", "room" or "real".
 const char* gradeName(Grade grade);
 std::optional<Grade> gradeNamed(const std::string& name);
+/// The grades of a list of names, each once, the easiest first; "both" stands for ideal and room.
+/// Nothing if a name is unknown or the list is empty.
+std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
 
 /// Which run of the suite.
 struct RunKey {

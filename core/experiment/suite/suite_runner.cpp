@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_runner.h"
 
-#include "core/experiment/baselines/baseline_methods.h"
 #include "core/experiment/baselines/smoothed_method.h"
 #include "core/experiment/suite/image_clip_run.h"
 #include "core/experiment/suite/measured_part.h"
@@ -175,17 +174,6 @@ Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function
   return results;
 }
 
-/// All methods in the order of the tables, each once.
-std::vector<std::string> allMethods() {
-  std::vector<std::string> all = suiteMethods();
-  for (const std::string& method : imageMethods()) {
-    if (std::ranges::find(all, method) == all.end()) {
-      all.push_back(method);
-    }
-  }
-  return all;
-}
-
 bool isRunIn(const ScenarioDeclaration& scenario, Grade grade) {
   return scenario.recorded == (grade == Grade::Real);
 }
@@ -224,20 +212,24 @@ selectScenarios(std::span<const ScenarioDeclaration> catalog,
   return selected;
 }
 
-Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& names) {
-  const auto all = allMethods();
+std::vector<std::string> allSuiteMethods() {
+  std::vector<std::string> all = suiteMethods();
+  std::ranges::copy_if(imageMethods(), std::back_inserter(all), [&](const std::string& method) {
+    return std::ranges::find(all, method) == all.end();
+  });
+  return all;
+}
+
+Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& names,
+                                               const std::vector<std::string>& known) {
   for (const std::string& name : names) {
-    if (std::ranges::find(all, name) == all.end()) {
-      std::string known;
-      for (const std::string& method : all) {
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", method);
-      }
+    if (std::ranges::find(known, name) == known.end()) {
       return failure(ErrorCode::NotFound, "", "--method",
-                     fmt::format("{}; known are {}", name, known));
+                     fmt::format("{}; known are {}", name, fmt::join(known, ", ")));
     }
   }
   std::vector<std::string> selected;
-  std::ranges::copy_if(all, std::back_inserter(selected), [&](const std::string& method) {
+  std::ranges::copy_if(known, std::back_inserter(selected), [&](const std::string& method) {
     return names.empty() || std::ranges::find(names, method) != names.end();
   });
   return selected;
@@ -281,7 +273,7 @@ std::vector<RunKey> reportOrder(const SuiteResults& results,
   for (const auto& [key, result] : results) {
     keys.push_back(key);
   }
-  const auto methods = allMethods();
+  const auto methods = allSuiteMethods();
   std::ranges::stable_sort(keys, {}, [&](const RunKey& key) {
     return std::tuple(rank(catalog, key.scenario, &ScenarioDeclaration::name), key.scenario,
                       key.grade, rank(methods, key.method, std::identity{}), key.method, key.seed);

@@ -195,7 +195,7 @@ TEST(SuiteRunner, RunsRealClipsInTheirGradeByTheMethodsThatCan) {
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.grades = {Grade::Ideal, Grade::Real};
-  request.methods = *selectMethods({"triangulation", "camshift", "histogram"});
+  request.methods = *selectMethods({"triangulation", "camshift", "histogram"}, allSuiteMethods());
   request.seeds = 1;
   const auto jobs = planSuite(request, {});
   ASSERT_EQ(jobs.size(), 3U);
@@ -227,7 +227,7 @@ TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.grades = {Grade::Real};
-  request.methods = *selectMethods({"histogram"});
+  request.methods = *selectMethods({"histogram"}, imageMethods());
   request.seeds = 1;
   SuiteResults results;
   const auto sink = [&](const SuiteResult& result) -> Status {

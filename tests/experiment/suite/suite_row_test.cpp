@@ -32,13 +32,6 @@ TEST(SuiteRow, IsReadBackAsItWasWritten) {
   EXPECT_EQ(rowText(*row), text);
 }
 
-TEST(SuiteRow, KnowsItsGradesByName) {
-  for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Real}) {
-    EXPECT_EQ(gradeNamed(gradeName(grade)), grade);
-  }
-  EXPECT_FALSE(gradeNamed("perfect").has_value());
-}
-
 TEST(SuiteRow, HasOneFieldPerColumnOfTheHeader) {
   const auto commas = [](const std::string& line) { return std::ranges::count(line, ','); };
   EXPECT_EQ(commas(rowHeader()), commas(rowText(sampleRow())));
@@ -51,6 +44,13 @@ TEST(SuiteRow, RefusesWhatIsNotWhole) {
   EXPECT_FALSE(parseRow(text.substr(0, text.size() - 3)).has_value()) << "without its last number";
   EXPECT_FALSE(parseRow(text.substr(0, text.size() / 2)).has_value());
   EXPECT_FALSE(parseRow("S0-slow,perfect" + text.substr(12)).has_value()) << "no such grade";
+}
+
+TEST(SuiteGrades, KnowRealClips) {
+  using Grades = std::vector<Grade>;
+  EXPECT_EQ(gradesNamed({"real", "both"}), (Grades{Grade::Ideal, Grade::Room, Grade::Real}));
+  EXPECT_EQ(gradeNamed(gradeName(Grade::Real)), Grade::Real);
+  EXPECT_FALSE(gradesNamed({"real", "bright"}).has_value());
 }
 
 TEST(SuiteTrace, IsReadBackAsItWasWritten) {
