@@ -32,6 +32,16 @@ expectExit 0 suite "${few[@]}" --seeds 2 --out parts
 
 expectExit $kUsage suite --out o --scenario S99
 expectSentence S99 --list
+# Clips whose recordings are not there are skipped by name.
+expectExit 0 suite --list --recordings none
+expectText out.txt 'R1-hand is skipped: ' none/hand2_desk 'Recording ball9_arena is not measured' csrt
+expectExit $kUsage suite --out o --grade real --recordings none --scenario R1-hand
+expectText err.txt 'R1-hand is skipped: ' --recordings
+expectExit 0 suite --scenario S0-slow,R1-hand --grade both,real --first-seed 1 --seeds 1 --method triangulation \
+  --recordings none --out clips
+[[ $(wc -l <clips/runs.csv) == 3 ]] || fail "S0-slow in two grades expected: $(cat clips/runs.csv)"
+expectText err.txt 'R1-hand is skipped: '
+expectText clips/report.html 'R1-hand is skipped: '
 expectExit $kUsage suite --out o --method magic
 expectSentence magic camshift
 expectExit $kUsage suite --out o --grade bright

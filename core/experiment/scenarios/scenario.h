@@ -3,12 +3,14 @@
 
 #include "core/base/error.h"
 #include "core/capture/frame.h"
+#include "core/experiment/scenarios/box_clips.h"
 #include "core/geometry/camera.h"
 #include "core/tracking/tracker.h"
 #include "core/trajectory/trajectory.h"
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -18,9 +20,9 @@ namespace dewpoint::experiment {
 
 /// How rough the images, time stamps and calibration of a run are: `Ideal` has sensor noise,
 /// shading and clutter, and nothing wrong; `Room` has what webcams in a room have (GradeModel says
-/// what, with numbers); `Wild` has more of
-/// it, and other cameras, furniture, lamps and people in each run.
-enum class Grade { Ideal, Room, Wild };
+/// what, with numbers); `Wild` has more of it, and other cameras, furniture, lamps and people in
+/// each run; `Real` are recordings of real cameras.
+enum class Grade { Ideal, Room, Wild, Real };
 
 /// Something that happens at a frame and that metrics refer to.
 struct ScenarioEvent {
@@ -39,6 +41,14 @@ struct ScenarioEvent {
   int camera = -1; ///< which camera it happens to; -1: all, or none in particular
 };
 
+/// The center of a target in one image of a real clip, as the clip's truth states it.
+struct MarkedCenter {
+  std::int64_t frame = 0; ///< of the run
+  std::size_t target = 0; ///< in the order of the run's targets
+  std::size_t camera = 0; ///< in the order of the rig
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+};
+
 /// One seeded run of a scenario: what a method may know, and the truth it is measured against.
 struct ScenarioRun {
   std::string scenario;
@@ -54,6 +64,12 @@ struct ScenarioRun {
   /// One sample per target and frame; not `valid` while the target is not in the scene.
   Trajectory truth;
   std::vector<ScenarioEvent> events;
+  /// Frames with a truth, ascending: only these are measured. Empty: all frames are.
+  std::vector<std::int64_t> measuredFrames;
+  /// Of real clips. A run with marks and without `truth` is measured in pixels only.
+  std::vector<MarkedCenter> marks;
+  /// An estimate is on its target when its projections are no farther from the marks, pixels.
+  double markGate = 0.0;
   /// The images of frame k: a pure function, so that methods see the same bits.
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
@@ -65,6 +81,10 @@ struct ScenarioDeclaration {
   std::string sentence; ///< what happens in it
   int seeds = 20;       ///< runs of a report unless requested otherwise
   std::function<Result<ScenarioRun>(std::uint64_t seed, Grade grade)> make;
+  bool recorded = false; ///< a real clip: of grade `Real` only; all others are of every other grade
+  /// Of a recorded scenario, instead of `make`: the images of one camera with the true boxes, for
+  /// methods that follow boxes.
+  std::function<Result<BoxClip>()> clip = nullptr;
 };
 
 /// All scenarios, in the order of the report.

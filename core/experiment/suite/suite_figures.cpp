@@ -137,7 +137,7 @@ Plot errorDistribution(std::span<const SuiteCell> cells) {
 Plot reliabilityDiagram(std::span<const SuiteCell> cells) {
   Plot plot{"reliability of the stated existence",
             {"stated P(exists)", 0.0, 1.0, false},
-            {"share within 30 mm", 0.0, 1.0, false},
+            {"share on the target", 0.0, 1.0, false},
             true,
             {}};
   for (const SuiteCell& cell : cells) {

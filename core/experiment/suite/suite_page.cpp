@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace dewpoint::experiment {
@@ -38,7 +39,9 @@ std::string familyTitle(const std::string& family) {
       {"S19", "A crowd of identical objects"},
       {"S20", "Hard light"},
       {"S21", "Shapes that are no balls"},
-      {"S22", "Learned by one click"}};
+      {"S22", "Learned by one click"},
+      {"R1", "Real clips of calibrated cameras"},
+      {"R2", "Real clips of one camera"}};
   const auto found = std::ranges::find(titles, family, &std::pair<std::string, std::string>::first);
   return found == titles.end() ? family : family + " · " + found->second;
 }
@@ -57,6 +60,15 @@ std::string head(const SuiteReport& report) {
                               : fmt::format("<p class='note'>Seeds {}. Seeds from {} on are for "
                                             "reporting.</p>",
                                             seeds, kFirstReportingSeed));
+}
+
+/// What the report lacks, and why: clips whose recordings are not there.
+std::string notesOf(const SuiteReport& report) {
+  std::string text;
+  for (const std::string& note : report.notes) {
+    text += fmt::format("<p class='note'>{}</p>", escaped(note));
+  }
+  return text;
 }
 
 std::string tile(const char* style, std::ptrdiff_t count, const char* words) {
@@ -136,7 +148,8 @@ std::string belief(const SuiteReport& report) {
 
 std::string overview(const SuiteReport& report) {
   return "<h2 id='overview'>At a glance</h2><p>Median over the runs of each run's RMSE after "
-         "convergence, in millimetres; the smallest in each row is bold. Where more than a "
+         "convergence, in millimeters (px: in pixels, of clips without lengths); the smallest in "
+         "each row is bold. Where more than a "
          "trace of the frames is lost, that is said beside it: a small error of few frames is "
          "no success.</p>" +
          overviewTable(report.cells);
@@ -155,11 +168,18 @@ std::string figureOf(const char* caption, const Plot& plot) {
   return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", caption, svgOf(plot));
 }
 
+/// Clips that are measured in pixels have no errors to draw, those of one camera no P(exists).
 std::string plotsOf(std::span<const SuiteCell> cells) {
-  return legendOf(cells) + "<div class='plots'>" +
-         figureOf("Error over time: median, 10th to 90th percentile", errorOverTime(cells)) +
-         figureOf("Share of all frames with at most this error", errorDistribution(cells)) +
-         figureOf("Does P(exists) mean what it says?", reliabilityDiagram(cells)) + "</div>";
+  std::string plots;
+  if (std::ranges::any_of(cells, [](const auto& cell) { return !std::isnan(cell.rmseMm.value); })) {
+    plots += figureOf("Error over time: median, 10th to 90th percentile", errorOverTime(cells));
+    plots += figureOf("Share of all frames with at most this error", errorDistribution(cells));
+  }
+  if (std::ranges::any_of(
+          cells, [](const auto& cell) { return pooledReliability(cell.runs).count > 0; })) {
+    plots += figureOf("Does P(exists) mean what it says?", reliabilityDiagram(cells));
+  }
+  return plots.empty() ? plots : legendOf(cells) + "<div class='plots'>" + plots + "</div>";
 }
 
 /// One scenario in one grade; the plots of further grades are folded away.
@@ -246,8 +266,9 @@ std::string reportHtml(const SuiteReport& report) {
   return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
          "content='width=device-width, initial-scale=1'><title>Dewpoint accuracy "
          "suite</title><style>" +
-         reportStyle() + "</style></head>\n<body><main>\n" + head(report) + links(report) +
-         requirements(report) + belief(report) + overview(report) + scenarioRows(report) +
+         reportStyle() + "</style></head>\n<body><main>\n" + head(report) + notesOf(report) +
+         links(report) + requirements(report) + belief(report) + overview(report) +
+         scenarioRows(report) +
          explanation() + "\n</main></body></html>\n";
 }
 

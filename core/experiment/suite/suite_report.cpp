@@ -143,6 +143,7 @@ std::string reportJson(const SuiteReport& report) {
   json["version"] = DEWPOINT_VERSION;
   json["seeds"] = report.seeds;
   json["seeds_sentence"] = seedSentence(report.seeds);
+  json["notes"] = report.notes;
   json["bars"] = Json::array();
   for (const BarResult& result : report.bars) {
     json["bars"].push_back(barJson(result));
@@ -160,12 +161,14 @@ std::string reportJson(const SuiteReport& report) {
 
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
-                        std::span<const ScenarioDeclaration> catalog) {
+                        std::span<const ScenarioDeclaration> catalog,
+                        const std::vector<std::string>& notes) {
   SuiteReport report;
   report.cells = summarizeSuite(results, order);
   report.belief = summarizeBelief(report.cells);
   report.bars = measureBars(report.cells);
   report.catalog = catalog;
+  report.notes = notes;
   std::set<std::uint64_t> seeds;
   for (const RunKey& key : order) {
     seeds.insert(key.seed);

@@ -20,6 +20,7 @@ struct SuiteReport {
   std::vector<BarResult> bars;
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, each once
+  std::vector<std::string> notes;   ///< sentences about what is missing
 };
 
 /// "1000001 to 1000020 (reporting)", or that some or all are for tuning.
@@ -30,9 +31,11 @@ std::string summaryCsv(const SuiteReport& report);
 /// them by name.
 std::string beliefCsv(const SuiteReport& report);
 std::string reportJson(const SuiteReport& report);
-/// Writes report.html, summary.csv, belief.csv and report.json into the folder.
+/// Writes report.html, summary.csv, belief.csv and report.json into the folder. `notes`: sentences
+/// about what is missing, such as clips whose recordings are not there.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
-                        std::span<const ScenarioDeclaration> catalog);
+                        std::span<const ScenarioDeclaration> catalog,
+                        const std::vector<std::string>& notes = {});
 
 } // namespace dewpoint::experiment

@@ -20,7 +20,7 @@ struct NamedGrade {
   const char* name;
 };
 constexpr std::array kGrades{NamedGrade{Grade::Ideal, "ideal"}, NamedGrade{Grade::Room, "room"},
-                             NamedGrade{Grade::Wild, "wild"}};
+                             NamedGrade{Grade::Wild, "wild"}, NamedGrade{Grade::Real, "real"}};
 constexpr const char* kKeyHeader = "scenario,grade,method,seed";
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -169,6 +169,12 @@ std::span<const SuiteColumn> suiteColumns() {
       SuiteColumn{"largest_step_mm", &SuiteRow::largestStepMm,
                   "largest step of the error, mean of five frames before and after, where a camera "
                   "drops out or returns"},
+      SuiteColumn{"rmse_px", &SuiteRow::rmsePx,
+                  "of real clips: RMS distance in the images from the true centers, after "
+                  "convergence; of clips of one camera over all frames"},
+      SuiteColumn{"success", &SuiteRow::success,
+                  "of clips of one camera: area under the success curve of the boxes (Wu, Lim and "
+                  "Yang 2013); lost frames and convergence count within the clip's radius there"},
       SuiteColumn{"us_per_frame", &SuiteRow::usPerFrame,
                   "processor time of the method per frame, microseconds, one thread"},
       SuiteColumn{"frames", &SuiteRow::frames, "frames of the run"},

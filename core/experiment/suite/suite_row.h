@@ -23,7 +23,7 @@ inline constexpr double kQuickFrames = 5.0;
 /// Bins of the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// "ideal", "room" or "wild".
+/// "ideal", "room", "wild" or "real".
 const char* gradeName(Grade grade);
 std::optional<Grade> gradeNamed(const std::string& name);
 /// The grades of a list of names, each once, the easiest first; "both" stands for ideal and room.
@@ -73,6 +73,8 @@ struct SuiteRow {
   Figure blackoutRmseMm;
   Figure blackoutCoverage95Percent;
   Figure largestStepMm;
+  Figure rmsePx;
+  Figure success;
   Figure usPerFrame;
   Figure frames;
 };

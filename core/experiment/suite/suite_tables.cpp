@@ -111,6 +111,8 @@ const std::vector<TableColumn>& tableColumns() {
       {"MOTA", medianText<&SuiteRow::mota>, true},
       {"HOTA", medianText<&SuiteRow::hota>, true},
       {"identity<br>switches", meanText<&SuiteRow::identitySwitches>, true},
+      {"RMSE in<br>images px", medianText<&SuiteRow::rmsePx>},
+      {"success<br>of boxes", medianText<&SuiteRow::success>},
       {"µs per<br>frame", medianText<&SuiteRow::usPerFrame>},
   };
   return columns;
@@ -131,10 +133,25 @@ std::size_t targetCount(std::span<const SuiteCell> cells) {
   return cells.front().runs.front()->trace.errorsMm.size();
 }
 
+/// The RMSE of the overview: in millimeters, or in pixels where nothing else is known.
+struct OverviewError {
+  double value = 0.0;
+  const char* unit = "";
+};
+
+/// `inPixels`: no method of the row has an error in millimeters.
+OverviewError overviewError(const SuiteCell& cell, bool inPixels) {
+  return inPixels ? OverviewError{quantileOf(cell.runs, &SuiteRow::rmsePx, 0.5), " px"}
+                  : OverviewError{cell.rmseMm.value, ""};
+}
+
 /// "-" for what was not run; the smallest RMSE of the row is marked.
 std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::string>& methods) {
-  const auto best = std::ranges::min_element(row, {}, [](const SuiteCell& cell) {
-    return std::isnan(cell.rmseMm.value) ? INFINITY : cell.rmseMm.value;
+  const bool inPixels =
+      std::ranges::all_of(row, [](const SuiteCell& cell) { return std::isnan(cell.rmseMm.value); });
+  const auto best = std::ranges::min_element(row, {}, [&](const SuiteCell& cell) {
+    const double value = overviewError(cell, inPixels).value;
+    return std::isnan(value) ? INFINITY : value;
   });
   std::string text = fmt::format("<tr><td>{}</td><td class='text soft'>{}</td>",
                                  escaped(row.front().scenario), gradeName(row.front().grade));
@@ -145,10 +162,13 @@ std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::s
       continue;
     }
     const double lost = meanOf(cell->runs, &SuiteRow::lostPercent);
-    text += fmt::format(
-        "<td{}>{}{}</td>", cell == best ? " class='best'" : "", figureText(cell->rmseMm.value),
-        lost >= kLostNotice ? fmt::format("<small>{} % lost</small>", figureText(lost))
-                            : std::string());
+    const OverviewError error = overviewError(*cell, inPixels);
+    const bool known = !std::isnan(error.value);
+    text +=
+        fmt::format("<td{}>{}{}{}</td>", cell == best && known ? " class='best'" : "",
+                    figureText(error.value), known ? error.unit : "",
+                    lost >= kLostNotice ? fmt::format("<small>{} % lost</small>", figureText(lost))
+                                        : std::string());
   }
   return text + "</tr>";
 }
