@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/pixel_recorder.h"
 
+#include "core/experiment/metrics/overconfidence.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -101,6 +103,8 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
   row.key = std::move(key);
   result.trace.key = row.key;
   Proportion lost;
+  Proportion wrong;
+  Proportion wrongWhenSure;
   std::vector<Forecast> forecasts;
   for (std::size_t target = 0; target < samples_.size(); ++target) {
     const auto frames = framesOf(target);
@@ -113,6 +117,11 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
     lost.total += part.total;
     for (const Sample& sample : samples_[target]) {
       forecasts.push_back({sample.existence, sample.worst < gate_});
+      const bool isWrong = sample.declared && sample.worst > gate_;
+      wrong.count += isWrong ? 1 : 0;
+      wrongWhenSure.count += isWrong && sample.existence > kSureProbability ? 1 : 0;
+      ++wrong.total;
+      ++wrongWhenSure.total;
     }
     // No length is known: "not declared" in every frame.
     result.trace.errorsMm.emplace_back(std::max<std::size_t>(1, frames.size()),
@@ -120,6 +129,10 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
   }
   if (lost.total > 0) {
     row.lostPercent = 100.0 * lost.value();
+  }
+  if (wrong.total > 0) {
+    row.wrongPercent = 100.0 * wrong.value();
+    row.wrongWhenSurePercent = 100.0 * wrongWhenSure.value();
   }
   fillBelief(forecasts, result);
   row.rmsePx = rmsePx();
