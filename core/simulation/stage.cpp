@@ -6,6 +6,17 @@
 namespace dewpoint::simulation {
 namespace {
 
+/// Puts the parts of a body of parts into the world, around the body's center.
+void addParts(const StageBody& body, double time, Body& result) {
+  if (!body.parts) {
+    return;
+  }
+  result.parts = body.parts(time);
+  for (MovingPart& part : result.parts) {
+    part.center += result.center;
+  }
+}
+
 std::vector<Body> bodiesAt(const Stage& stage, double time) {
   std::vector<Body> bodies;
   bodies.reserve(stage.bodies.size());
@@ -13,6 +24,7 @@ std::vector<Body> bodiesAt(const Stage& stage, double time) {
     bodies.push_back({body.box, body.path(time).cast<float>(), static_cast<float>(body.bound()),
                       body.color.cast<float>(), body.halfSize.cast<float>(),
                       body.axes.cast<float>(), body.presentAt(time)});
+    addParts(body, time, bodies.back());
   }
   return bodies;
 }

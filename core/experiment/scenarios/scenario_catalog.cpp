@@ -12,7 +12,8 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
           scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
           scenarios::startScenarios(), scenarios::crossingScenarios(), scenarios::cameraScenarios(),
           scenarios::clockScenarios(), scenarios::lightScenarios(), scenarios::bumpScenarios(),
-          scenarios::unknownScenarios()}) {
+          scenarios::unknownScenarios(), scenarios::heldScenarios(),
+          scenarios::patternedScenarios(), scenarios::posterScenarios()}) {
       for (const auto& recipe : family) {
         all.push_back(scenarios::declared(recipe, cache));
       }

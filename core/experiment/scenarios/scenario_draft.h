@@ -85,5 +85,8 @@ std::vector<ScenarioRecipe> clockScenarios();      ///< S7
 std::vector<ScenarioRecipe> lightScenarios();      ///< S8
 std::vector<ScenarioRecipe> bumpScenarios();       ///< S9
 std::vector<ScenarioRecipe> unknownScenarios();    ///< S10
+std::vector<ScenarioRecipe> heldScenarios();       ///< S11
+std::vector<ScenarioRecipe> patternedScenarios();  ///< S12
+std::vector<ScenarioRecipe> posterScenarios();     ///< S13
 
 } // namespace dewpoint::experiment::scenarios
