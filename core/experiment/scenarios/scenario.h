@@ -30,7 +30,10 @@ struct ScenarioEvent {
     Return,
     CameraLost,
     CameraBack,
-    Bump
+    Bump,
+    UnseenBegin, ///< from this frame on the camera sees nothing of the target: it is outside the
+                 ///< image or hidden (camera -1: so in all cameras)
+    UnseenEnd,   ///< from this frame on it sees some of it again
   };
   Kind kind = Kind::Jump;
   std::int64_t frame = 0;
@@ -52,6 +55,10 @@ struct ScenarioRun {
   /// One sample per target and frame; not `valid` while the target is not in the scene.
   Trajectory truth;
   std::vector<ScenarioEvent> events;
+  /// How many objects in the images are the first target as well as each other, as far as start,
+  /// color and size can tell. 1: the start says which one is meant. More: nothing does, at any
+  /// time, and an honest P that an estimate is the target is at most 1 / equalCandidates.
+  int equalCandidates = 1;
   /// The images of frame k: a pure function, so that methods see the same bits.
   std::function<FrameSetPtr(std::int64_t)> frames;
 };

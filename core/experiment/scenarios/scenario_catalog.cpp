@@ -13,7 +13,9 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
           scenarios::startScenarios(), scenarios::crossingScenarios(), scenarios::cameraScenarios(),
           scenarios::clockScenarios(), scenarios::lightScenarios(), scenarios::bumpScenarios(),
           scenarios::unknownScenarios(), scenarios::heldScenarios(),
-          scenarios::patternedScenarios(), scenarios::posterScenarios()}) {
+          scenarios::patternedScenarios(), scenarios::posterScenarios(),
+          scenarios::outOfViewScenarios(), scenarios::thrownScenarios(),
+          scenarios::crowdScenarios()}) {
       for (const auto& recipe : family) {
         all.push_back(scenarios::declared(recipe, cache));
       }

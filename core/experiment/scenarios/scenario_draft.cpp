@@ -142,6 +142,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.frameCount = draft.frameCount;
   run.truth = truthOf(draft);
   run.events = draft.events;
+  run.equalCandidates = draft.equalCandidates;
   const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
   run.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };
   return run;

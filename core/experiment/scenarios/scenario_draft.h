@@ -42,6 +42,7 @@ struct ScenarioDraft {
   /// Frame does not arrive.
   std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
+  int equalCandidates = 1; ///< see ScenarioRun
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
@@ -88,5 +89,8 @@ std::vector<ScenarioRecipe> unknownScenarios();    ///< S10
 std::vector<ScenarioRecipe> heldScenarios();       ///< S11
 std::vector<ScenarioRecipe> patternedScenarios();  ///< S12
 std::vector<ScenarioRecipe> posterScenarios();     ///< S13
+std::vector<ScenarioRecipe> outOfViewScenarios();  ///< S17
+std::vector<ScenarioRecipe> thrownScenarios();     ///< S18
+std::vector<ScenarioRecipe> crowdScenarios();      ///< S19
 
 } // namespace dewpoint::experiment::scenarios
