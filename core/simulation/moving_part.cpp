@@ -179,7 +179,12 @@ double volumeOf(const MovingPart& part) {
 }
 
 bool contains(const MovingPart& part, const Vector3f& point) {
-  const Vector3f p = part.axes * (point - part.center);
+  const Vector3f way = point - part.center;
+  const float bound = boundOf(part);
+  if (way.squaredNorm() > bound * bound) {
+    return false;
+  }
+  const Vector3f p = part.axes * way;
   const Vector3f& size = part.size;
   switch (part.shape) {
   case MovingShape::Ellipsoid:

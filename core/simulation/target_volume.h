@@ -9,7 +9,7 @@
 
 namespace dewpoint::simulation {
 
-/// The space that the target parts of a body fill together; what two of them share counts once.
+/// The space that the target parts of a body fill together; what several of them share counts once.
 /// World frame, meters.
 struct TargetVolume {
   double volume = 0.0; ///< cubic meters; 0: no part is marked as target
@@ -17,11 +17,8 @@ struct TargetVolume {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of its points, m²
 };
 
-/// Exact for a single ellipsoid; otherwise the sum over the cells of a grid of kGridCells per side,
-/// which leaves less than a fiftieth of a cell in the centroid.
+/// Exact where the parts do not overlap. What they share is counted on a grid within each part that
+/// moves with it, so that the centroid of a body that moves is smooth in time.
 TargetVolume targetVolume(const std::vector<MovingPart>& parts);
-
-/// Cells per side of the grid. A hand of 0.2 m has cells of 7 mm.
-inline constexpr int kGridCells = 28;
 
 } // namespace dewpoint::simulation

@@ -179,7 +179,13 @@ TEST(SurfacePattern, AHighlightIsWhereTheLampIsMirrored) {
               0.1F);
 }
 
-TEST(TargetVolume, ABallIsExact) {
+MovingPart targetOf(MovingShape shape, const Vector3f& size) {
+  MovingPart part = partOf(shape, size);
+  part.target = true;
+  return part;
+}
+
+TEST(TargetVolume, ABallIsThatOfTheTextbook) {
   MovingPart ball = simulation::ballPart(0.1, kAnyColor);
   ball.center = {1.0F, 2.0F, 3.0F};
   EXPECT_EQ(simulation::targetVolume({ball}).volume, 0.0) << "not marked";
@@ -191,17 +197,34 @@ TEST(TargetVolume, ABallIsExact) {
 }
 
 TEST(TargetVolume, AConeIsThatOfTheTextbook) {
-  MovingPart cone = partOf(MovingShape::Frustum, {0.1F, 0.0F, 0.1F});
-  cone.target = true;
-  const auto volume = simulation::targetVolume({cone});
+  const auto volume =
+      simulation::targetVolume({targetOf(MovingShape::Frustum, {0.1F, 0.0F, 0.1F})});
   // The centroid is a quarter of the height above the base; the variances are 3/80 height² along
   // the axis and 3/20 radius² across it: both 0.0015 m².
-  EXPECT_NEAR(volume.volume, std::numbers::pi / 3.0 * 0.002, 0.02 * 0.0021);
-  EXPECT_NEAR(volume.centroid.z(), -0.05, 0.0005);
-  EXPECT_NEAR(volume.centroid.head<2>().norm(), 0.0, 0.0005);
-  for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(volume.covariance(axis, axis), 0.0015, 0.00005);
-  }
+  EXPECT_NEAR(volume.volume, std::numbers::pi / 3.0 * 0.002, 1e-8);
+  EXPECT_LT((volume.centroid - Eigen::Vector3d(0.0, 0.0, -0.05)).norm(), 1e-8);
+  EXPECT_LT((volume.covariance - 0.0015 * Eigen::Matrix3d::Identity()).norm(), 1e-8);
+}
+
+TEST(TargetVolume, ARodIsNearlyItsCylinderAndABoxIsExact) {
+  // Length 0.4 m without its ends of radius 1 mm: variance length² / 12.
+  const auto rod = simulation::targetVolume({targetOf(MovingShape::Capsule, {0.001F, 0.0F, 0.2F})});
+  EXPECT_NEAR(rod.covariance(2, 2), 0.16 / 12.0, 0.001 * 0.16);
+  // A capsule without a rod is a ball.
+  const auto ball = simulation::targetVolume({targetOf(MovingShape::Capsule, {0.1F, 0.0F, 0.0F})});
+  EXPECT_LT((ball.covariance - 0.002 * Eigen::Matrix3d::Identity()).norm(), 1e-8);
+  const auto box = simulation::targetVolume({targetOf(MovingShape::Box, {0.3F, 0.2F, 0.1F})});
+  EXPECT_NEAR(box.covariance(0, 0), 0.36 / 12.0, 1e-8);
+  EXPECT_NEAR(box.covariance(1, 1), 0.16 / 12.0, 1e-8);
+}
+
+TEST(TargetVolume, APartTakesItsMomentsAlong) {
+  const MovingPart cone = targetOf(MovingShape::Frustum, {0.1F, 0.0F, 0.1F});
+  Eigen::Matrix3d turn; // Z to X
+  turn << 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0;
+  const auto volume = simulation::targetVolume({moved(cone, turn, {1.0, 2.0, 3.0})});
+  EXPECT_LT((volume.centroid - Eigen::Vector3d(0.95, 2.0, 3.0)).norm(), 1e-6);
+  EXPECT_LT((volume.covariance - 0.0015 * Eigen::Matrix3d::Identity()).norm(), 1e-6);
 }
 
 TEST(TargetVolume, WhatTwoPartsShareCountsOnce) {
@@ -211,8 +234,14 @@ TEST(TargetVolume, WhatTwoPartsShareCountsOnce) {
   other.target = false;
   other.center.x() = 5.0F;
   const auto twice = simulation::targetVolume({ball, ball, other});
-  EXPECT_NEAR(twice.volume, 4.0 / 3.0 * std::numbers::pi * 1e-3, 0.02 * 0.0042);
-  EXPECT_LT(twice.centroid.norm(), 1e-6) << "and what is not marked does not count";
+  EXPECT_NEAR(twice.volume, 4.0 / 3.0 * std::numbers::pi * 1e-3, 1e-8);
+  EXPECT_LT(twice.centroid.norm(), 1e-8) << "and what is not marked does not count";
+  // Two balls whose centers are a radius apart share 5/16 of one.
+  other.center.x() = 0.1F;
+  other.target = true;
+  const auto both = simulation::targetVolume({ball, other});
+  EXPECT_NEAR(both.volume, (2.0 - 5.0 / 16.0) * 4.0 / 3.0 * std::numbers::pi * 1e-3, 0.0001);
+  EXPECT_NEAR(both.centroid.x(), 0.05, 1e-6);
 }
 
 } // namespace

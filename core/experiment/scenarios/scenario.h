@@ -40,6 +40,14 @@ struct ScenarioEvent {
   int camera = -1; ///< which camera it happens to; -1: all, or none in particular
 };
 
+/// How large a target is, whatever its shape. Meters.
+struct TargetExtent {
+  double radius = 0.0; ///< of a ball of its volume
+  /// Semi-axes of the solid ellipsoid with its second moments, the longest first: sqrt(5) times the
+  /// standard deviations of its points along their principal axes. Of a ball: its radius.
+  Eigen::Vector3d halfAxes = Eigen::Vector3d::Zero();
+};
+
 /// One seeded run of a scenario: what a method may know, and the truth it is measured against.
 struct ScenarioRun {
   std::string scenario;
@@ -52,8 +60,10 @@ struct ScenarioRun {
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();   ///< half size of the box around it
   double framesPerSecond = 30.0;
   std::int64_t frameCount = 0;
-  /// One sample per target and frame; not `valid` while the target is not in the scene.
+  /// One sample per target and frame; not `valid` while the target is not in the scene. The
+  /// position is the center of a ball, and the centroid of any other target.
   Trajectory truth;
+  std::vector<TargetExtent> extents; ///< one per sample of `truth`, in its order
   std::vector<ScenarioEvent> events;
   /// How many objects in the images are the first target as well as each other, as far as start,
   /// color and size can tell. 1: the start says which one is meant. More: nothing does, at any

@@ -15,7 +15,8 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
           scenarios::unknownScenarios(), scenarios::heldScenarios(),
           scenarios::patternedScenarios(), scenarios::posterScenarios(),
           scenarios::outOfViewScenarios(), scenarios::thrownScenarios(),
-          scenarios::crowdScenarios()}) {
+          scenarios::crowdScenarios(), scenarios::shapeScenarios(),
+          scenarios::clickedScenarios()}) {
       for (const auto& recipe : family) {
         all.push_back(scenarios::declared(recipe, cache));
       }

@@ -43,6 +43,9 @@ struct ScenarioDraft {
   std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
   int equalCandidates = 1; ///< see ScenarioRun
+  /// Sets what methods know about the targets from the images of the finished run; none: they know
+  /// the range of the pink ball.
+  std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
@@ -92,5 +95,7 @@ std::vector<ScenarioRecipe> posterScenarios();     ///< S13
 std::vector<ScenarioRecipe> outOfViewScenarios();  ///< S17
 std::vector<ScenarioRecipe> thrownScenarios();     ///< S18
 std::vector<ScenarioRecipe> crowdScenarios();      ///< S19
+std::vector<ScenarioRecipe> shapeScenarios();      ///< S21
+std::vector<ScenarioRecipe> clickedScenarios();    ///< S22
 
 } // namespace dewpoint::experiment::scenarios
