@@ -8,10 +8,7 @@ namespace {
 
 /// Puts the parts of a body of parts into the world, around the body's center.
 void addParts(const StageBody& body, double time, Body& result) {
-  if (!body.parts) {
-    return;
-  }
-  result.parts = body.parts(time);
+  result.parts = body.partsAt(time);
   for (MovingPart& part : result.parts) {
     part.center += result.center;
   }
@@ -60,6 +57,21 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time) {
 }
 
 } // namespace
+
+std::vector<MovingPart> StageBody::partsAt(double time) const {
+  if (!parts) {
+    return {};
+  }
+  std::vector<MovingPart> result = parts(time);
+  if (radius != partsRadius) {
+    const auto scale = static_cast<float>(radius / partsRadius);
+    for (MovingPart& part : result) {
+      part.center *= scale;
+      part.size *= scale;
+    }
+  }
+  return result;
+}
 
 cv::Mat renderStage(const Stage& stage, std::size_t camera, double time, std::int64_t frame) {
   const RandomStream noise(stage.seed, static_cast<std::uint32_t>(frame),

@@ -38,10 +38,14 @@ struct StageBody {
   /// None: a plain ball or box. Otherwise it is drawn from its parts alone. Where parts are marked
   /// as target its true position is the centroid of those, elsewhere it is `path` as for a ball.
   PartsPath parts{};
+  /// The `radius` that the parts are made for: with another one they are larger or smaller.
+  double partsRadius = 0.035;
 
   /// Radius of a sphere around it, meters; of a body of parts around its own ball.
   double bound() const { return box ? halfSize.norm() : radius; }
   bool presentAt(double time) const { return !present || present(time); }
+  /// Its parts at a time, scaled, relative to its path; empty if it has none.
+  std::vector<MovingPart> partsAt(double time) const;
 };
 
 /// The light that one camera gets at one time.

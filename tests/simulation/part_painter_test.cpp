@@ -127,6 +127,18 @@ TEST(PartPainter, APartIsDrawnWhereItCrossesTheWholeImage) {
   EXPECT_GT(changed(stageOf(bodyOf({rod}))), 0.85 * 160 * 14);
 }
 
+TEST(PartPainter, PartsAreAsLargeAsTheBodysRadiusSays) {
+  StageBody body =
+      bodyOf({simulation::capsuleBetween({0.1, 0.0, 0.0}, {0.2, 0.0, 0.0}, 0.01, kPink)});
+  EXPECT_EQ(body.partsAt(0.0).front().size.x(), 0.01F);
+  body.radius = 0.5 * body.partsRadius;
+  const MovingPart half = body.partsAt(0.0).front();
+  EXPECT_NEAR(half.size.x(), 0.005F, 1e-6F);
+  EXPECT_NEAR(half.size.z(), 0.025F, 1e-6F);
+  EXPECT_NEAR(half.center.x(), 0.075F, 1e-6F);
+  EXPECT_TRUE(ballAt({0.0, 0.0, 0.0}).partsAt(0.0).empty());
+}
+
 TEST(PartPainter, WhatIsAbsentIsNotDrawn) {
   StageBody body = bodyOf({simulation::ballPart(0.035, kPink)});
   body.present = [](double time) { return time < 1.0; };

@@ -140,6 +140,7 @@ void paintBall(simulation::StageBody& ball, BallPattern pattern, const Spin& spi
   if (pattern == BallPattern::Highlight) {
     part.gloss = drawHighlight(draws);
   }
+  ball.partsRadius = ball.radius;
   ball.parts = [part, spin](double time) {
     simulation::MovingPart rotated = part;
     rotated.axes = spin.axesAt(time);

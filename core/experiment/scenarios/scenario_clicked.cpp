@@ -34,13 +34,15 @@ Click drawClick(Draws& draws, std::size_t cameras) {
 }
 
 /// The pixel of a click on a ball; nothing where the camera does not have it.
-std::optional<Eigen::Vector2d> pixelOf(const Camera& camera, const Eigen::Vector3d& ball,
+std::optional<Eigen::Vector2d> pixelOf(const Camera& camera, const simulation::StageBody& ball,
                                        const Eigen::Vector2d& aside) {
-  const Eigen::Vector3d sight = (ball - camera.center()).normalized();
+  const Eigen::Vector3d center = ball.path(0.0);
+  const Eigen::Vector3d sight = (center - camera.center()).normalized();
   const Eigen::Vector3d across = camera.cameraFromWorld.linear().row(0).transpose();
   const Eigen::Vector3d right = (across - across.dot(sight) * sight).normalized();
   const Eigen::Vector3d down = sight.cross(right);
-  return Projector(camera).project(ball + kBallRadius * (aside.x() * right + aside.y() * down));
+  const Eigen::Vector3d offset = ball.radius * (aside.x() * right + aside.y() * down);
+  return Projector(camera).project(center + offset);
 }
 
 struct Lesson {
@@ -77,7 +79,7 @@ void teach(const ScenarioDraft& draft, const Click& click, ScenarioRun& run) {
   }
   Target& target = run.targets.front();
   target.color = ColorRange{};
-  const Eigen::Vector3d ball = draft.stage.bodies[draft.targets.front()].path(0.0);
+  const simulation::StageBody& ball = draft.stage.bodies[draft.targets.front()];
   for (const Eigen::Vector2d& aside : {click.aside, Eigen::Vector2d::Zero().eval()}) {
     const auto pixel = pixelOf(draft.rig[click.camera], ball, aside);
     const auto lesson = pixel ? learnFrom(images, click.camera, *pixel) : std::nullopt;

@@ -130,6 +130,7 @@ bool held(ScenarioDraft& draft, bool later) {
       addTarget(draft, *path);
       simulation::StageBody& ball = draft.stage.bodies.back();
       const MovingPart part = simulation::ballPart(ball.radius, ball.color.cast<float>());
+      ball.partsRadius = ball.radius;
       ball.parts = [part, holding](double time) {
         std::vector<MovingPart> parts = holding.at(time);
         parts.push_back(part);

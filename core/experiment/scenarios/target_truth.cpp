@@ -13,10 +13,7 @@ namespace dewpoint::experiment::scenarios {
 TargetTruth targetTruth(const simulation::StageBody& body, double time) {
   const Eigen::Vector3d center = body.path(time);
   const TargetTruth ball{center, {body.radius, Eigen::Vector3d::Constant(body.radius)}};
-  if (!body.parts) {
-    return ball;
-  }
-  const simulation::TargetVolume filled = simulation::targetVolume(body.parts(time));
+  const simulation::TargetVolume filled = simulation::targetVolume(body.partsAt(time));
   if (filled.volume == 0.0) {
     return ball;
   }
