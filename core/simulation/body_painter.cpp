@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/body_painter.h"
 
+#include "core/simulation/part_painter.h"
 #include "core/simulation/room.h"
+#include "core/simulation/sampling.h"
 #include "core/simulation/soft_shadow.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 
 namespace dewpoint::simulation {
 namespace {
-
-// Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr int kEdgeSamples = 4; ///< per side of a pixel on a silhouette
-/// Instants of one exposure.
-constexpr int kMostInstants = 16;
-/// Pixels that a body travels between two of them.
-constexpr double kPixelsPerInstant = 1.5;
 
 /// What one instant contributes to one pixel: color times coverage, and coverage.
 struct Share {
@@ -158,6 +154,33 @@ void castShadow(const CameraView& view, const Body& body, const cv::Rect& rows, 
                      });
 }
 
+/// The light that comes from a point of a body of parts; `light` is that of the body.
+Vector3f partColor(const SurfacePoint& seen, const LightField* light) {
+  const Vector3f& lamp = light != nullptr ? light->illumination->lamp : kLampPosition;
+  const float gloss = seen.gloss.at(seen.normal, (lamp - seen.point).normalized(), seen.direction);
+  if (light != nullptr) { // it is the sensor that cuts
+    return light->at(seen.point, seen.normal).cwiseProduct(seen.color) + Vector3f::Constant(gloss);
+  }
+  const float shaded = shade(seen.point, seen.normal, 1.0F);
+  return (shaded * seen.color + Vector3f::Constant(gloss)).cwiseMin(255.0F);
+}
+
+/// What casts a body's shadow: a body of parts casts that of a ball of their volume.
+Body shadowBody(const Body& body) {
+  if (body.parts.empty()) {
+    return body;
+  }
+  double volume = 0.0;
+  for (const MovingPart& part : body.parts) {
+    volume += volumeOf(part);
+  }
+  Body ball;
+  ball.center = body.center;
+  ball.radius = static_cast<float>(std::cbrt(0.75 / std::numbers::pi * volume));
+  ball.light = body.light;
+  return ball;
+}
+
 } // namespace
 
 void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
@@ -172,7 +195,7 @@ void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposur
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
     if (middle[i].present) {
-      castShadow(view, middle[i], rows, image);
+      castShadow(view, shadowBody(middle[i]), rows, image);
     }
   }
   // Far to near: what is nearer covers what is farther.
@@ -180,6 +203,14 @@ void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposur
                     [&](std::size_t i) { return (middle[i].center - view.center).squaredNorm(); });
   std::vector<Share> shares;
   for (const std::size_t i : order) {
+    if (!middle[i].parts.empty()) {
+      if (middle[i].present) {
+        paintParts(
+            view, [&](double instant) { return bodiesAt(instant)[i].parts; }, exposure, rows,
+            [&](const SurfacePoint& seen) { return partColor(seen, middle[i].light); }, image);
+      }
+      continue;
+    }
     const auto boundsAt = [&](const Body& body) {
       return view.boundsOfSphere(body.center.cast<double>(), body.radius);
     };

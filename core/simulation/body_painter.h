@@ -3,6 +3,7 @@
 
 #include "core/simulation/camera_view.h"
 #include "core/simulation/illumination.h"
+#include "core/simulation/moving_part.h"
 
 #include <opencv2/core.hpp>
 
@@ -12,7 +13,8 @@
 
 namespace dewpoint::simulation {
 
-/// A moving object at one instant: a ball, or a box of any orientation. World frame, meters.
+/// A moving object at one instant: a ball, a box of any orientation, or a body of parts. World
+/// frame, meters.
 struct Body {
   bool box = false;
   Vector3f center;
@@ -22,6 +24,9 @@ struct Body {
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< of the box; rows: its axes in the world
   bool present = true;                                ///< false: not in the scene just now
   const LightField* light = nullptr;                  ///< null: the room's lamp alone lights it
+  /// Of a body of parts, which is drawn from them alone; as many at every instant. Such a body
+  /// casts the shadow of a ball of their volume around `center`.
+  std::vector<MovingPart> parts{};
 };
 
 /// All bodies at an instant, seconds; the same number in the same order at every instant.

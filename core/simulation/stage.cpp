@@ -11,7 +11,16 @@
 namespace dewpoint::simulation {
 namespace {
 
-/// The bodies as a camera that has rotated by `rotation` about `eye` sees them.
+/// Puts the parts of a body of parts into the world, around the body's center.
+void addParts(const StageBody& body, double time, Body& result) {
+  result.parts = body.partsAt(time);
+  for (MovingPart& part : result.parts) {
+    part.center += result.center;
+  }
+}
+
+/// The bodies as a camera that has rotated by `rotation` about `eye` sees them. (So small a
+/// rotation moves where a body is; how it is turned does not change visibly.)
 std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3d& eye,
                            const Eigen::Matrix3d& rotation, const LightField* light) {
   const bool rotated = rotation != Eigen::Matrix3d::Identity();
@@ -24,6 +33,7 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
                       static_cast<float>(body.bound()), body.color.cast<float>(),
                       body.halfSize.cast<float>(), body.axes.cast<float>(), body.presentAt(time)});
     bodies.back().light = light;
+    addParts(body, time, bodies.back());
   }
   return bodies;
 }
@@ -135,6 +145,21 @@ Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time
     gain = gain.cwiseProduct(other->meanGain);
   }
   return kStopsPerLevelStop * gain.array().max(1e-3).log2().matrix();
+}
+
+std::vector<MovingPart> StageBody::partsAt(double time) const {
+  if (!parts) {
+    return {};
+  }
+  std::vector<MovingPart> result = parts(time);
+  if (radius != partsRadius) {
+    const auto scale = static_cast<float>(radius / partsRadius);
+    for (MovingPart& part : result) {
+      part.center *= scale;
+      part.size *= scale;
+    }
+  }
+  return result;
 }
 
 cv::Mat renderStage(const Stage& stage, std::size_t camera, double time, std::int64_t frame) {

@@ -4,6 +4,7 @@
 #include "core/simulation/body_painter.h"
 #include "core/simulation/camera_view.h"
 #include "core/simulation/illumination.h"
+#include "core/simulation/moving_part.h"
 #include "core/simulation/sensor_model.h"
 #include "core/simulation/walker.h"
 
@@ -22,20 +23,32 @@ namespace dewpoint::simulation {
 /// Where something is at a time: seconds to meters, world frame.
 using Path = std::function<Eigen::Vector3d(double)>;
 
-/// An object that moves on a stage: a ball, or a box (a flat one is a patch or an occluder).
+/// The parts of a body at a time, seconds: along the world's axes, relative to the body's path; as
+/// many in the same order at every time.
+using PartsPath = std::function<std::vector<MovingPart>(double)>;
+
+/// An object that moves on a stage: a ball, a box (a flat one is a patch or an occluder), or a body
+/// of parts.
 struct StageBody {
   std::string name;
   bool box = false;
-  double radius = 0.035;                              ///< of the ball, meters
+  double radius = 0.035;                              ///< of the ball or a body's own ball, meters
   Eigen::Vector3d halfSize = Eigen::Vector3d::Zero(); ///< of the box along its own axes, meters
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< of the box; rows: its axes in the world
   Eigen::Vector3d color{145.0, 85.0, 245.0};          ///< BGR in full light, [0, 255]
   Path path;
   std::function<bool(double)> present; ///< at a time; none: always
+  /// None: a plain ball or box. Otherwise it is drawn from its parts alone. Where parts are marked
+  /// as target its true position is the centroid of those, elsewhere it is `path` as for a ball.
+  PartsPath parts{};
+  /// The `radius` that the parts are made for: with another one they are larger or smaller.
+  double partsRadius = 0.035;
 
-  /// Radius of a sphere around it, meters.
+  /// Radius of a sphere around it, meters; of a body of parts around its own ball.
   double bound() const { return box ? halfSize.norm() : radius; }
   bool presentAt(double time) const { return !present || present(time); }
+  /// Its parts at a time, scaled, relative to its path; empty if it has none.
+  std::vector<MovingPart> partsAt(double time) const;
 };
 
 /// The light that one camera gets at one time.

@@ -34,7 +34,10 @@ struct ScenarioEvent {
     Return,
     CameraLost,
     CameraBack,
-    Bump
+    Bump,
+    UnseenBegin, ///< from this frame on the camera sees nothing of the target: it is outside the
+                 ///< image or hidden (camera -1: so in all cameras)
+    UnseenEnd,   ///< from this frame on it sees some of it again
   };
   Kind kind = Kind::Jump;
   std::int64_t frame = 0;
@@ -49,6 +52,14 @@ struct MarkedCenter {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
+/// How large a target is, whatever its shape. Meters.
+struct TargetExtent {
+  double radius = 0.0; ///< of a ball of its volume
+  /// Semi-axes of the solid ellipsoid with its second moments, the longest first: sqrt(5) times the
+  /// standard deviations of its points along their principal axes. Of a ball: its radius.
+  Eigen::Vector3d halfAxes = Eigen::Vector3d::Zero();
+};
+
 /// One seeded run of a scenario: what a method may know, and the truth it is measured against.
 struct ScenarioRun {
   std::string scenario;
@@ -61,8 +72,10 @@ struct ScenarioRun {
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();   ///< half size of the box around it
   double framesPerSecond = 30.0;
   std::int64_t frameCount = 0;
-  /// One sample per target and frame; not `valid` while the target is not in the scene.
+  /// One sample per target and frame; not `valid` while the target is not in the scene. The
+  /// position is the center of a ball, and the centroid of any other target.
   Trajectory truth;
+  std::vector<TargetExtent> extents; ///< one per sample of `truth`, in its order
   std::vector<ScenarioEvent> events;
   /// Frames with a truth, ascending: only these are measured. Empty: all frames are.
   std::vector<std::int64_t> measuredFrames;
@@ -70,6 +83,10 @@ struct ScenarioRun {
   std::vector<MarkedCenter> marks;
   /// An estimate is on its target when its projections are no farther from the marks, pixels.
   double markGate = 0.0;
+  /// How many objects in the images are the first target as well as each other, as far as start,
+  /// color and size can tell. 1: the start says which one is meant. More: nothing does, at any
+  /// time, and an honest P that an estimate is the target is at most 1 / equalCandidates.
+  int equalCandidates = 1;
   /// The images of frame k: a pure function, so that methods see the same bits.
   std::function<FrameSetPtr(std::int64_t)> frames;
 };

@@ -2,6 +2,7 @@
 #include "core/experiment/scenarios/scenario_draft.h"
 
 #include "core/experiment/scenarios/grade_model.h"
+#include "core/experiment/scenarios/target_truth.h"
 #include "core/experiment/scenarios/wild_rig.h"
 #include "core/experiment/scenarios/wild_room.h"
 #include "core/simulation/scene.h"
@@ -18,7 +19,8 @@ namespace {
 /// Keeps the noise's seed apart from the draws'.
 constexpr std::uint32_t kNoisePart = 0x5EED;
 
-Trajectory truthOf(const ScenarioDraft& draft) {
+/// The extents are those of the samples, in their order.
+Trajectory truthOf(const ScenarioDraft& draft, std::vector<TargetExtent>& extents) {
   Trajectory truth;
   truth.header.entries = {{"scenario", draft.name}, {"seed", fmt::format("{}", draft.seed)}};
   for (const Camera& camera : draft.rig) {
@@ -31,7 +33,9 @@ Trajectory truthOf(const ScenarioDraft& draft) {
       sample.time = draft.timeOf(frame);
       sample.frame = frame;
       sample.target = body.name;
-      sample.position = body.path(sample.time);
+      const TargetTruth now = targetTruth(body, sample.time);
+      sample.position = now.position;
+      extents.push_back(now.extent);
       sample.cameras = static_cast<int>(draft.rig.size());
       sample.valid = body.presentAt(sample.time);
       truth.samples.push_back(std::move(sample));
@@ -126,10 +130,14 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.startHalf = draft.startHalf;
   run.framesPerSecond = draft.framesPerSecond;
   run.frameCount = draft.frameCount;
-  run.truth = truthOf(draft);
+  run.truth = truthOf(draft, run.extents);
   run.events = draft.events;
+  run.equalCandidates = draft.equalCandidates;
   const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
   run.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };
+  if (shared->teach) {
+    shared->teach(*shared, run);
+  }
   return run;
 }
 
@@ -232,7 +240,7 @@ void startNearTruth(ScenarioDraft& draft) {
   constexpr double kHalf = 0.1;
   const Eigen::Vector3d off =
       draft.draws.inBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
-  draft.startCenter = draft.stage.bodies[draft.targets.front()].path(0.0) + off;
+  draft.startCenter = targetTruth(draft.stage.bodies[draft.targets.front()], 0.0).position + off;
   draft.startHalf = Eigen::Vector3d::Constant(kHalf);
 }
 

@@ -68,7 +68,7 @@ bool happensToACamera(ScenarioEvent::Kind kind) {
 
 bool hasToBeFoundAgain(ScenarioEvent::Kind kind) {
   return kind == ScenarioEvent::Kind::Jump || kind == ScenarioEvent::Kind::BlackoutEnd ||
-         kind == ScenarioEvent::Kind::Return;
+         kind == ScenarioEvent::Kind::Return || kind == ScenarioEvent::Kind::UnseenEnd;
 }
 
 /// The first frame at or after `frame` where the same camera's blackout ends.
@@ -85,6 +85,18 @@ std::int64_t endOfBlackout(const ScenarioRun& run, const ScenarioEvent& begin) {
 bool isWithin(const ScenarioRun& run, const ScenarioEvent& blackout, std::int64_t frame) {
   return blackout.kind == ScenarioEvent::Kind::BlackoutBegin && frame >= blackout.frame &&
          frame < endOfBlackout(run, blackout);
+}
+
+/// Whether no camera has the target in view, by the events.
+bool isOutOfView(const ScenarioRun& run, std::int64_t frame) {
+  bool outOfView = false;
+  for (const ScenarioEvent& event : run.events) { // in the order of their frames
+    if (event.camera < 0 && event.frame <= frame) {
+      outOfView = event.kind == ScenarioEvent::Kind::UnseenBegin ||
+                  (outOfView && event.kind != ScenarioEvent::Kind::UnseenEnd);
+    }
+  }
+  return outOfView;
 }
 
 void measureEvents(const ScenarioRun& run, const std::vector<TargetFrame>& frames, SuiteRow& row) {
@@ -210,7 +222,7 @@ std::vector<TargetFrame> SuiteRecorder::framesOf(std::size_t truth, std::size_t 
     if (isDeclared(estimates_[k][estimate])) {
       frame.estimate = estimates_[k][estimate].mean;
     }
-    frame.visible = !allBlind(frame.frame);
+    frame.visible = !allBlind(frame.frame) && !isOutOfView(run_, frame.frame);
     frames.push_back(frame);
   }
   return frames;

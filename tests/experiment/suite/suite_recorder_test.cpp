@@ -144,6 +144,26 @@ TEST(SuiteRecorder, MeasuresEvents) {
   EXPECT_NEAR(*row.largestStepMm, std::hypot(3.0 - 4.0, 10.0), 1e-9);
 }
 
+TEST(SuiteRecorder, FramesOutOfViewAreNotLost) {
+  ScenarioRun run = runWith(1);
+  using Kind = ScenarioEvent::Kind;
+  run.events = {{Kind::UnseenBegin, 6, 0}, // one camera of several: the target is still to be seen
+                {Kind::UnseenBegin, 8, -1},
+                {Kind::UnseenEnd, 12, -1},
+                {Kind::UnseenEnd, 12, 0}};
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    SphereEstimate estimate = estimateAt({0, 0, 0});
+    estimate.valid = k < 7 || k >= 14;
+    estimate.existenceProbability = estimate.valid ? 1.0 : 0.0;
+    recorder.add({estimate});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  // Of 16 frames in view the 8th, the 13th and the 14th are without an estimate.
+  EXPECT_NEAR(*row.lostPercent, 100.0 * 3.0 / 16.0, 1e-9);
+  EXPECT_EQ(*row.framesToReacquire, 2.0);
+}
+
 TEST(SuiteRecorder, LossHasToBeDeclared) {
   ScenarioRun run = runWith(1);
   run.events = {{ScenarioEvent::Kind::Vanish, 10, -1}};
