@@ -29,8 +29,9 @@ TEST(ConvergedFrom, KnowsNothingOfTheTruth) {
   // A cloud that is narrow but beside the ball has converged all the same: of the ball that camera
   // 2 just does not see, clouds are narrow and about 3 cm off (docs/fidelity.md).
   auto cases = barreraConvergenceCases(3);
-  const auto aside = std::ranges::find_if(
-      cases, [](const ConvergenceCase& one) { return one.name.find("0.7 0.75") != std::string::npos; });
+  const auto aside = std::ranges::find_if(cases, [](const ConvergenceCase& one) {
+    return one.name.find("0.7 0.75") != std::string::npos;
+  });
   ASSERT_NE(aside, cases.end());
   const auto result = studyConvergence(*aside);
   ASSERT_TRUE(result);

@@ -185,8 +185,8 @@ TEST_P(PeopleMethods, MapTheLikelihoodOfMotion) {
   const LikelihoodMap& map = maps[0];
   EXPECT_EQ(map.area, cv::Rect(0, 0, 320, 240));
   EXPECT_NEAR(map.least, std::log(0.2), 1e-12); // p_B
-  // D is near 1 in the middle of what moves (a body is 10 px wide, sigma at most 4 px), and p_B in a
-  // corner where nothing does.
+  // D is near 1 in the middle of what moves (a body is 10 px wide, sigma at most 4 px), and p_B in
+  // a corner where nothing does.
   EXPECT_GT(map.logLikelihood.at<float>(cvRound(at->y()), cvRound(at->x())), std::log(0.5));
   EXPECT_NEAR(map.logLikelihood.at<float>(0, 0), std::log(0.2), 1e-6);
 }
