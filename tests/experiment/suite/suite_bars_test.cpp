@@ -92,7 +92,7 @@ TEST(SuiteBars, BeliefIsJudgedByMedianAndWorstScenarioOfItsGrade) {
 
 TEST(SuiteBars, CompareWithTriangulationWhereBothDeclareTheTarget) {
   // Frames 0 and 1 are shared: sqrt(9 + 16) against sqrt(36 + 64) mm, half. In the second scenario
-  // 6 against 4 mm. The medians of the runs would say 5 against 2, and so on.
+  // 6 against 4 mm.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   MadeResults made;
   made.add(resultOf("S0-slow", Grade::Room, "dewpoint", 1, {3.0, 4.0, 20.0, kNone}));
