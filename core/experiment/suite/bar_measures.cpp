@@ -39,6 +39,22 @@ OverScenarios beliefOver(const BarRuns& runs, const BeliefFigure& figure) {
   return overScenarios(values, figure.lessIsBetter);
 }
 
+/// Our runs, each with the other of the same scenario and seed, where there is one.
+std::vector<std::pair<const SuiteResult*, const SuiteResult*>> sameFrames(const BarRuns& ours,
+                                                                          const BarRuns& others) {
+  std::vector<std::pair<const SuiteResult*, const SuiteResult*>> pairs;
+  for (const SuiteResult* run : ours) {
+    const auto same = std::ranges::find_if(others, [&](const SuiteResult* other) {
+      return other->row.key.seed == run->row.key.seed &&
+             other->row.key.scenario == run->row.key.scenario;
+    });
+    if (same != others.end()) {
+      pairs.emplace_back(run, *same);
+    }
+  }
+  return pairs;
+}
+
 /// RMSE of one run against another of the same frames, where both declare the target.
 double ratioOf(const SuiteTrace& ours, const SuiteTrace& other) {
   double squares = 0.0;
@@ -117,21 +133,25 @@ BarFigure againstTriangulation(const BarRuns& ours, const BarRuns& others) {
 
 BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others) {
   std::vector<double> ratios;
-  for (const SuiteResult* run : ours) {
-    for (const SuiteResult* other : others) {
-      const bool same = other->row.key.seed == run->row.key.seed &&
-                        other->row.key.scenario == run->row.key.scenario;
-      const double ratio = same ? ratioOf(run->trace, other->trace) : kNothing;
-      if (!std::isnan(ratio)) {
-        ratios.push_back(ratio);
-      }
+  for (const auto& [run, other] : sameFrames(ours, others)) {
+    const double ratio = ratioOf(run->trace, other->trace);
+    if (!std::isnan(ratio)) {
+      ratios.push_back(ratio);
     }
   }
   return ratios.empty() ? kNothing : median(std::move(ratios));
 }
 
 BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others) {
-  return meanOf(ours, &SuiteRow::lostPercent) - meanOf(others, &SuiteRow::lostPercent);
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& [run, other] : sameFrames(ours, others)) {
+    if (run->row.lostPercent && other->row.lostPercent) {
+      sum += *run->row.lostPercent - *other->row.lostPercent;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : kNothing;
 }
 
 BarMeasure medianScenario(const BeliefFigure& figure) {

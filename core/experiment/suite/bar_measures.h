@@ -51,7 +51,7 @@ BarFigure againstTriangulation(const BarRuns& ours, const BarRuns& others);
 /// both declare the target: the median over the seeds. In this way a method that gives up the hard
 /// frames has nothing from it.
 BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others);
-/// Mean percentage of lost frames minus that of the others.
+/// Percentage of lost frames minus that of the other run of the same seed: the mean.
 BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others);
 
 /// A figure of belief: the median over the scenarios.
