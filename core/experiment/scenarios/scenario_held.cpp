@@ -25,7 +25,7 @@ constexpr std::int64_t kGraspFrame = 60;
 constexpr std::int64_t kReachFrame = 45;
 /// How far it comes from, meters.
 constexpr double kReachFrom = 0.4;
-/// Hands that are tried around one path: about one in a hundred fits.
+/// Hands that are tried around one path: about one in four hundred fits.
 constexpr int kHandsPerPath = 400;
 
 /// A hand that holds a ball, always or from kGraspFrame on. Relative to the ball's center.

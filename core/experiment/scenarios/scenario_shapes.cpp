@@ -42,8 +42,8 @@ ObjectAt always(std::vector<MovingPart> parts) {
 
 /// The glove opens and closes every 1.5 s.
 std::vector<MovingPart> openingGlove(double time) {
-  constexpr double kPeriod = 1.5;
-  return simulation::glovedHand(0.5 - 0.5 * std::cos(kFullTurn * time / kPeriod), kPink);
+  constexpr double kGripPeriod = 1.5;
+  return simulation::glovedHand(0.5 - 0.5 * std::cos(kFullTurn * time / kGripPeriod), kPink);
 }
 
 RoundPath drawWay(Draws& draws, const Handling& handling) {
