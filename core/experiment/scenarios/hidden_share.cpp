@@ -64,4 +64,13 @@ double backedShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, do
   return metShare(eye, center, radius, parts, true);
 }
 
+simulation::MovingPart boxPart(const simulation::StageBody& box, double time) {
+  simulation::MovingPart part;
+  part.shape = simulation::MovingShape::Box;
+  part.center = box.path(time).cast<float>();
+  part.size = box.halfSize.cast<float>();
+  part.axes = box.axes.cast<float>();
+  return part;
+}
+
 } // namespace dewpoint::experiment::scenarios

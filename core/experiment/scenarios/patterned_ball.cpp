@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
@@ -17,7 +16,6 @@ namespace {
 using simulation::SurfacePattern;
 using simulation::Vector3f;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Matte white and black paint, BGR in full light.
 const Vector3f kWhite{235.0F, 235.0F, 235.0F};
 const Vector3f kDark{40.0F, 40.0F, 40.0F};
@@ -30,7 +28,7 @@ Vector3f whiteOrDark(Draws& draws) {
 Eigen::Matrix3d drawFrame(Draws& draws) {
   const Eigen::Vector3d first = draws.direction();
   const Eigen::Vector3d second =
-      Eigen::AngleAxisd(draws.uniform(0.0, kTurn), first) * first.unitOrthogonal();
+      Eigen::AngleAxisd(draws.uniform(0.0, kFullTurn), first) * first.unitOrthogonal();
   Eigen::Matrix3d frame;
   frame.row(0) = first;
   frame.row(1) = second;
@@ -55,17 +53,17 @@ void addLargePatches(SurfacePattern& pattern, int count, Draws& draws) {
   const Eigen::Matrix3d frame = drawFrame(draws);
   const Vector3f color = whiteOrDark(draws);
   for (int k = 0; k < count; ++k) {
-    const double angle = kTurn * k / count;
+    const double angle = kFullTurn * k / count;
     const Eigen::Vector3d axis =
         std::cos(angle) * frame.row(0).transpose() + std::sin(angle) * frame.row(1).transpose();
-    addPatch(pattern, axis, draws.uniform(35.0, 45.0) * kTurn / 360.0, color);
+    addPatch(pattern, axis, draws.uniform(35.0, 45.0) * kFullTurn / 360.0, color);
   }
 }
 
 void addSixSpots(SurfacePattern& pattern, Draws& draws) {
   const Eigen::Matrix3d frame = drawFrame(draws);
   const Vector3f color = whiteOrDark(draws);
-  const double halfAngle = draws.uniform(14.0, 18.0) * kTurn / 360.0;
+  const double halfAngle = draws.uniform(14.0, 18.0) * kFullTurn / 360.0;
   for (int axis = 0; axis < 3; ++axis) {
     addPatch(pattern, frame.row(axis).transpose(), halfAngle, color);
     addPatch(pattern, -frame.row(axis).transpose(), halfAngle, color);
@@ -86,7 +84,7 @@ void addOtherHalf(SurfacePattern& pattern, Draws& draws) {
   const std::array<Vector3f, 4> colors{kWhite, kDark, simulation::rgb(40, 90, 210),
                                        simulation::rgb(240, 215, 50)};
   const Eigen::Vector3d axis = draws.direction();
-  addPatch(pattern, axis, 0.25 * kTurn, colors.at(static_cast<std::size_t>(draws.whole(0, 3))));
+  addPatch(pattern, axis, 0.25 * kFullTurn, colors.at(static_cast<std::size_t>(draws.whole(0, 3))));
 }
 
 SurfacePattern drawPattern(BallPattern kind, Draws& draws) {
@@ -131,7 +129,7 @@ Eigen::Matrix3f Spin::axesAt(double time) const {
 
 Spin drawSpin(Draws& draws, double least, double most) {
   const Eigen::Vector3d axis = draws.direction();
-  return {axis, kTurn * draws.uniform(least, most)};
+  return {axis, kFullTurn * draws.uniform(least, most)};
 }
 
 void paintBall(simulation::StageBody& ball, BallPattern pattern, const Spin& spin, Draws& draws) {

@@ -7,7 +7,12 @@
 
 #include <Eigen/Core>
 
+#include <numbers>
+
 namespace dewpoint::experiment::scenarios {
+
+/// A full turn, radians.
+inline constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 /// What a ball is painted with.
 enum class BallPattern {

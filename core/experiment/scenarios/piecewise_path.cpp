@@ -8,7 +8,7 @@ namespace dewpoint::experiment::scenarios {
 namespace {
 
 /// Seconds for which a hand speeds a ball up or slows it down: 1.2 to 1.6 m/s take 2 to 3 g.
-constexpr double kSwing = 0.06;
+constexpr double kSwingSeconds = 0.06;
 /// Speed below which a bounce is the last, m/s: it would rise by a millimeter.
 constexpr double kLeastRebound = 0.14;
 
@@ -37,15 +37,15 @@ Eigen::Vector3d PiecewisePath::operator()(double time) const {
 }
 
 void addThrow(PiecewisePath& path, const Eigen::Vector3d& to, double flight) {
-  // The hand moves the ball by the mean of the speeds at release and catch, times kSwing, of which
-  // gravity's part cancels; the rest of the way is flown.
-  const Eigen::Vector3d way = (to - path.position()) / (1.0 + kSwing / flight);
+  // The hand moves the ball by the mean of the speeds at release and catch, times kSwingSeconds, of
+  // which gravity's part cancels; the rest of the way is flown.
+  const Eigen::Vector3d way = (to - path.position()) / (1.0 + kSwingSeconds / flight);
   const Eigen::Vector3d release = way / flight - 0.5 * flight * kGravity;
   const Eigen::Vector3d caught = release + flight * kGravity;
   path.setVelocity(Eigen::Vector3d::Zero());
-  path.accelerate(release / kSwing, kSwing);
+  path.accelerate(release / kSwingSeconds, kSwingSeconds);
   path.accelerate(kGravity, flight);
-  path.accelerate(-caught / kSwing, kSwing);
+  path.accelerate(-caught / kSwingSeconds, kSwingSeconds);
 }
 
 void addCarry(PiecewisePath& path, const Eigen::Vector3d& to, double seconds) {

@@ -92,7 +92,7 @@ void teach(const ScenarioDraft& draft, const Click& click, ScenarioRun& run) {
 }
 
 bool clicked(ScenarioDraft& draft, const Eigen::Vector3d& color) {
-  if (!addDeskBall(draft, 180)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   draft.stage.bodies.back().color = color;

@@ -13,41 +13,41 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr std::int64_t kFrames = 180;
 /// Centers at the start are farther apart than this, meters.
 constexpr double kApartAtStart = 2.2 * kBallRadius;
 /// Speeds at the start, m/s.
-constexpr double kSlowest = 0.1;
-constexpr double kFastest = 0.3;
+constexpr double kSlowestFlight = 0.1;
+constexpr double kFastestFlight = 0.3;
 /// Half size of the box in which the search starts, and how far its center is off, meters.
 constexpr double kStartHalf = 0.05;
 constexpr double kStartOff = 0.02;
 
 /// Where the balls' centers fly: every camera of the ring sees all of it.
-Eigen::AlignedBox3d region() {
+Eigen::AlignedBox3d crowdRegion() {
   return {Eigen::Vector3d(0.32, 0.32, 0.06), Eigen::Vector3d(0.68, 0.68, 0.28)};
 }
 
 Eigen::Vector3d drawPosition(Draws& draws) {
-  return draws.inBox(region().min(), region().max());
+  return draws.inBox(crowdRegion().min(), crowdRegion().max());
 }
 
-bool isFree(const CrowdStart& crowd, const Eigen::Vector3d& position) {
+bool isApart(const CrowdStart& crowd, const Eigen::Vector3d& position) {
   return std::ranges::all_of(crowd.positions, [&](const Eigen::Vector3d& other) {
     return (other - position).norm() > kApartAtStart;
   });
 }
 
-void add(CrowdStart& crowd, const Eigen::Vector3d& position, Draws& draws) {
+void addFlyer(CrowdStart& crowd, const Eigen::Vector3d& position, Draws& draws) {
   crowd.positions.push_back(position);
-  const double speed = draws.uniform(kSlowest, kFastest);
+  const double speed = draws.uniform(kSlowestFlight, kFastestFlight);
   crowd.velocities.push_back(speed * draws.direction());
 }
 
 /// The first body is the target, the others are its like.
 void addBodies(ScenarioDraft& draft, const CrowdStart& crowd) {
-  const auto motion = std::make_shared<const CrowdMotion>(
-      crowd, region(), kBallRadius, draft.timeOf(draft.frameCount) + draft.stage.exposureSeconds);
+  const auto motion = std::make_shared<const CrowdMotion>(crowd, crowdRegion(), kBallRadius,
+                                                          draft.timeOf(draft.frameCount) +
+                                                              draft.stage.exposureSeconds);
   addTarget(draft, pathOf(motion, 0));
   for (std::size_t ball = 1; ball < crowd.positions.size(); ++ball) {
     simulation::StageBody& body = draft.stage.bodies.emplace_back();
@@ -59,10 +59,10 @@ void addBodies(ScenarioDraft& draft, const CrowdStart& crowd) {
 
 /// Only the target is in the box where the search starts, with all of its body.
 bool crowd(ScenarioDraft& draft, std::size_t distractors) {
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   CrowdStart balls;
-  add(balls, drawPosition(draws), draws);
+  addFlyer(balls, drawPosition(draws), draws);
   const Eigen::Vector3d off =
       draws.inBox(Eigen::Vector3d::Constant(-kStartOff), Eigen::Vector3d::Constant(kStartOff));
   draft.startCenter = balls.positions.front() + off;
@@ -71,8 +71,8 @@ bool crowd(ScenarioDraft& draft, std::size_t distractors) {
   const Eigen::AlignedBox3d kept(draft.startCenter - around, draft.startCenter + around);
   for (int i = 0; i < kMostDraws && balls.positions.size() <= distractors; ++i) {
     const Eigen::Vector3d position = drawPosition(draws);
-    if (isFree(balls, position) && !kept.contains(position)) {
-      add(balls, position, draws);
+    if (isApart(balls, position) && !kept.contains(position)) {
+      addFlyer(balls, position, draws);
     }
   }
   if (balls.positions.size() <= distractors) {
@@ -86,14 +86,14 @@ bool crowd(ScenarioDraft& draft, std::size_t distractors) {
 bool evenStart(ScenarioDraft& draft) {
   /// Around the two balls' centers, meters.
   constexpr double kAround = 0.05;
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   CrowdStart balls;
-  add(balls, drawPosition(draws), draws);
+  addFlyer(balls, drawPosition(draws), draws);
   while (balls.positions.size() < 2) {
     const Eigen::Vector3d position = drawPosition(draws);
-    if (isFree(balls, position)) {
-      add(balls, position, draws);
+    if (isApart(balls, position)) {
+      addFlyer(balls, position, draws);
     }
   }
   addBodies(draft, balls);

@@ -17,7 +17,6 @@ namespace {
 
 using simulation::MovingPart;
 
-constexpr std::int64_t kFrames = 180;
 /// The fingers hide this much of the disc in every camera.
 constexpr double kLeastHidden = 0.3;
 constexpr double kMostHidden = 0.6;
@@ -26,10 +25,7 @@ constexpr std::int64_t kGraspFrame = 60;
 constexpr std::int64_t kReachFrame = 45;
 /// How far it comes from, meters.
 constexpr double kReachFrom = 0.4;
-/// Frames between two that are checked; the ball moves by about its radius from one to the next,
-/// which changes a share by a few hundredths.
-constexpr std::int64_t kCheckEvery = 3;
-/// Hands that are tried around one path: about one in a hundred fits.
+/// Hands that are tried around one path: about one in four hundred fits.
 constexpr int kHandsPerPath = 400;
 
 /// A hand that holds a ball, always or from kGraspFrame on. Relative to the ball's center.
@@ -102,12 +98,12 @@ bool hidesAsWanted(const ScenarioDraft& draft, const RoundPath& path, const Hold
     return true;
   };
   const std::int64_t first = later ? kGraspFrame : 0;
-  for (std::int64_t frame = first; frame < draft.frameCount; frame += kCheckEvery) {
+  for (std::int64_t frame = first; frame < draft.frameCount; frame += kShareEvery) {
     if (!isRight(frame)) {
       return false;
     }
   }
-  for (std::int64_t frame = 0; later && frame <= kReachFrame; frame += kCheckEvery) {
+  for (std::int64_t frame = 0; later && frame <= kReachFrame; frame += kShareEvery) {
     if (!isRight(frame)) {
       return false;
     }
@@ -116,7 +112,7 @@ bool hidesAsWanted(const ScenarioDraft& draft, const RoundPath& path, const Hold
 }
 
 bool held(ScenarioDraft& draft, bool later) {
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   for (int layout = 0; layout < kMostLayouts; ++layout) {
     const auto path = drawDeskPath(draft, false);
     if (!path) {

@@ -19,7 +19,6 @@ namespace {
 
 using simulation::MovingPart;
 
-constexpr std::int64_t kFrames = 180;
 /// Ways aside that are tried from one path.
 constexpr int kWaysPerPath = 400;
 /// A camera is not nearer to the ball than this, meters.
@@ -112,7 +111,7 @@ std::optional<Excursion> drawLeaving(ScenarioDraft& draft, const RoundPath& base
 }
 
 bool leave(ScenarioDraft& draft, const Leaving& leaving) {
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   for (int layout = 0; layout < kMostLayouts; ++layout) {
     const auto base = drawDeskPath(draft, false);
     if (!base) {
@@ -164,7 +163,7 @@ std::optional<Eigen::Vector3d> wayToBorder(const simulation::CameraView& view,
 
 /// The ball goes to the border of one image and hovers there, partly outside, for three seconds.
 bool hoverOnBorder(ScenarioDraft& draft) {
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
     Excursion path{
@@ -203,16 +202,6 @@ bool hoverOnBorder(ScenarioDraft& draft) {
   return false;
 }
 
-/// A box of the stage as a part, for rays.
-MovingPart partOf(const simulation::StageBody& box) {
-  MovingPart part;
-  part.shape = simulation::MovingShape::Box;
-  part.center = box.path(0.0).cast<float>();
-  part.size = box.halfSize.cast<float>();
-  part.axes = box.axes.cast<float>();
-  return part;
-}
-
 /// A box that stands on the desk before a point as a camera sees it.
 simulation::StageBody drawScreen(Draws& draws, const Eigen::Vector3d& eye,
                                  const Eigen::Vector3d& point, std::size_t number) {
@@ -248,7 +237,7 @@ std::optional<double> hiddenBy(const std::vector<simulation::StageBody>& boxes,
                                const Eigen::Vector3d& eye, const Eigen::Vector3d& ball) {
   std::vector<MovingPart> parts;
   for (const simulation::StageBody& box : boxes) {
-    parts.push_back(partOf(box));
+    parts.push_back(boxPart(box));
     const double hidden = hiddenShare(eye, ball, kBallRadius, {parts.back()});
     const double backed = backedShare(eye, ball, kBallRadius, {parts.back()});
     const bool nearer = (box.path(0.0) - eye).norm() < (ball - eye).norm();
@@ -282,7 +271,7 @@ bool goesBehind(const ScenarioDraft& draft, const Excursion& path,
 }
 
 bool behindFurniture(ScenarioDraft& draft) {
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
     Excursion path{drawSmallPath(draws, {0.4, 0.4, 0.1}, {0.6, 0.6, 0.16}, {0.03, 0.03, 0.02})};

@@ -8,14 +8,14 @@ namespace dewpoint::experiment::scenarios {
 namespace {
 
 /// Rounds per second of a ball that rolls in the hand or dangles.
-constexpr double kSlowest = 0.25;
-constexpr double kFastest = 1.0;
+constexpr double kSlowestSpin = 0.25;
+constexpr double kFastestSpin = 1.0;
 
 bool patterned(ScenarioDraft& draft, BallPattern pattern) {
-  if (!addDeskBall(draft, 180)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
-  const Spin spin = drawSpin(draft.draws, kSlowest, kFastest);
+  const Spin spin = drawSpin(draft.draws, kSlowestSpin, kFastestSpin);
   paintBall(draft.stage.bodies.back(), pattern, spin, draft.draws);
   return true;
 }

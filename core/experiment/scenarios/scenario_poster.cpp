@@ -14,23 +14,10 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-using simulation::MovingPart;
 using simulation::StageBody;
 
-/// Frames between two that are checked.
-constexpr std::int64_t kCheckEvery = 3;
 /// Posters that are tried behind one path.
 constexpr int kPostersPerPath = 400;
-
-/// A box of the stage as a part, for rays.
-MovingPart partOf(const StageBody& box) {
-  MovingPart part;
-  part.shape = simulation::MovingShape::Box;
-  part.center = box.path(0.0).cast<float>();
-  part.size = box.halfSize.cast<float>();
-  part.axes = box.axes.cast<float>();
-  return part;
-}
 
 /// A flat board of the target's color that stands behind the path of the ball as a camera sees it
 /// and faces the camera, up to 20 degrees off.
@@ -59,7 +46,7 @@ StageBody drawPoster(ScenarioDraft& draft, std::size_t camera, const Eigen::Vect
 /// center is farther too, as the painter's order is that of the centers.
 bool staysBehind(const ScenarioDraft& draft, const RoundPath& path, const StageBody& poster) {
   const Eigen::Vector3d normal = poster.axes.row(2);
-  for (std::int64_t frame = 0; frame < draft.frameCount; frame += kCheckEvery) {
+  for (std::int64_t frame = 0; frame < draft.frameCount; frame += kShareEvery) {
     const Eigen::Vector3d ball = path(draft.timeOf(frame));
     if ((poster.path(0.0) - ball).dot(normal) < 1.5 * kBallRadius) {
       return false;
@@ -67,8 +54,8 @@ bool staysBehind(const ScenarioDraft& draft, const RoundPath& path, const StageB
     for (const Camera& camera : draft.rig) {
       const Eigen::Vector3d eye = camera.center();
       const bool farther = (poster.path(0.0) - eye).norm() > (ball - eye).norm();
-      const bool beside = backedShare(eye, ball, kBallRadius, {partOf(poster)}) == 0.0;
-      if (!(farther || beside) || hiddenShare(eye, ball, kBallRadius, {partOf(poster)}) > 0.0) {
+      const bool beside = backedShare(eye, ball, kBallRadius, {boxPart(poster)}) == 0.0;
+      if (!(farther || beside) || hiddenShare(eye, ball, kBallRadius, {boxPart(poster)}) > 0.0) {
         return false;
       }
     }
@@ -89,9 +76,9 @@ Backing backingOf(const ScenarioDraft& draft, std::size_t camera, const RoundPat
   constexpr double kWhole = 0.99;
   Backing backing;
   int frames = 0;
-  for (std::int64_t frame = 0; frame < draft.frameCount; frame += kCheckEvery, ++frames) {
+  for (std::int64_t frame = 0; frame < draft.frameCount; frame += kShareEvery, ++frames) {
     const double share = backedShare(draft.rig[camera].center(), path(draft.timeOf(frame)),
-                                     kBallRadius, {partOf(poster)});
+                                     kBallRadius, {boxPart(poster)});
     backing.whole += share > kWhole ? 1.0 : 0.0;
     backing.little += share < 0.5 ? 1.0 : 0.0;
     backing.most = std::max(backing.most, share);
@@ -128,7 +115,7 @@ bool beforePosters(ScenarioDraft& draft, bool everyCamera) {
   for (int layout = 0; layout < kMostLayouts; ++layout) {
     draft.stage.bodies.clear();
     draft.targets.clear();
-    draft.frameCount = 180;
+    draft.frameCount = kUsualFrames;
     const auto path = drawDeskPath(draft, false);
     if (!path) {
       return false;

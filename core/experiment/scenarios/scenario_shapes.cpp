@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
@@ -19,8 +18,6 @@ namespace {
 using simulation::MovingPart;
 using simulation::Vector3f;
 
-constexpr std::int64_t kFrames = 180;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Pink as all balls, BGR in full light.
 const Vector3f kPink{145.0F, 85.0F, 245.0F};
 
@@ -45,15 +42,15 @@ ObjectAt always(std::vector<MovingPart> parts) {
 
 /// The glove opens and closes every 1.5 s.
 std::vector<MovingPart> openingGlove(double time) {
-  constexpr double kPeriod = 1.5;
-  return simulation::glovedHand(0.5 - 0.5 * std::cos(kTurn * time / kPeriod), kPink);
+  constexpr double kGripPeriod = 1.5;
+  return simulation::glovedHand(0.5 - 0.5 * std::cos(kFullTurn * time / kGripPeriod), kPink);
 }
 
 RoundPath drawWay(Draws& draws, const Handling& handling) {
   RoundPath path;
   path.center = draws.inBox({0.42, 0.42, 0.22}, {0.58, 0.58, 0.32});
   path.extent = draws.uniform(0.7, 1.0) * Eigen::Vector3d{0.12, 0.1, 0.05};
-  path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kTurn));
+  path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
   path.period = 6.0;
   if (handling.onDesk) {
     path.center.z() = handling.halfHeight;
@@ -63,7 +60,7 @@ RoundPath drawWay(Draws& draws, const Handling& handling) {
 }
 
 bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handling) {
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
     const RoundPath path = drawWay(draws, handling);
@@ -71,7 +68,7 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
       continue;
     }
     Spin spin = drawSpin(draws, 0.05, 0.25);
-    Eigen::AngleAxisd begin(draws.uniform(0.0, kTurn), draws.direction());
+    Eigen::AngleAxisd begin(draws.uniform(0.0, kFullTurn), draws.direction());
     if (handling.upright) {
       spin.axis = Eigen::Vector3d::UnitZ();
       begin.axis() = Eigen::Vector3d::UnitZ();
@@ -97,7 +94,7 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
 bool walking(ScenarioDraft& draft) {
   constexpr double kChest = 1.2; // meters above the floor, in the middle of the shirt
   constexpr double kBound = 0.4; // radius of a ball around the shirt, meters
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   simulation::Walker walker;
   walker.clothes.shirt = kPink;

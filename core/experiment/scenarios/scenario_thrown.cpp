@@ -13,7 +13,6 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr std::int64_t kFrames = 180;
 /// Rest before the first throw or fall, seconds.
 constexpr double kFirstRest = 0.5;
 
@@ -85,7 +84,7 @@ std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
 using DrawPath = std::optional<PiecewisePath> (*)(ScenarioDraft&);
 
 bool along(ScenarioDraft& draft, DrawPath drawPath) {
-  draft.frameCount = kFrames;
+  draft.frameCount = kUsualFrames;
   for (int layout = 0; layout < kMostLayouts; ++layout) {
     if (const auto path = drawPath(draft)) {
       addTarget(draft, *path);

