@@ -177,6 +177,7 @@ Body shadowBody(const Body& body) {
   Body ball;
   ball.center = body.center;
   ball.radius = static_cast<float>(std::cbrt(0.75 / std::numbers::pi * volume));
+  ball.color = body.color;
   ball.light = body.light;
   return ball;
 }

@@ -11,7 +11,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The mean of `samples` chi-square variables of `degrees` each is, times their number, chi-square
@@ -28,12 +28,12 @@ Interval meanBounds(double mean, double samples, double degrees, double level) {
 
 double normalizedErrorSquared(const StateError& sample) {
   if (!sample.error.allFinite() || !sample.covariance.allFinite())
-    return kNothing;
+    return kUndefined;
   const Eigen::LLT<Eigen::Matrix3d> factor(sample.covariance);
   if (factor.info() != Eigen::Success)
-    return kNothing;
+    return kUndefined;
   const double value = sample.error.dot(factor.solve(sample.error));
-  return std::isfinite(value) ? value : kNothing;
+  return std::isfinite(value) ? value : kUndefined;
 }
 
 Consistency consistency(std::span<const StateError> errors, double level) {
@@ -58,8 +58,8 @@ Consistency consistency(std::span<const StateError> errors, double level) {
   }
   const auto usable = static_cast<double>(result.samples - result.unusable);
   const bool any = usable > 0.0;
-  result.nees = meanBounds(any ? sum / usable : kNothing, usable, 3.0, level);
-  result.axisNees = any ? (result.axisNees / usable).eval() : Eigen::Vector3d::Constant(kNothing);
+  result.nees = meanBounds(any ? sum / usable : kUndefined, usable, 3.0, level);
+  result.axisNees = any ? (result.axisNees / usable).eval() : Eigen::Vector3d::Constant(kUndefined);
   result.axisBounds = meanBounds(1.0, usable, 1.0, level);
   return result;
 }

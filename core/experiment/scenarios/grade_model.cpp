@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/scenarios/grade_model.h"
 
+#include "core/experiment/scenarios/random_draws.h"
 #include "core/simulation/light.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace dewpoint::experiment::scenarios {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // The ranges of `room` are those that a user's webcams are within; where no source is named they
 // are chosen. Exposure, readout, delay, blur and JPEG: issue "A suite as hard as life".
@@ -108,7 +108,7 @@ simulation::AutomaticGain drawAutomatic(const GradeModel& model, Draws& draws) {
   automatic.firstStops = draw(model.firstStops, draws);
   automatic.huntingStops = draw(model.huntingStops, draws);
   automatic.huntingPeriod = draw(model.huntingPeriod, draws);
-  automatic.huntingPhase = draws.uniform(0.0, kTurn);
+  automatic.huntingPhase = draws.uniform(0.0, kFullTurn);
   automatic.whiteBalanceStops[0] = draw(model.whiteBalanceStops, draws);
   automatic.whiteBalanceStops[1] = draw(model.whiteBalanceStops, draws);
   return automatic;
@@ -125,7 +125,7 @@ CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, Dr
 
 /// A point beside the middle, `away` meters off horizontally and `up` above it.
 simulation::Vector3f beside(const FaultContext& context, double away, double up, Draws& draws) {
-  const double angle = draws.uniform(0.0, kTurn);
+  const double angle = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d offset{away * std::cos(angle), away * std::sin(angle), up};
   return (context.middle + offset).cast<float>();
 }
@@ -142,7 +142,7 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredKelvin, draws));
   light.further.push_back({above, (strength * tint).cast<float>()});
   simulation::MovingShadow shadow;
-  const double heading = draws.uniform(0.0, kTurn);
+  const double heading = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};
   shadow.direction = direction.cast<float>();
   shadow.speed = draw(model.shadowSpeed, draws);
@@ -193,7 +193,7 @@ SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, D
   simulation::Flicker flicker;
   flicker.frequency = draws.coin() ? 100.0 : 120.0; // twice that of the mains
   flicker.depth = draw(model.flickerDepth, draws);
-  flicker.phase = draws.uniform(0.0, kTurn);
+  flicker.phase = draws.uniform(0.0, kFullTurn);
   for (std::size_t camera = 0; camera < context.cameras; ++camera) {
     CameraFaults& own = faults.cameras.emplace_back();
     own.sensor = drawSensor(model, context, draws);

@@ -11,9 +11,6 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// A full turn, radians.
-inline constexpr double kFullTurn = 2.0 * std::numbers::pi;
-
 /// What a ball is painted with.
 enum class BallPattern {
   OnePatch,     ///< 22 to 32 mm wide on a ball of 70 mm

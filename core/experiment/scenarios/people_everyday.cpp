@@ -22,7 +22,7 @@ using simulation::rgb;
 using simulation::Walker;
 
 // All lengths in meters, all times in seconds; chosen to be what is usual in an office.
-constexpr double kStep = 0.1;        ///< along ways and times, of checks
+constexpr double kCheckStep = 0.1;   ///< along ways and times, of checks
 constexpr double kLeastPace = 0.8;   ///< m/s
 constexpr double kMostPace = 1.1;    ///< m/s
 constexpr double kAside = 0.6;       ///< least distance of people who do not meet
@@ -35,7 +35,7 @@ Vector2d drawPoint(Draws& draws) {
 }
 
 bool isWalkableLine(const Vector2d& from, const Vector2d& to) {
-  const auto steps = static_cast<int>(std::ceil((to - from).norm() / kStep));
+  const auto steps = static_cast<int>(std::ceil((to - from).norm() / kCheckStep));
   for (int k = 0; k <= steps; ++k) {
     if (!isWalkable(from + (to - from) * (static_cast<double>(k) / std::max(1, steps)))) {
       return false;
@@ -91,7 +91,7 @@ void stay(Walker& walker, double seconds) {
 /// Whether nobody comes nearer to somebody else than `least`.
 bool keepApart(const PeopleScenario& scenario, double least) {
   const auto& people = scenario.scene.people;
-  for (double time = kAppear; time < scenario.after; time += kStep) {
+  for (double time = kAppear; time < scenario.after; time += kCheckStep) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         if ((people[a].position(time) - people[b].position(time)).norm() < least) {
@@ -105,7 +105,7 @@ bool keepApart(const PeopleScenario& scenario, double least) {
 
 /// Whether somebody keeps off a circle on the floor.
 bool keepsOff(const Walker& walker, const Vector2d& center, double radius, double until) {
-  for (double time = kAppear; time < until; time += kStep) {
+  for (double time = kAppear; time < until; time += kCheckStep) {
     if ((walker.position(time) - center).norm() < radius) {
       return false;
     }
@@ -289,7 +289,7 @@ void drawMovedFurniture(PeopleScenario& scenario, Draws& draws) {
 bool movedFurniturePossible(const PeopleScenario& scenario) {
   const MovableFurniture& first = scenario.scene.furniture.front();
   const MovableFurniture& second = scenario.scene.furniture.back();
-  for (double time = kAppear; time < scenario.after; time += kStep) {
+  for (double time = kAppear; time < scenario.after; time += kCheckStep) {
     if ((first.at(time).position - second.at(time).position).norm() < first.reach + second.reach) {
       return false;
     }

@@ -10,14 +10,13 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr std::int64_t kFrames = 180;
 /// What a camera rotates by in the end, radians: 0.35 to 1 pixel at a focal length of 350 pixels.
 constexpr Range kDrift{0.001, 0.003};
 /// Its time constant, seconds: most of it happens within the run.
 constexpr Range kSettle{1.5, 4.0};
 
 bool withCalibration(ScenarioDraft& draft, bool error, bool drift) {
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   std::vector<simulation::CameraDrift> drifts;

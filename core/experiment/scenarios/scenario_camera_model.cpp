@@ -11,13 +11,11 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr std::int64_t kFrames = 180;
-
 /// Lens, mosaic, noise, sharpening and JPEG of cameras of grade `room`; the tone curve is the
 /// nominal one, shutter, time and calibration are ideal. A grade that has cameras of its own keeps
 /// those.
 bool withWebcams(ScenarioDraft& draft, bool fast) {
-  if (!addDeskBall(draft, kFrames, fast)) {
+  if (!addDeskBall(draft, kUsualFrames, fast)) {
     return false;
   }
   if (draft.grade != Grade::Ideal) {

@@ -17,13 +17,10 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr std::int64_t kFrames = 180;
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
 /// A lamp 1.5 m beside the first target's first position, `up` meters above it.
 simulation::FurtherLamp lampBeside(ScenarioDraft& draft, double up, const Eigen::Vector3d& color) {
   constexpr double kAway = 1.5; // meters
-  const double angle = draft.draws.uniform(0.0, kTurn);
+  const double angle = draft.draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d middle = draft.stage.bodies[draft.targets.front()].path(0.0);
   const Eigen::Vector3d position =
       middle + Eigen::Vector3d(kAway * std::cos(angle), kAway * std::sin(angle), up);
@@ -33,7 +30,7 @@ simulation::FurtherLamp lampBeside(ScenarioDraft& draft, double up, const Eigen:
 /// The side towards a low lamp gets 3 to 4 times the light of the other and is cut at full scale.
 bool withSideLight(ScenarioDraft& draft) {
   constexpr float kRoomGain = 0.6F;
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const double strength = draft.draws.uniform(1.0, 1.2);
@@ -49,7 +46,7 @@ bool withSideLight(ScenarioDraft& draft) {
 /// A warm bulb or the blue sky of a window beside the lamp that the cameras are balanced for.
 bool withColoredLamp(ScenarioDraft& draft) {
   constexpr float kRoomGain = 0.8F;
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const double kelvin =
@@ -84,7 +81,7 @@ simulation::GainCurve drawSteps(ScenarioDraft& draft) {
 }
 
 bool withExposureSteps(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   std::vector<simulation::GainCurve> curves;
@@ -102,13 +99,13 @@ bool withExposureSteps(ScenarioDraft& draft) {
 /// Lamps on 50 Hz, short exposures, and the rolling shutters without which there are no bands.
 bool withFlicker(ScenarioDraft& draft) {
   constexpr double kExposureSeconds = 0.004;
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const Range& readout = gradeModel(Grade::Room).readoutSeconds;
   simulation::Flicker flicker;
   flicker.depth = draft.draws.uniform(0.2, 0.4);
-  flicker.phase = draft.draws.uniform(0.0, kTurn);
+  flicker.phase = draft.draws.uniform(0.0, kFullTurn);
   std::vector<simulation::Shutter> shutters;
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     shutters.push_back({kExposureSeconds, draft.draws.uniform(readout.low, readout.high)});
@@ -124,12 +121,12 @@ bool withFlicker(ScenarioDraft& draft) {
 
 /// The shadow passes where the ball is at some time between seconds 1.5 and 4.5.
 bool withMovingShadow(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   Draws& draws = draft.draws;
   simulation::MovingShadow shadow;
-  const double heading = draws.uniform(0.0, kTurn);
+  const double heading = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};
   const double when = draws.uniform(1.5, 4.5);
   shadow.direction = direction.cast<float>();

@@ -12,11 +12,9 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr std::int64_t kFrames = 180;
-
 /// The readout of rolling shutters, seconds, and unknown delays, frames: those of grade `room`.
 bool withRollingShutters(ScenarioDraft& draft, bool fast) {
-  if (!addDeskBall(draft, kFrames, fast)) {
+  if (!addDeskBall(draft, kUsualFrames, fast)) {
     return false;
   }
   const Range& range = gradeModel(Grade::Room).readoutSeconds;
@@ -33,7 +31,7 @@ bool withRollingShutters(ScenarioDraft& draft, bool fast) {
 }
 
 bool withUnknownDelays(ScenarioDraft& draft, bool fast) {
-  if (!addDeskBall(draft, kFrames, fast)) {
+  if (!addDeskBall(draft, kUsualFrames, fast)) {
     return false;
   }
   const Range& range = gradeModel(Grade::Room).delayFrames;
@@ -52,7 +50,7 @@ bool withUnknownDelays(ScenarioDraft& draft, bool fast) {
 /// As over a busy USB bus or network.
 bool withDroppedAndDoubled(ScenarioDraft& draft) {
   constexpr double kShare = 0.1; // of the frames, each
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   draft.adjustFaults = [](SensingFaults& faults) {
@@ -67,7 +65,7 @@ bool withDroppedAndDoubled(ScenarioDraft& draft) {
 /// One camera shows one image for a second, as a driver that hangs: its time stamps go on.
 bool withFrozenStream(ScenarioDraft& draft) {
   constexpr std::int64_t kFrozen = 30;
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const std::int64_t begin = 75 + draft.draws.whole(-15, 15);
@@ -84,7 +82,7 @@ bool withFrozenStream(ScenarioDraft& draft) {
 /// crystals that differ by 100 millionths in two minutes.
 bool withDriftingClocks(ScenarioDraft& draft) {
   constexpr double kDrift = 0.002;
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   std::vector<double> drifts;

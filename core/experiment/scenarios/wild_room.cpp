@@ -20,7 +20,6 @@ using simulation::Pattern;
 using simulation::Shape;
 using simulation::Vector3f;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Share of the clutter that has the target's color, and of walls and shirts.
 constexpr double kTargetColored = 0.15;
 
@@ -82,7 +81,7 @@ void addClutter(const Ground& ground, const CameraRig& rig, Draws& draws,
         draws.inBox(Eigen::Vector3d::Constant(0.15), Eigen::Vector3d::Ones()) * ground.size;
     const auto shape = kShapes.at(static_cast<std::size_t>(draws.whole(0, 2)));
     const Material material = drawMaterial(draws);
-    const double yaw = draws.uniform(0.0, kTurn);
+    const double yaw = draws.uniform(0.0, kFullTurn);
     if (!spot) {
       continue;
     }

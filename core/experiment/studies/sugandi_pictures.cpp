@@ -17,7 +17,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr int kCellWidth = 240;
 
 /// What is drawn over the frames, and in which style.
@@ -31,7 +31,7 @@ constexpr std::array kShown{Shown{kSugandiFew, "m1"}, Shown{kSugandiMany, "m0"},
 using Found = std::vector<std::optional<ImageBox>>;
 
 double errorAt(const Found& found, const std::vector<ImageBox>& truth, std::size_t frame) {
-  return found[frame] ? (found[frame]->center() - truth[frame].center()).norm() : kNothing;
+  return found[frame] ? (found[frame]->center() - truth[frame].center()).norm() : kGap;
 }
 
 std::vector<std::size_t> tellingFrames(const Found& found, const std::vector<ImageBox>& truth) {
@@ -154,7 +154,7 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
     legend.emplace_back(shown.style, shown.method);
     for (int axis = 0; axis < 2; ++axis) {
       centers.at(std::size_t(axis)).push_back(lineOf(shown.style, count, [&](std::size_t k) {
-        return row->boxes[k] ? row->boxes[k]->center()[axis] : kNothing;
+        return row->boxes[k] ? row->boxes[k]->center()[axis] : kGap;
       }));
     }
     errors.push_back(lineOf(shown.style, count,

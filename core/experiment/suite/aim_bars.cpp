@@ -12,7 +12,6 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kAnyLow = -std::numeric_limits<double>::infinity();
 constexpr double kAnyHigh = std::numeric_limits<double>::infinity();
 constexpr int kBeliefItem = 7;
 constexpr int kAccuracyItem = 8;

@@ -11,8 +11,6 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
 BarRuns runsOf(const BarRuns& runs, const std::string& scenario) {
   BarRuns same;
   std::ranges::copy_if(runs, std::back_inserter(same),
@@ -70,7 +68,7 @@ double ratioOf(const SuiteTrace& ours, const SuiteTrace& other) {
       }
     }
   }
-  return otherSquares > 0.0 ? std::sqrt(squares / otherSquares) : kNothing;
+  return otherSquares > 0.0 ? std::sqrt(squares / otherSquares) : kNoFigure;
 }
 
 } // namespace
@@ -96,7 +94,7 @@ BarMeasure percentWithin(BarColumn figure, double limit) {
     const auto values = figuresOf(ours, figure);
     const auto within = std::ranges::count_if(values, [&](double v) { return v <= limit; });
     return values.empty()
-               ? kNothing
+               ? kNoFigure
                : 100.0 * static_cast<double>(within) / static_cast<double>(values.size());
   };
 }
@@ -104,7 +102,7 @@ BarMeasure percentWithin(BarColumn figure, double limit) {
 BarMeasure failures(BarColumn figure) {
   return [=](const BarRuns& ours, const BarRuns&) {
     const auto values = figuresOf(ours, figure);
-    return values.empty() ? kNothing
+    return values.empty() ? kNoFigure
                           : static_cast<double>(std::ranges::count_if(
                                 values, [](double v) { return std::isinf(v); }));
   };
@@ -116,7 +114,7 @@ BarFigure pooledP95(const BarRuns& ours, const BarRuns&) {
     all.insert(all.end(), errors.begin(), errors.end());
   }
   std::ranges::sort(all);
-  return all.empty() ? kNothing : quantile(all, 0.95);
+  return all.empty() ? kNoFigure : quantile(all, 0.95);
 }
 
 BarFigure pooledEceOfRuns(const BarRuns& ours, const BarRuns&) {
@@ -139,7 +137,7 @@ BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others) {
       ratios.push_back(ratio);
     }
   }
-  return ratios.empty() ? kNothing : median(std::move(ratios));
+  return ratios.empty() ? kNoFigure : median(std::move(ratios));
 }
 
 BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others) {
@@ -151,7 +149,7 @@ BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others) {
       ++count;
     }
   }
-  return count > 0 ? sum / count : kNothing;
+  return count > 0 ? sum / count : kNoFigure;
 }
 
 BarMeasure medianScenario(const BeliefFigure& figure) {

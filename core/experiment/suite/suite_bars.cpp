@@ -13,8 +13,6 @@ namespace {
 
 constexpr const char* kOurs = "dewpoint";
 constexpr const char* kOther = "triangulation";
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double kAnyLow = -std::numeric_limits<double>::infinity();
 
 /// At most `high`.
 SuiteBar most(int item, std::string sentence, std::string unit, double high,
@@ -166,7 +164,7 @@ std::vector<BarResult> measureBars(const std::vector<SuiteCell>& cells) {
   for (const SuiteBar& bar : suiteBars()) {
     const BarRuns ours = runsFor(bar, cells, kOurs);
     const BarRuns others = runsFor(bar, cells, kOther);
-    const BarFigure figure = ours.empty() ? BarFigure(kNothing) : bar.measure(ours, others);
+    const BarFigure figure = ours.empty() ? BarFigure(kNoFigure) : bar.measure(ours, others);
     results.push_back({&bar, ours.size(), figure.value, figure.scenario});
   }
   return results;

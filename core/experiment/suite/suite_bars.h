@@ -9,6 +9,9 @@
 
 namespace dewpoint::experiment {
 
+/// The lower end of a requirement that has none.
+inline constexpr double kAnyLow = -std::numeric_limits<double>::infinity();
+
 /// One requirement for the method `dewpoint` in one grade.
 struct SuiteBar {
   int item = 0;         ///< number in the list of requirements
