@@ -81,7 +81,7 @@ int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
 
 void addWandStudy(CLI::App& group, int& exitCode) {
   struct Options {
-    std::uint64_t first = 5001;
+    std::uint64_t first = kFirstReportingSeed;
     int seeds = 20;
     WandRecording recording;
   };

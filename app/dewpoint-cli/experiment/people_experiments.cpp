@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
 #include "app/dewpoint-cli/simulate/record_office.h"
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/study_experiments.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 struct StudyOptions {
   std::string scenario;
-  std::uint64_t first = 1;
+  std::uint64_t first = kFirstReportingSeed;
   int seeds = 30;
   std::string clothes = "both";
   std::vector<std::string> methods;
@@ -95,6 +96,7 @@ int studyScenario(const StudyOptions& options) {
   for (const PeopleSummary& summary : summarize(*trials)) {
     fmt::print("{}\n", peopleTableRow(summary));
   }
+  fmt::print("Seeds {}.\n", seedSentence(options.first, options.seeds));
   if (!options.folder.empty()) {
     if (const auto written = writePeopleStudy(options.scenario, *trials, options.folder);
         !written) {
@@ -113,7 +115,9 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
     command->alias(scenario);
     auto options = std::make_shared<StudyOptions>();
     options->scenario = scenario;
-    command->add_option("--seed", options->first, "The first seed")->capture_default_str();
+    command
+        ->add_option("--seed", options->first, "The first seed; of the reporting block by default")
+        ->capture_default_str();
     command->add_option("--seeds", options->seeds, "How many")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();

@@ -4,6 +4,7 @@
 
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/convergence_study.h"
 #include "core/geometry/projector.h"
 
@@ -147,7 +148,7 @@ constexpr const char* kSpreadSentence =
 
 Status barreraFigure3(const ExperimentOptions& options) {
   const ConvergenceCase setup = typicalExecution();
-  auto instants = instantsOf(setup, 1);
+  auto instants = instantsOf(setup, options.firstSeed);
   if (!instants) {
     return tl::make_unexpected(instants.error());
   }
@@ -170,6 +171,7 @@ Status barreraFigure3(const ExperimentOptions& options) {
   head.emplace_back("particles in image 1 and 2");
   page.table(head, rows);
   page.paragraph(kSpreadSentence);
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
   page.heading("What the paper says");
   page.claim("At iteration 2 the particles lie in camera 1's image and out of camera 2's.",
              inside[2][0] > 150 && inside[2][1] < 20,
@@ -189,7 +191,7 @@ Status barreraFigure3(const ExperimentOptions& options) {
 
 Status barreraFigure4(const ExperimentOptions& options) {
   const ConvergenceCase setup = typicalExecution();
-  const auto instants = instantsOf(setup, 1);
+  const auto instants = instantsOf(setup, options.firstSeed);
   if (!instants) {
     return tl::make_unexpected(instants.error());
   }
@@ -216,6 +218,7 @@ Status barreraFigure4(const ExperimentOptions& options) {
   page.plots({{"The room from above, all particles of each instant", plot}}, legend);
   page.table(kInstantHead, rows);
   page.paragraph(kSpreadSentence);
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
   page.heading("What the paper says");
   const Instant& way = instants->at(20);
   const Eigen::Vector3d axis = rig.front().opticalAxis();
@@ -231,7 +234,7 @@ Status barreraFigure4(const ExperimentOptions& options) {
 
 Status barreraDrift(const ExperimentOptions& options) {
   constexpr int kIterations = 60;
-  const auto moved = driftCurve(options.runs, kIterations);
+  const auto moved = driftCurve(options.runs, kIterations, options.firstSeed);
   if (!moved) {
     return tl::make_unexpected(moved.error());
   }
@@ -245,6 +248,7 @@ Status barreraDrift(const ExperimentOptions& options) {
   plot.y = {"moved away, m", 0.0, 1.1 * std::max(0.01, std::ranges::max(*moved)), false};
   plot.series.push_back(lineOver("m0", *moved, 1.0));
   page.plots({{"Movement away from camera 1", plot}});
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
   page.heading("What the paper says");
   page.claim("The particles move away from the camera along its optical axis, systematically.",
              moved->back() > 0.05,
@@ -301,12 +305,19 @@ Status barreraStarts(const ExperimentOptions& options) {
   std::vector<ConvergenceCase> boxes;
   boxes.reserve(halves.size());
   for (const double half : halves) {
-    boxes.push_back({"box", ball, ball, Eigen::Vector3d::Constant(half), options.runs, 150});
+    boxes.push_back(
+        {"box", ball, ball, Eigen::Vector3d::Constant(half), options.runs, 150, options.firstSeed});
   }
   std::vector<ConvergenceCase> points;
   points.reserve(beyond.size());
   for (const double y : beyond) {
-    points.push_back({"point", ball, {0.5, y, 0.15}, Eigen::Vector3d::Zero(), options.runs, 150});
+    points.push_back({"point",
+                      ball,
+                      {0.5, y, 0.15},
+                      Eigen::Vector3d::Zero(),
+                      options.runs,
+                      150,
+                      options.firstSeed});
   }
   const auto boxShares = sharesOf(boxes, options, 0.0, 0.5);
   if (!boxShares) {
@@ -325,6 +336,7 @@ Status barreraStarts(const ExperimentOptions& options) {
                sharePlot("half its edge, m", halves, *boxShares)},
               {"From one point (0.5, y, 0.15), at and beyond the ball",
                sharePlot("y, m", beyond, *pointShares)}});
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
   page.heading("What the paper says");
   page.claim("From random starts it does not converge at all.", claimOfNone(*boxShares),
              fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "

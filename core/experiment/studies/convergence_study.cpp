@@ -144,15 +144,16 @@ Result<Trial> prepare(const Scene& scene, const ConvergenceCase& setup) {
   });
 }
 
-/// Runs with seeds 1, 2, ... and what they add up to.
+/// Runs with the case's seeds and what they add up to.
 Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
   ConvergenceResult result{setup};
   std::vector<double> iterations;
   double squares = 0.0;
   double depth = 0.0;
   int count = 0;
-  for (int run = 1; run <= setup.runs; ++run) {
-    const auto found = meansOfRun(trial, static_cast<std::uint64_t>(run), setup.iterations);
+  for (int run = 0; run < setup.runs; ++run) {
+    const std::uint64_t seed = setup.firstSeed + static_cast<std::uint64_t>(run);
+    const auto found = meansOfRun(trial, seed, setup.iterations);
     if (!found) {
       return tl::make_unexpected(found.error());
     }
@@ -177,10 +178,10 @@ Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
 
 /// Meters along the optical axis after each iteration, mean over the runs, starting on the ball.
 Result<std::vector<double>> driftOf(const Eigen::Vector3d& start, Trial& trial, int runs,
-                                    int iterations) {
+                                    int iterations, std::uint64_t firstSeed) {
   std::vector<double> moved(static_cast<std::size_t>(iterations), 0.0);
-  for (int run = 1; run <= runs; ++run) {
-    const auto means = meansOfRun(trial, static_cast<std::uint64_t>(run), iterations);
+  for (int run = 0; run < runs; ++run) {
+    const auto means = meansOfRun(trial, firstSeed + static_cast<std::uint64_t>(run), iterations);
     if (!means) {
       return tl::make_unexpected(means.error());
     }
@@ -193,12 +194,12 @@ Result<std::vector<double>> driftOf(const Eigen::Vector3d& start, Trial& trial, 
 
 } // namespace
 
-std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
+std::vector<ConvergenceCase> barreraConvergenceCases(int runs, std::uint64_t firstSeed) {
   const Eigen::Vector3d near(0.5, 0.5, 0.15);
   const Eigen::Vector3d far(0.8, 0.7, 0.15);
   const Eigen::Vector3d aside(0.7, 0.75, 0.15); // just outside camera 2's image in the demo's rig
   const Eigen::Vector3d paperStart(0.4, 0.1, 0.2);
-  return {
+  std::vector<ConvergenceCase> cases{
       {"paper start, ball at 0.5 0.5 0.15", near, paperStart, Eigen::Vector3d::Zero(), runs, 150},
       {"paper start, ball at 0.8 0.7 0.15", far, paperStart, Eigen::Vector3d::Zero(), runs, 150},
       {"paper start, ball at 0.7 0.75 0.15", aside, paperStart, Eigen::Vector3d::Zero(), runs, 150},
@@ -211,6 +212,10 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
       {"uniform start, desk 1 x 1 x 0.5 m", near, {0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}, runs, 150},
       {"uniform start, room 4 x 4 x 2 m", near, {0.5, 0.5, 1.0}, {2.0, 2.0, 1.0}, runs, 150},
   };
+  for (ConvergenceCase& one : cases) {
+    one.firstSeed = firstSeed;
+  }
+  return cases;
 }
 
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
@@ -226,18 +231,18 @@ Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
   });
 }
 
-Result<std::vector<double>> driftCurve(int runs, int iterations) {
+Result<std::vector<double>> driftCurve(int runs, int iterations, std::uint64_t firstSeed) {
   Scene scene = stillScene({0.5, 0.5, 0.15});
   scene.cameras.resize(1);
   ConvergenceCase setup;
   setup.start = scene.balls.front().position;
   return prepare(scene, setup).and_then([&](Trial trial) {
-    return driftOf(setup.start, trial, runs, iterations);
+    return driftOf(setup.start, trial, runs, iterations, firstSeed);
   });
 }
 
-Result<double> measureDrift(int runs, int iterations) {
-  return driftCurve(runs, iterations).map([&](const std::vector<double>& moved) {
+Result<double> measureDrift(int runs, int iterations, std::uint64_t firstSeed) {
+  return driftCurve(runs, iterations, firstSeed).map([&](const std::vector<double>& moved) {
     return moved.back() / iterations;
   });
 }

@@ -5,6 +5,7 @@
 #include "core/base/text_file.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/report_style.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/sugandi_pictures.h"
 #include "core/experiment/studies/sugandi_study.h"
 #include "core/trajectory/csv_text.h"
@@ -29,6 +30,10 @@ constexpr const char* kRemarks[] = {
     "The paper's clip is not public: its 6.48 px with 100 particles and 2.28 px with 300 cannot be "
     "repeated, only the trend. It gives neither the noise of the motion nor sigma.",
     "Curves and frames are of the first seed; tracks.csv has their numbers, of all methods."};
+
+std::string seedRemark(const BoxStudy& study) {
+  return "Seeds of our methods: " + seedSentence(study.firstSeed, study.seeds) + ".";
+}
 
 std::string starred(const BoxRow& row) {
   return row.clip + (row.exactBoxes ? "" : " *");
@@ -158,6 +163,7 @@ std::string boxStudyText(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("{}\n", remark);
   }
+  text += fmt::format("{}\n", seedRemark(study));
   return study.perturbed.empty() ? text : text + perturbationText(study.perturbed);
 }
 
@@ -187,6 +193,7 @@ std::string boxStudyHtml(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("<p>{}</p>", escaped(remark));
   }
+  text += fmt::format("<p>{}</p>", escaped(seedRemark(study)));
   return text + "\n</main></body></html>\n";
 }
 

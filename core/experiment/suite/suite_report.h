@@ -21,9 +21,6 @@ struct SuiteReport {
   std::vector<std::uint64_t> seeds; ///< ascending, each once
 };
 
-/// "1000001 to 1000020 (reporting)", or that some or all are for tuning.
-std::string seedSentence(const std::vector<std::uint64_t>& seeds);
-
 std::string summaryCsv(const SuiteReport& report);
 std::string reportJson(const SuiteReport& report);
 /// Writes report.html, summary.csv and report.json into the folder.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/experiment/suite/suite_store.h"
 
