@@ -14,5 +14,7 @@ void addFigureCommands(CLI::App& group, int& exitCode);
 void addPeopleExperiments(CLI::App& group, int& exitCode);
 /// `sugandi-rmse`.
 void addSugandiExperiment(CLI::App& group, int& exitCode);
+/// `fingerprint`: the states of the methods.
+void addFingerprintCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app

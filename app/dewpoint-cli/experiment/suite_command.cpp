@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"
 
@@ -24,6 +25,7 @@ struct SuiteOptions {
   std::uint64_t firstSeed = kFirstReportingSeed;
   int threads = 1;
   std::string folder;
+  std::vector<std::string> merged; ///< folders of which one is made
 };
 
 int listSuite() {
@@ -71,6 +73,35 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
   return status;
 }
 
+/// The rows of the folder in the order of the report, and the report.
+Status writeReport(SuiteStore& store, const std::string& folder) {
+  const auto order = reportOrder(store.results(), scenarioCatalog());
+  return store.rewrite(order).and_then(
+      [&] { return writeSuiteReport(folder, store.results(), order, scenarioCatalog()); });
+}
+
+/// Makes the folder hold the runs of others, too.
+int mergeSuites(const SuiteOptions& options) {
+  SuiteResults all;
+  for (const std::string& folder : options.merged) {
+    const auto results = SuiteStore::read(folder);
+    if (!results) {
+      return report(results.error());
+    }
+    all.insert(results->begin(), results->end());
+  }
+  auto store = SuiteStore::open(options.folder);
+  if (!store) {
+    return report(store.error());
+  }
+  store->take(all);
+  if (const auto written = writeReport(*store, options.folder); !written) {
+    return report(written.error());
+  }
+  fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
+  return kExitDone;
+}
+
 int runSuiteCommand(const SuiteOptions& options) {
   const auto request = requestOf(options);
   if (!request) {
@@ -84,11 +115,7 @@ int runSuiteCommand(const SuiteOptions& options) {
   catchInterruption();
   const auto jobs = planSuite(*request, store->results());
   const auto run = runJobs(jobs, options.threads, *store);
-  const auto order = reportOrder(store->results(), scenarioCatalog());
-  auto written = store->rewrite(order);
-  if (written) {
-    written = writeSuiteReport(options.folder, store->results(), order, scenarioCatalog());
-  }
+  const auto written = writeReport(*store, options.folder);
   if (!run) {
     return report(run.error());
   }
@@ -122,17 +149,25 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(1, 1000000));
   command
       ->add_option("--first-seed", options->firstSeed,
-                   fmt::format("First seed; below {} they are for tuning", kFirstReportingSeed))
+                   fmt::format("First seed; those from {} to {} are for reports",
+                               kFirstReportingSeed, kLastReportingSeed))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Runs at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--out", options->folder, "Folder to write, or to go on with");
+  command
+      ->add_option("--merge", options->merged,
+                   "Only put the runs of these folders into that of --out, and write its report")
+      ->excludes("--scenario", "--method", "--grade", "--seeds", "--first-seed", "--threads",
+                 "--list");
   command->callback([options, command, &exitCode] {
     if (options->list) {
       exitCode = listSuite();
     } else if (options->folder.empty()) {
       throw CLI::RequiredError(command->get_option("--out")->get_name());
+    } else if (!options->merged.empty()) {
+      exitCode = mergeSuites(*options);
     } else {
       exitCode = runSuiteCommand(*options);
     }
