@@ -55,3 +55,6 @@ cp out.txt fingerprint.csv
 expectExit 0 experiment fingerprint --method triangulation
 cmp out.txt fingerprint.csv || fail "the fingerprint is another one each time"
 expectExit $kUsage experiment fingerprint --method magic
+
+expectExit 0 experiment seeds
+expectText out.txt block,first,last tuning,0, reporting,1005001,1006000, reserve,

@@ -175,6 +175,7 @@ void addExperimentCommand(CLI::App& app, int& exitCode) {
   addPeopleExperiments(*command, exitCode);
   addSugandiExperiment(*command, exitCode);
   addFingerprintCommand(*command, exitCode);
+  addSeedsCommand(*command, exitCode);
 }
 
 } // namespace dewpoint::app

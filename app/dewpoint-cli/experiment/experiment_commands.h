@@ -16,5 +16,7 @@ void addPeopleExperiments(CLI::App& group, int& exitCode);
 void addSugandiExperiment(CLI::App& group, int& exitCode);
 /// `fingerprint`: the states of the methods.
 void addFingerprintCommand(CLI::App& group, int& exitCode);
+/// `seeds`: the blocks of seeds.
+void addSeedsCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app

@@ -305,19 +305,14 @@ Status barreraStarts(const ExperimentOptions& options) {
   std::vector<ConvergenceCase> boxes;
   boxes.reserve(halves.size());
   for (const double half : halves) {
-    boxes.push_back(
-        {"box", ball, ball, Eigen::Vector3d::Constant(half), options.runs, 150, options.firstSeed});
+    boxes.push_back({"box", ball, ball, Eigen::Vector3d::Constant(half), options.runs, 150});
+    boxes.back().firstSeed = options.firstSeed;
   }
   std::vector<ConvergenceCase> points;
   points.reserve(beyond.size());
   for (const double y : beyond) {
-    points.push_back({"point",
-                      ball,
-                      {0.5, y, 0.15},
-                      Eigen::Vector3d::Zero(),
-                      options.runs,
-                      150,
-                      options.firstSeed});
+    points.push_back({"point", ball, {0.5, y, 0.15}, Eigen::Vector3d::Zero(), options.runs, 150});
+    points.back().firstSeed = options.firstSeed;
   }
   const auto boxShares = sharesOf(boxes, options, 0.0, 0.5);
   if (!boxShares) {
