@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <ostream>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -25,6 +26,11 @@ struct TableState {
   bool ended = false;                              ///< the end of the table is marked
   std::map<std::string, std::string> fingerprints; ///< by method
 };
+
+/// What a failing test calls it.
+inline void PrintTo(const TableState& table, std::ostream* stream) {
+  *stream << table.file << ": " << table.name;
+}
 
 /// Fills in what a line says; false when it says nothing of a state.
 inline bool readState(const std::string& line, TableState& table) {

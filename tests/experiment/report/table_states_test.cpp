@@ -2,6 +2,7 @@
 // Whether the tables of the documentation are of today's methods.
 #include "core/base/text_file.h"
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/studies/box_fingerprint.h"
 #include "core/experiment/studies/people_fingerprint.h"
 #include "core/experiment/suite/suite_fingerprint.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace dewpoint::tests {
 namespace {
@@ -46,15 +48,17 @@ std::vector<std::string> documentedMethods(const std::vector<std::string>& known
 
 TEST(TableStates, TablesAreOfTodaysMethods) {
   std::map<std::string, std::string> today;
-  const auto suite = documentedMethods(suiteMethods());
-  const auto people = documentedMethods(methodNames(TargetsFrom::Images));
-  if (!suite.empty()) {
-    const auto found = suiteFingerprints(suite);
-    ASSERT_TRUE(found) << sentence(found.error());
-    today.insert(found->begin(), found->end());
-  }
-  if (!people.empty()) {
-    const auto found = peopleFingerprints(people);
+  using Compute = Result<std::map<std::string, std::string>> (*)(const std::vector<std::string>&);
+  const std::vector<std::pair<std::vector<std::string>, Compute>> kinds{
+      {suiteMethods(), suiteFingerprints},
+      {methodNames(TargetsFrom::Box), boxFingerprints},
+      {methodNames(TargetsFrom::Images), peopleFingerprints}};
+  for (const auto& [known, compute] : kinds) {
+    const auto methods = documentedMethods(known);
+    if (methods.empty()) {
+      continue;
+    }
+    const auto found = compute(methods);
     ASSERT_TRUE(found) << sentence(found.error());
     today.insert(found->begin(), found->end());
   }
