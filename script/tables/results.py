@@ -61,7 +61,9 @@ class Results:
         self.folder = folder
         self.suite = read_rows(folder / "suite" / "runs.csv")
         report = folder / "suite" / "report.json"
-        self.requirements = json.loads(report.read_text())["bars"] if report.is_file() else []
+        found = json.loads(report.read_text()) if report.is_file() else {}
+        self.requirements = found.get("bars", [])
+        self.belief = found.get("belief", [])
         self.people = []
         for shard in sorted(shards, key=lambda shard: (shard.seeds, shard.name)):
             if shard.kind == "people":

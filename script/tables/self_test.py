@@ -199,6 +199,19 @@ class Tables(unittest.TestCase):
                                      ["inside", "92 to 98 %", "97.6 %", "4", "reached"],
                                      ["frames", "at most 2 frames", "never", "1", "**not reached**"]])
 
+    def test_requirements_of_grades_and_belief(self):
+        made = results_of(self.folder, suite__runs_csv=RUNS, suite__report_json="""{"bars": [
+            {"requirement": "inside", "grade": "room", "next_version": true, "scenario": "S4-desk-cloud", "unit": "%",
+             "low": 92.0, "high": 98.0, "runs": 72, "value": 14.0, "verdict": "not reached"}],
+            "belief": [{"grade": "room", "method": "triangulation", "figures": {"nees": {"median": 3, "worst": 4, "worst_scenario": "S0"}}},
+                       {"grade": "room", "method": "dewpoint", "figures": {
+                           "nees": {"median": 5.0, "worst": "inf", "worst_scenario": "S4-desk-cloud"},
+                           "coverage95_percent": {"median": null, "worst": null, "worst_scenario": ""}}}]}""")
+        self.assertEqual(tables.requirements(made).rows,
+                         [["inside", "room", "92 to 98 %", "14 % (`S4-desk-cloud`)", "72", "**not reached**, for the next version"]])
+        self.assertEqual(tables.belief(made).rows, [["room", "nees", "5", "never", "`S4-desk-cloud`"],
+                                                    ["room", "coverage95 percent", "-", "-", "-"]])
+
     def test_people(self):
         made = results_of(self.folder, **{"shards__people-crossing-different-1005001-2__runs_csv": """\
             scenario,clothes,method,seed,kept,mota,motp_m,hota,identity_switches,longest_ghost_s,longest_missed_s

@@ -168,13 +168,33 @@ def requirements(results):
             measured = float(measured)
         unit = f" {one['unit']}" if one["unit"] and measured is not None and math.isfinite(measured) else ""
         verdict = {"not reached": "**not reached**"}.get(one["verdict"], one["verdict"])
+        if one.get("next_version"):  # this version is measured against it, and may miss it
+            verdict += ", for the next version"
+        decides = f" ({name(one['scenario'])})" if one.get("scenario") else ""
         grade = [one["grade"]] if "grade" in one else []
-        table.append([one["requirement"], *grade, bound(one), number(measured) + unit, str(one["runs"]), verdict])
+        table.append([one["requirement"], *grade, bound(one), number(measured) + unit + decides, str(one["runs"]), verdict])
     graded = ["grade"] if any("grade" in one for one in results.requirements) else []
     rows = results.runs(method=OURS)
     # A requirement compares with triangulation.
     methods = [OURS] + [method for method in ("triangulation",) if results.runs(method=method)]
     return Made(["requirement", *graded, "must be", "measured", "runs", "verdict"], table, methods, seeds_of(rows))
+
+
+def exact(value):
+    """A number of JSON, where what is not finite is a text or nothing."""
+    return float(value) if isinstance(value, str) else value
+
+
+def belief(results):
+    """Whether the method knows how sure it may be, by grade: median over the scenarios, and the worst."""
+    table = []
+    for one in results.belief:
+        if one["method"] == OURS:
+            table += [[one["grade"], figure.replace("_", " "), number(exact(found["median"])),
+                       number(exact(found["worst"])), name(found["worst_scenario"]) if found["worst_scenario"] else "-"]
+                      for figure, found in one.get("figures", {}).items()]
+    return Made(["grade", "figure", "median of the scenarios", "worst", "in"], table, [OURS],
+                seeds_of(results.runs(method=OURS)))
 
 
 def smoothed(results):
@@ -326,6 +346,7 @@ def drift(results):
 # (page, name, how it is made)
 TABLES = (
     (ACCURACY, "requirements", requirements),
+    (ACCURACY, "belief", belief),
     (ACCURACY, "room", scenarios("room")),
     (ACCURACY, "peers-room", peers("room")),
     (ACCURACY, "wild", scenarios("wild")),
