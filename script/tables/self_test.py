@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of what script/figures is made of. Usage: self_test.py (tests/cli runs it)."""
+import importlib.machinery
+import importlib.util
 import os
 import pathlib
 import shutil
@@ -325,6 +327,26 @@ class WholeCommand(unittest.TestCase):
         self.assertIn("state `barrera` 0e000001.", made["drift"])
         self.assertIn("3.0x faster", made["people-speed"])
         self.assertEqual((ROOT / "docs" / "accuracy.md").read_text(), before, "--quick has changed a page")
+
+
+class SavedCosts(unittest.TestCase):
+    def test_measured_rows_stand_behind_the_estimates(self):
+        folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        file = folder / "costs.csv"
+        shutil.copy(HERE / "costs.csv", file)
+        loader = importlib.machinery.SourceFileLoader("figures", str(ROOT / "script" / "figures"))
+        figures = importlib.util.module_from_spec(importlib.util.spec_from_loader("figures", loader))
+        sys.modules["figures"] = figures  # its data classes look themselves up
+        loader.exec_module(figures)
+        rows = [("S0-slow", "room", "render", 2.0), ("S2-still", "room", "render", 4.0), ("people", "*", "run", 7.0)]
+        for _ in range(2):  # a second time replaces the first
+            figures.save_costs(rows, file)
+        costs = plans.Costs.read(file)
+        self.assertEqual([costs.of(scenario, "room", "render") for scenario in ("S0-slow", "S7-rates", "S4-desk-cloud")],
+                         [2.0, 3.0, 0.4])
+        self.assertEqual(costs.of("people", "-", "run"), 7.0)
+        self.assertEqual(file.read_text().count("S0-slow"), 1)
 
 
 if __name__ == "__main__":
