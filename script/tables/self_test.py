@@ -234,8 +234,8 @@ class Tables(unittest.TestCase):
             1005001,50,5,5.94
             """)
         found = tables.convergence(made)
-        self.assertEqual(found.rows, [["(0.4, 0.1, 0.2)", "(0.5, 0.5, 0.15)", "20 of 20", "16", "4.3 mm", "+1.0 mm"],
-                                      ["evenly spread, 4 x 4 x 2 m around (0.5, 0.5, 1)", "(0.5, 0.5, 0.15)",
+        self.assertEqual(found.rows, [["a, b", "(0.4, 0.1, 0.2)", "(0.5, 0.5, 0.15)", "20 of 20", "16", "4.3 mm", "+1.0 mm"],
+                                      ["c", "evenly spread, 4 x 4 x 2 m around (0.5, 0.5, 1)", "(0.5, 0.5, 0.15)",
                                        "0 of 20", "-", "-", "-"]])
         self.assertEqual(pages.seed_words(found.seeds), "1005001 to 1005020")
         self.assertEqual(tables.drift(made).rows, [["first 5", "50", "5.9 mm"]])

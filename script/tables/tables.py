@@ -316,13 +316,13 @@ def convergence(results):
     for row in results.convergence:
         found = int(row["converged"])
         near = [f"{int(row['within'])}"] if "within" in row else []
-        table.append([start_words(row), point(row, "ball"), f"{found} of {int(row['runs'])}", *near,
+        table.append([row["case"], start_words(row), point(row, "ball"), f"{found} of {int(row['runs'])}", *near,
                       number(row["median_iterations"]),
                       "-" if row["rmse_mm"] is None else f"{row['rmse_mm']:.1f} mm",
                       "-" if row["depth_bias_mm"] is None else f"{row['depth_bias_mm']:+.1f} mm"])
-    head = ["start", "ball", "converged", "iterations (median)", "RMSE", "bias in depth"]
+    head = ["case", "start", "ball", "converged", "iterations (median)", "RMSE", "bias in depth"]
     if results.convergence and "within" in results.convergence[0]:
-        head.insert(3, "of these within 3 cm")
+        head.insert(4, "of these within 3 cm")
     seeds = [int(row["first_seed"] + add) for row in results.convergence for add in (0, row["runs"] - 1)]
     return Made(head, table, ["barrera"], sorted(set(seeds)))
 
