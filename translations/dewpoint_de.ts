@@ -3684,8 +3684,8 @@ bei %4, %5, %6 m</translation>
         <translation>Experimente der Artikel</translation>
     </message>
     <message>
-        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
-        <translation>Wie viele Startzahlen, 1, 2, 3 und so weiter: Mehr dauern länger und sind sicherer</translation>
+        <source>How many seeds: more take longer and are surer</source>
+        <translation>Wie viele Startzahlen: Mehr dauern länger und sind sicherer</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>

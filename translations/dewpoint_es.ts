@@ -3684,8 +3684,8 @@ en %4, %5, %6 m</translation>
         <translation>Experimentos de los artículos</translation>
     </message>
     <message>
-        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
-        <translation>Cuántas semillas, 1, 2, 3, etc.: más tardan más y son más seguras</translation>
+        <source>How many seeds: more take longer and are surer</source>
+        <translation>Cuántas semillas: más tardan más y son más seguras</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>

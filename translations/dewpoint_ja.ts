@@ -3683,8 +3683,8 @@ at %4, %5, %6 m</source>
         <translation>論文の実験</translation>
     </message>
     <message>
-        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
-        <translation>シードの数(1、2、3…)。多いほど時間がかかり、確かになります</translation>
+        <source>How many seeds: more take longer and are surer</source>
+        <translation>シードの数。多いほど時間がかかり、確かになります</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/common.sh"
 
 expectExit 0 suite --help
-expectText out.txt --list --scenario --method --grade --seeds --first-seed --threads --out
+expectText out.txt --list --scenario --method --grade --seeds --first-seed --threads --out --merge
 expectExit 0 suite --list
 expectText out.txt S0-slow triangulation-kalman camshift barrera
 
@@ -29,6 +29,21 @@ cmp both/traces.csv parts/traces.csv || fail "resumed, its traces are others"
 before=$(md5sum parts/runs.csv)
 expectExit 0 suite "${few[@]}" --seeds 2 --out parts
 [[ $before == $(md5sum parts/runs.csv) ]] || fail "nothing was left to do, but the rows have changed"
+
+# Run apart and put together: the same.
+expectExit 0 suite "${few[@]}" --seeds 1 --out first
+expectExit 0 suite --scenario S0-slow --grade ideal --first-seed 2 --seeds 1 \
+  --method triangulation,camshift --out second
+before=$(md5sum first/runs.csv)
+expectExit 0 suite --merge first second --out merged
+cmp <(rows both/runs.csv) <(rows merged/runs.csv) || fail "merged, it gives something else"
+cmp both/traces.csv merged/traces.csv || fail "merged, its traces are others"
+[[ $before == $(md5sum first/runs.csv) ]] || fail "a folder that was merged has changed"
+expectText merged/report.json '"reporting_seeds": false'
+expectExit $kBadInput suite --merge first nowhere --out merged
+expectSentence nowhere
+[[ ! -e nowhere ]] || fail "a folder that is not there was made"
+expectExit $kUsage suite --merge first --seeds 2 --out merged
 
 expectExit $kUsage suite --out o --scenario S99
 expectSentence S99 --list

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of Barrera et al. 2005, section III, method barrera reproduces (docs/fidelity.md). The
 // seeds are fixed, so a run repeats exactly on one machine; the bounds leave room for what another
-// compiler's rounding does to single runs. "Measured" is `dewpoint-cli experiment convergence`:
-// 1500 runs per case. A run has converged when its cloud has (convergedFrom()); "within" counts
-// those of them that are then less than 3 cm from the ball.
+// compiler's rounding does to single runs. "Measured" is `dewpoint-cli experiment convergence
+// --seed 1`: 1500 runs per case. A run has converged when its cloud has (convergedFrom()); "within"
+// counts those of them that are then less than 3 cm from the ball.
 #include "app/wiring/open_project.h"
 #include "core/experiment/studies/convergence_study.h"
 #include "core/session/run/tracking_run.h"

@@ -6,6 +6,7 @@
 #include "core/experiment/baselines/baseline_methods.h"
 #include "core/experiment/clips/clip_catalog.h"
 #include "core/experiment/clips/real_scenarios.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/image_clip_run.h"
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace dewpoint::app {
@@ -30,6 +32,7 @@ struct SuiteOptions {
   std::uint64_t firstSeed = kFirstReportingSeed;
   int threads = 1;
   std::string folder;
+  std::vector<std::string> merged; ///< folders of which one is made
   ClipFolders clips{{}, "bench/clips"};
 };
 
@@ -150,6 +153,55 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
   return status;
 }
 
+/// The rows of the folder in the order of the report, and the report with its notes.
+Status writeReport(SuiteStore& store, const std::string& folder, const SuiteCatalog& catalog,
+                   const std::vector<std::string>& notes) {
+  const auto order = reportOrder(store.results(), catalog.scenarios);
+  return store.rewrite(order).and_then(
+      [&] { return writeSuiteReport(folder, store.results(), order, catalog.scenarios, notes); });
+}
+
+/// The sentences of the clips that are not there and have no runs, of results with real clips.
+std::vector<std::string> skippedOf(const SuiteResults& results, const SuiteCatalog& catalog) {
+  std::set<std::string> clips;
+  for (const auto& [key, result] : results) {
+    if (key.grade == Grade::Real) {
+      clips.insert(key.scenario);
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const SkippedClip& clip : catalog.skipped) {
+    if (!clips.empty() && !clips.contains(clip.name)) {
+      sentences.push_back(clip.sentence);
+    }
+  }
+  return sentences;
+}
+
+/// Makes the folder hold the runs of others, too.
+int mergeSuites(const SuiteOptions& options) {
+  SuiteResults all;
+  for (const std::string& folder : options.merged) {
+    const auto results = SuiteStore::read(folder);
+    if (!results) {
+      return report(results.error());
+    }
+    all.insert(results->begin(), results->end());
+  }
+  auto store = SuiteStore::open(options.folder);
+  if (!store) {
+    return report(store.error());
+  }
+  store->take(all);
+  const SuiteCatalog catalog = catalogOf(options);
+  const auto notes = skippedOf(store->results(), catalog);
+  if (const auto written = writeReport(*store, options.folder, catalog, notes); !written) {
+    return report(written.error());
+  }
+  fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
+  return kExitDone;
+}
+
 int runSuiteCommand(const SuiteOptions& options) {
   const SuiteCatalog catalog = catalogOf(options);
   const auto skipped = skippedOf(options, catalog);
@@ -168,11 +220,7 @@ int runSuiteCommand(const SuiteOptions& options) {
   catchInterruption();
   const auto jobs = planSuite(*request, store->results());
   const auto run = runJobs(jobs, options.threads, *store);
-  const auto order = reportOrder(store->results(), catalog.scenarios);
-  auto written = store->rewrite(order);
-  if (written) {
-    written = writeSuiteReport(options.folder, store->results(), order, catalog.scenarios, skipped);
-  }
+  const auto written = writeReport(*store, options.folder, catalog, skipped);
   if (!run) {
     return report(run.error());
   }
@@ -218,17 +266,25 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(1, 1000000));
   command
       ->add_option("--first-seed", options->firstSeed,
-                   fmt::format("First seed; below {} they are for tuning", kFirstReportingSeed))
+                   fmt::format("First seed; those from {} to {} are for reports",
+                               kFirstReportingSeed, kLastReportingSeed))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Runs at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--out", options->folder, "Folder to write, or to go on with");
+  command
+      ->add_option("--merge", options->merged,
+                   "Only put the runs of these folders into that of --out, and write its report")
+      ->excludes("--scenario", "--method", "--grade", "--seeds", "--first-seed", "--threads",
+                 "--list");
   command->callback([options, command, &exitCode] {
     if (options->list) {
       exitCode = listSuite(*options);
     } else if (options->folder.empty()) {
       throw CLI::RequiredError(command->get_option("--out")->get_name());
+    } else if (!options->merged.empty()) {
+      exitCode = mergeSuites(*options);
     } else {
       exitCode = runSuiteCommand(*options);
     }

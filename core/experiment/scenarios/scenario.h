@@ -107,7 +107,4 @@ struct ScenarioDeclaration {
 /// All scenarios, in the order of the report.
 const std::vector<ScenarioDeclaration>& scenarioCatalog();
 
-/// Seeds below are for tuning methods; reports use seeds from here on.
-inline constexpr std::uint64_t kFirstReportingSeed = 1004001;
-
 } // namespace dewpoint::experiment

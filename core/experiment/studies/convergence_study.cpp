@@ -175,13 +175,14 @@ ErrorSum errorsFrom(int iteration, const std::vector<Eigen::Vector3d>& means,
   return sum;
 }
 
-/// Runs with seeds 1, 2, ... and what they add up to.
+/// Runs with the case's seeds and what they add up to.
 Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
   ConvergenceResult result{setup};
   std::vector<double> iterations;
   ErrorSum all;
-  for (int run = 1; run <= setup.runs; ++run) {
-    const auto path = pathOfRun(trial, static_cast<std::uint64_t>(run), setup.iterations);
+  for (int run = 0; run < setup.runs; ++run) {
+    const std::uint64_t seed = setup.firstSeed + static_cast<std::uint64_t>(run);
+    const auto path = pathOfRun(trial, seed, setup.iterations);
     if (!path) {
       return tl::make_unexpected(path.error());
     }
@@ -203,10 +204,10 @@ Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
 
 /// Meters along the optical axis after each iteration, mean over the runs, starting on the ball.
 Result<std::vector<double>> driftOf(const Eigen::Vector3d& start, Trial& trial, int runs,
-                                    int iterations) {
+                                    int iterations, std::uint64_t firstSeed) {
   std::vector<double> moved(static_cast<std::size_t>(iterations), 0.0);
-  for (int run = 1; run <= runs; ++run) {
-    const auto path = pathOfRun(trial, static_cast<std::uint64_t>(run), iterations);
+  for (int run = 0; run < runs; ++run) {
+    const auto path = pathOfRun(trial, firstSeed + static_cast<std::uint64_t>(run), iterations);
     if (!path) {
       return tl::make_unexpected(path.error());
     }
@@ -228,7 +229,7 @@ std::optional<int> convergedFrom(std::span<const double> spreads, double motionS
   return begin == spreads.size() ? std::nullopt : std::optional(static_cast<int>(begin) + 1);
 }
 
-std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
+std::vector<ConvergenceCase> barreraConvergenceCases(int runs, std::uint64_t firstSeed) {
   const Eigen::Vector3d near(0.5, 0.5, 0.15);
   const Eigen::Vector3d far(0.8, 0.7, 0.15);
   const Eigen::Vector3d aside(0.7, 0.75, 0.15); // just outside camera 2's image in the demo's rig
@@ -237,14 +238,14 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
   for (Camera& camera : atTheBall) {
     camera = lookingAt(camera, meterAway);
   }
-  return {
+  std::vector<ConvergenceCase> cases{
       {"paper start, ball at 0.5 0.5 0.15", near, kPaperStart, Eigen::Vector3d::Zero(), runs, 150},
       {"paper start, ball at 0.8 0.7 0.15", far, kPaperStart, Eigen::Vector3d::Zero(), runs, 150},
       {"paper start, ball at 0.7 0.75 0.15", aside, kPaperStart, Eigen::Vector3d::Zero(), runs,
        150},
       {"paper start, ball at 0.6 1.05 0.15, cameras at it", meterAway, kPaperStart,
        Eigen::Vector3d::Zero(), runs, 150, atTheBall, false},
-      figure3Case(runs),
+      figure3Case(runs, firstSeed),
       {"start beyond the ball, 0.5 0.9 0.15",
        near,
        {0.5, 0.9, 0.15},
@@ -254,9 +255,13 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
       {"uniform start, desk 1 x 1 x 0.5 m", near, {0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}, runs, 150},
       {"uniform start, room 4 x 4 x 2 m", near, {0.5, 0.5, 1.0}, {2.0, 2.0, 1.0}, runs, 150},
   };
+  for (ConvergenceCase& one : cases) {
+    one.firstSeed = firstSeed;
+  }
+  return cases;
 }
 
-ConvergenceCase figure3Case(int runs) {
+ConvergenceCase figure3Case(int runs, std::uint64_t firstSeed) {
   ConvergenceCase setup{"paper start, figure 3: ball at 0.3 1.1 0.15",
                         {0.3, 1.1, 0.15},
                         kPaperStart,
@@ -268,6 +273,7 @@ ConvergenceCase figure3Case(int runs) {
   setup.cameras[0] = lookingAt(setup.cameras[0], {0.0, 1.0, 0.15});
   setup.cameras[1] = lookingAt(setup.cameras[1], setup.ball);
   setup.clutter = false;
+  setup.firstSeed = firstSeed;
   return setup;
 }
 
@@ -284,18 +290,18 @@ Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
   });
 }
 
-Result<std::vector<double>> driftCurve(int runs, int iterations) {
+Result<std::vector<double>> driftCurve(int runs, int iterations, std::uint64_t firstSeed) {
   ConvergenceCase setup;
   setup.ball = {0.5, 0.5, 0.15};
   setup.start = setup.ball;
   setup.cameras.resize(1);
   return prepare(stillScene(setup), setup).and_then([&](Trial trial) {
-    return driftOf(setup.start, trial, runs, iterations);
+    return driftOf(setup.start, trial, runs, iterations, firstSeed);
   });
 }
 
-Result<double> measureDrift(int runs, int iterations) {
-  return driftCurve(runs, iterations).map([&](const std::vector<double>& moved) {
+Result<double> measureDrift(int runs, int iterations, std::uint64_t firstSeed) {
+  return driftCurve(runs, iterations, firstSeed).map([&](const std::vector<double>& moved) {
     return moved.back() / iterations;
   });
 }

@@ -5,6 +5,7 @@
 #include "core/base/random.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/convergence_study.h"
 
 #include <fmt/format.h>
@@ -38,10 +39,11 @@ double coneSlope(const Camera& camera) {
 }
 
 /// The cloud of a run with camera 1 alone that starts on the ball, after some iterations.
-Result<std::map<int, Eigen::ArrayXXd>> cloudsOfOneCamera(const ConvergenceCase& setup) {
+Result<std::map<int, Eigen::ArrayXXd>> cloudsOfOneCamera(const ConvergenceCase& setup,
+                                                         std::uint64_t seed) {
   std::map<int, Eigen::ArrayXXd> clouds;
   return watchConvergence(
-             setup, 1,
+             setup, seed,
              [&](int iteration, const TrackingRun& run, const SphereEstimate& estimate) {
                if (std::ranges::find(kConeInstants, iteration) != kConeInstants.end()) {
                  Eigen::ArrayXd weights;
@@ -172,7 +174,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
   setup.start = kBall;
   setup.iterations = kConeInstants.back();
   setup.cameras.resize(1);
-  const auto clouds = cloudsOfOneCamera(setup);
+  const auto clouds = cloudsOfOneCamera(setup, options.firstSeed);
   if (!clouds) {
     return tl::make_unexpected(clouds.error());
   }
@@ -193,6 +195,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
         "the motion model draws it: the chance that it is still in the cone",
         stay}},
       stayLegend);
+  page.paragraph("Seeds of the clouds: " + seedSentence(options.firstSeed, 1) + ".");
   judgeCone(curves, page);
   std::vector<std::vector<double>> columns{curves.steps};
   columns.insert(columns.end(), curves.shares.begin(), curves.shares.end());
@@ -203,7 +206,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
 
 Status barreraDrift(const ExperimentOptions& options) {
   constexpr int kIterations = 60;
-  const auto moved = driftCurve(options.runs, kIterations);
+  const auto moved = driftCurve(options.runs, kIterations, options.firstSeed);
   if (!moved) {
     return tl::make_unexpected(moved.error());
   }
@@ -217,6 +220,7 @@ Status barreraDrift(const ExperimentOptions& options) {
   plot.y = {"moved away, m", 0.0, 1.1 * std::max(0.01, std::ranges::max(*moved)), false};
   plot.series.push_back(lineOver("m0", *moved, 1.0));
   page.plots({{"Movement away from camera 1", plot}});
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
   page.heading("What the paper says");
   page.claim("The particles move away from the camera along its optical axis, systematically.",
              moved->back() > 0.05,
@@ -286,11 +290,13 @@ Status barreraStarts(const ExperimentOptions& options) {
   boxes.reserve(halves.size());
   for (const double half : halves) {
     boxes.push_back({"box", kBall, kBall, Eigen::Vector3d::Constant(half), options.runs, 150});
+    boxes.back().firstSeed = options.firstSeed;
   }
   std::vector<ConvergenceCase> points;
   points.reserve(beyond.size());
   for (const double y : beyond) {
     points.push_back({"point", kBall, {0.5, y, 0.15}, Eigen::Vector3d::Zero(), options.runs, 150});
+    points.back().firstSeed = options.firstSeed;
   }
   const auto boxShares = sharesOf(boxes, options, 0.0, 0.5);
   if (!boxShares) {
@@ -311,6 +317,7 @@ Status barreraStarts(const ExperimentOptions& options) {
               {"From one point (0.5, y, 0.15), at and beyond the ball",
                sharePlot("y, m", beyond, *pointShares)}},
              {{"m0", "the cloud has converged"}, {"m1", "and is within 3 cm of the ball"}});
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
   page.heading("What the paper says");
   page.claim("From random starts it does not converge at all.", claimOfNone(boxShares->converged),
              fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "

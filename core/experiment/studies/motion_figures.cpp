@@ -3,6 +3,7 @@
 
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
 #include "core/session/run/frame_loop.h"
@@ -39,12 +40,12 @@ struct MotionFrame {
   LikelihoodMap map; ///< log D; of the pictured frame only
 };
 
-Result<TrackingRun> runOn(const OfficeScene& scene) {
+Result<TrackingRun> runOn(const OfficeScene& scene, std::uint64_t seed) {
   RunDefinition definition;
   definition.method = kMethod;
   definition.parameters = ParameterValues(methodParameters(kMethod));
   definition.rig = std::make_shared<const CameraRig>(scene.cameras);
-  definition.seed = 1;
+  definition.seed = seed;
   return TrackingRun::create(std::make_shared<const RunDefinition>(std::move(definition)), 1);
 }
 
@@ -71,7 +72,7 @@ FrameSetPtr renderedFrame(const OfficeRenderer& renderer, std::int64_t frame, cv
 Result<std::map<std::int64_t, MotionFrame>> motionFrames(const OfficeRenderer& renderer,
                                                          std::int64_t pictured,
                                                          const ExperimentOptions& options) {
-  auto run = runOn(renderer.scene());
+  auto run = runOn(renderer.scene(), options.firstSeed);
   if (!run) {
     return tl::make_unexpected(run.error());
   }
@@ -264,7 +265,7 @@ MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people) {
 }
 
 Status mohedanoMotionFigures(const ExperimentOptions& options) {
-  const auto scenario = makePeopleScenario("crossing", PeopleClothes::Different, 1);
+  const auto scenario = makePeopleScenario("crossing", PeopleClothes::Different, options.firstSeed);
   if (!scenario) {
     return tl::make_unexpected(scenario.error());
   }
@@ -282,9 +283,10 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
     return failure(ErrorCode::EndedEarly, "", "scenario", "the method still learns when they meet");
   }
   FigurePage page("Motion masks and motion likelihood (figures 1 and 3)",
-                  "Two people cross in the simulated office, in different clothes (seed 1); camera "
-                  "1, method mohedano-ms with its defaults: MOG2 of OpenCV, sigma 4 pixels, p_B "
+                  "Two people cross in the simulated office, in different clothes; camera 1, "
+                  "method mohedano-ms with its defaults: MOG2 of OpenCV, sigma 4 pixels, p_B "
                   "0.2.");
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
   const MotionFrame& shown = middle->second;
   page.photo(
       "figure-1",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment/metrics/track_frame.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
 #include "core/experiment/studies/person_tally.h"
@@ -51,7 +52,7 @@ struct PeopleStudySetup {
   std::string scenario;
   PeopleClothes clothes = PeopleClothes::Different;
   std::vector<std::string> methods = methodNames(TargetsFrom::Images); ///< they find people
-  std::uint64_t seed = 1;
+  std::uint64_t seed = kFirstTuningSeed;
   /// Values that differ from the defaults, for the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
   bool pictures = false; ///< draw the instants of tellingInstants()

@@ -5,6 +5,7 @@
 #include "core/base/text_file.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/report_style.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/sugandi_pictures.h"
 #include "core/experiment/studies/sugandi_study.h"
 #include "core/trajectory/csv_text.h"
@@ -30,6 +31,10 @@ constexpr const char* kRemarks[] = {
     "repeated, only the trend. It gives neither the noise of the motion nor sigma.",
     "Curves, frames and histograms are of the first seed; tracks.csv and histograms.csv have their "
     "numbers. Bins are numbered 64 r + 8 g + b, with r, g and b from 0 to 7."};
+
+std::string seedRemark(const BoxStudy& study) {
+  return "Seeds of our methods: " + seedSentence(study.firstSeed, study.seeds) + ".";
+}
 
 std::string starred(const BoxRow& row) {
   return row.clip + (row.exactBoxes ? "" : " *");
@@ -159,6 +164,7 @@ std::string boxStudyText(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("{}\n", remark);
   }
+  text += fmt::format("{}\n", seedRemark(study));
   return study.perturbed.empty() ? text : text + perturbationText(study.perturbed);
 }
 
@@ -188,6 +194,7 @@ std::string boxStudyHtml(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("<p>{}</p>", escaped(remark));
   }
+  text += fmt::format("<p>{}</p>", escaped(seedRemark(study)));
   return text + "\n</main></body></html>\n";
 }
 

@@ -65,7 +65,7 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollow
 }
 
 Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
-                       const Contender& contender, int seeds) {
+                       const Contender& contender, int seeds, std::uint64_t firstSeed) {
   BoxRow row;
   row.clip = clip.name;
   row.method = contender.shown();
@@ -73,8 +73,8 @@ Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
   row.exactBoxes = clip.exactBoxes;
   row.seeds = row.ours ? seeds : 1;
   row.worstPrecision = 1.0;
-  for (int seed = 1; seed <= row.seeds; ++seed) {
-    auto follower = make(contender, static_cast<std::uint64_t>(seed));
+  for (int k = 0; k < row.seeds; ++k) {
+    auto follower = make(contender, firstSeed + static_cast<std::uint64_t>(k));
     if (!follower) {
       return tl::make_unexpected(follower.error());
     }
@@ -155,15 +155,18 @@ BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& im
 } // namespace
 
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
-                            const std::function<bool(const BoxRow&)>& report) {
+                            const std::function<bool(const BoxRow&)>& report,
+                            std::uint64_t firstSeed) {
   BoxStudy study;
+  study.firstSeed = firstSeed;
+  study.seeds = seeds;
   for (const BoxClip& clip : clips) {
     const auto images = imagesOf(clip);
     if (!images) {
       return tl::make_unexpected(images.error());
     }
     for (const Contender& contender : contenders()) {
-      auto row = measure(clip, *images, contender, seeds);
+      auto row = measure(clip, *images, contender, seeds, firstSeed);
       if (!row) {
         return tl::make_unexpected(row.error());
       }

@@ -2,6 +2,7 @@
 #include "core/experiment/suite/suite_page.h"
 
 #include "core/experiment/report/report_style.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/suite_figures.h"
 #include "core/experiment/suite/suite_tables.h"
 
@@ -51,15 +52,15 @@ std::string head(const SuiteReport& report) {
   for (const SuiteCell& cell : report.cells) {
     runs += cell.runs.size();
   }
-  const bool quotable = !report.seeds.empty() && report.seeds.front() >= kFirstReportingSeed;
+  const bool quotable = areReportingSeeds(report.seeds);
   const std::string seeds = escaped(seedSentence(report.seeds));
   return fmt::format("<header><h1>Dewpoint accuracy suite</h1><p class='meta'>Version {} · {} runs "
                      "· seeds {}</p>{}</header>",
                      DEWPOINT_VERSION, runs, seeds,
                      quotable ? std::string()
-                              : fmt::format("<p class='note'>Seeds {}. Seeds from {} on are for "
+                              : fmt::format("<p class='note'>Seeds {}. Seeds {} to {} are for "
                                             "reporting.</p>",
-                                            seeds, kFirstReportingSeed));
+                                            seeds, kFirstReportingSeed, kLastReportingSeed));
 }
 
 /// What the report lacks, and why: clips whose recordings are not there.
@@ -268,8 +269,7 @@ std::string reportHtml(const SuiteReport& report) {
          "suite</title><style>" +
          reportStyle() + "</style></head>\n<body><main>\n" + head(report) + notesOf(report) +
          links(report) + requirements(report) + belief(report) + overview(report) +
-         scenarioRows(report) +
-         explanation() + "\n</main></body></html>\n";
+         scenarioRows(report) + explanation() + "\n</main></body></html>\n";
 }
 
 } // namespace dewpoint::experiment

@@ -2,6 +2,7 @@
 #include "core/experiment/suite/suite_report.h"
 
 #include "core/base/text_file.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/suite_page.h"
 
 #include <fmt/format.h>
@@ -87,20 +88,6 @@ std::string csvNumber(double value) {
 
 } // namespace
 
-std::string seedSentence(const std::vector<std::uint64_t>& seeds) {
-  if (seeds.empty()) {
-    return "none";
-  }
-  const std::string range =
-      fmt::format("{} to {}, {} in all", seeds.front(), seeds.back(), seeds.size());
-  if (seeds.front() >= kFirstReportingSeed) {
-    return range + ": reporting seeds, on which no method was tuned";
-  }
-  return range + (seeds.back() < kFirstReportingSeed
-                      ? ": TUNING seeds, not to be quoted as results"
-                      : ": tuning and reporting seeds mixed, not to be quoted as results");
-}
-
 std::string summaryCsv(const SuiteReport& report) {
   std::string text = "scenario,grade,method,runs,median_rmse_mm,median_rmse_low_mm,"
                      "median_rmse_high_mm,pooled_p95_mm,pooled_p95_low_mm,pooled_p95_high_mm,"
@@ -143,6 +130,7 @@ std::string reportJson(const SuiteReport& report) {
   json["version"] = DEWPOINT_VERSION;
   json["seeds"] = report.seeds;
   json["seeds_sentence"] = seedSentence(report.seeds);
+  json["reporting_seeds"] = areReportingSeeds(report.seeds);
   json["notes"] = report.notes;
   json["bars"] = Json::array();
   for (const BarResult& result : report.bars) {

@@ -23,9 +23,6 @@ struct SuiteReport {
   std::vector<std::string> notes;   ///< sentences about what is missing
 };
 
-/// "1000001 to 1000020 (reporting)", or that some or all are for tuning.
-std::string seedSentence(const std::vector<std::uint64_t>& seeds);
-
 std::string summaryCsv(const SuiteReport& report);
 /// One line per grade, method and figure of belief: its median over the scenarios, and the worst of
 /// them by name.

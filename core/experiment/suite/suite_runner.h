@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/experiment/suite/suite_store.h"
 

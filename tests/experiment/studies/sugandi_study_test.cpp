@@ -131,7 +131,7 @@ double sugandiRmse(const BoxClip& clip, const std::vector<cv::Mat>& images, int 
 TEST(SugandiStudy, AHundredParticlesAreWorseThanThreeHundred) {
   // The paper: 6.48 px with 100 particles, 2.28 px with 300. Measured on the rendered clip, five
   // seeds: 12.2 and 4.3 px; on four other clips, ten seeds each: 9.6 to 15.0 and 4.1 to 4.2 px.
-  const BoxClip clip = simulatedBoxClip(5001); // the seed of `experiment sugandi-rmse`
+  const BoxClip clip = simulatedBoxClip(5001); // of the tables in docs/method-sugandi.md
   const auto images = imagesOf(clip);
   ASSERT_TRUE(images);
   const double few = sugandiRmse(clip, *images, 100, 5);

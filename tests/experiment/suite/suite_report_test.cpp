@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/suite_report.h"
 #include "tests/capture/temporary_folder.h"
 #include "tests/experiment/suite/suite_results.h"

@@ -192,6 +192,36 @@ TEST(SuiteStore, GoesOnAfterATruncatedLine) {
   EXPECT_TRUE(contents(file).starts_with(rowHeader() + "\nS0-slow,ideal,barrera,1,"));
 }
 
+TEST(SuiteStore, TakesTheResultsOfOtherFolders) {
+  const test::TemporaryFolder folder;
+  const auto catalog = smallCatalog();
+  auto request = requestFor(catalog);
+  request.seeds = 1;
+  for (const std::uint64_t seed : {1U, 2U}) {
+    request.firstSeed = seed;
+    auto store = SuiteStore::open(folder / std::to_string(seed));
+    ASSERT_TRUE(store.has_value());
+    const auto sink = [&](const SuiteResult& result) { return store->append(result); };
+    ASSERT_TRUE(runSuite(planSuite(request, {}), 1, sink, kGoOn));
+  }
+  const std::string before = contents(folder / "1/runs.csv");
+  auto merged = SuiteStore::open(folder / "merged");
+  ASSERT_TRUE(merged.has_value());
+  for (const char* name : {"1", "2", "1"}) { // the same once more changes nothing
+    const auto results = SuiteStore::read(folder / name);
+    ASSERT_TRUE(results.has_value());
+    EXPECT_EQ(results->size(), 6U) << "three scenarios, two methods";
+    merged->take(*results);
+  }
+  ASSERT_TRUE(merged->rewrite(reportOrder(merged->results(), catalog)));
+  EXPECT_EQ(SuiteStore::read(folder / "merged")->size(), 12U);
+  EXPECT_EQ(contents(folder / "1/runs.csv"), before);
+  const auto missing = SuiteStore::read(folder / "nowhere");
+  ASSERT_FALSE(missing.has_value());
+  EXPECT_EQ(missing.error().code, ErrorCode::FileMissing);
+  EXPECT_FALSE(std::filesystem::exists(folder / "nowhere"));
+}
+
 TEST(SuiteStore, RefusesFilesOfAnotherVersion) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "runs.csv") << "scenario,other\n1,2\n";
