@@ -13,7 +13,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr int kParticles = 300; ///< as in the study of boxes
+constexpr int kFingerprintParticles = 300; ///< as in the study of boxes
 constexpr std::int64_t kImages = 30;
 constexpr double kPixelStep = 0.01;
 
@@ -54,7 +54,7 @@ boxFingerprints(const std::vector<std::string>& methods) {
     if (std::ranges::find(known, method) == known.end()) {
       return failure(ErrorCode::NotFound, "", "--method", method);
     }
-    auto follower = makeBoxFollower(method, kParticles, kFirstTuningSeed);
+    auto follower = makeBoxFollower(method, kFingerprintParticles, kFirstTuningSeed);
     if (!follower) {
       return tl::make_unexpected(follower.error());
     }
