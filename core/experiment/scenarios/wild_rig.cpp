@@ -22,14 +22,14 @@ constexpr double kWithin = 1.75;
 constexpr double kLeastHeight = 0.06;
 
 /// What the cameras of a rig look at, and what they look for.
-struct Volume {
+struct RigVolume {
   Eigen::Vector3d middle;
   Eigen::Vector2d room;  ///< middle of the walls
   double radius = 0.035; ///< usual radius of the targets
   double size = 1.0;     ///< of all distances, relative to a desk
 };
 
-Volume volumeOf(simulation::Furnishing furnishing) {
+RigVolume volumeOf(simulation::Furnishing furnishing) {
   if (furnishing == simulation::Furnishing::Hall) {
     return {{0.0, 0.0, 0.9}, {0.0, 0.0}, 0.10, 4.0};
   }
@@ -37,11 +37,11 @@ Volume volumeOf(simulation::Furnishing furnishing) {
 }
 
 /// Pixels across of a target in the middle.
-double targetPixels(const Camera& camera, const Volume& volume) {
+double targetPixels(const Camera& camera, const RigVolume& volume) {
   return 2.0 * volume.radius * camera.intrinsics.focalX / (camera.center() - volume.middle).norm();
 }
 
-Camera movedCamera(Camera camera, const Volume& volume, Draws& draws) {
+Camera movedCamera(Camera camera, const RigVolume& volume, Draws& draws) {
   constexpr double kAround = 0.3;
   constexpr double kRoll = 0.15;
   constexpr double kAim = 0.02;    // meters at a desk
@@ -80,7 +80,7 @@ void setSize(Intrinsics& k, double resolution, double focal) {
 
 WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt,
                 Draws& draws) {
-  const Volume volume = volumeOf(furnishing);
+  const RigVolume volume = volumeOf(furnishing);
   WildRig result;
   for (const Camera& camera : rig) {
     result.rig.push_back(movedCamera(camera, volume, draws));
