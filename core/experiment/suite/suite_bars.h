@@ -33,9 +33,9 @@ const std::vector<SuiteBar>& suiteBars();
 
 struct BarResult {
   const SuiteBar* bar = nullptr;
-  std::size_t runs = 0; ///< 0: not measured
-  double value = 0.0;   ///< NaN where the runs have no such figure
-  std::string scenario; ///< the one that decides the value, where it is one alone
+  std::size_t runs = 0;      ///< 0: not measured
+  double value = 0.0;        ///< NaN where the runs have no such figure
+  std::string scenario = {}; ///< the one that decides the value, where it is one alone
   bool measured() const;
   bool reached() const;
   double shortfall() const; ///< how far outside [low, high], 0 inside
