@@ -34,8 +34,10 @@ Status checkSizes(const CalibratedClip& clip, const FrameSet& set) {
 }
 
 Result<Target> learnedTarget(const ClipTarget& target, ClipFrames& frames) {
+  const FrameSetPtr set = frames.at(target.click.frame);
   std::vector<cv::Mat> images;
-  for (const FramePtr& frame : frames.at(target.click.frame)->frames) {
+  images.reserve(set->frames.size());
+  for (const FramePtr& frame : set->frames) {
     images.push_back(frame ? frame->image : cv::Mat());
   }
   auto sample = takeSample(images.at(static_cast<std::size_t>(target.click.camera)), target.click);
