@@ -328,6 +328,14 @@
         <translation>Zeigen, für wie wahrscheinlich die Kameras jeden Ort um das Ziel halten und welche Orte erwogen wurden</translation>
     </message>
     <message>
+        <source>Show best particle</source>
+        <translation>Bestes Partikel zeigen</translation>
+    </message>
+    <message>
+        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <translation>Das Partikel mit dem höchsten Gewicht (MAP) jedes Ziels in allen Ansichten mit einem Dreieck markieren</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>Kurven</translation>
     </message>
@@ -937,6 +945,14 @@
         <translation>Barrera et al. 2005, Abschnitt III-B: Mit einer Kamera entfernt sich die Wolke von ihr.</translation>
     </message>
     <message>
+        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
+        <translation>Barrera et al. 2005, Abbildung 5: wo eine Kamera allein die Farbe findet und warum sich die Wolke von ihr entfernt.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
+        <translation>Mohedano et al. 2009, Abbildungen 1 und 3: was sich in den Bildern einer Kamera bewegt, in Stücken, und für wie wahrscheinlich das eine Person an jedem Pixel macht.</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>Abdrift entlang der optischen Achse</translation>
     </message>
@@ -959,6 +975,14 @@
     <message>
         <source>The cloud on its way</source>
         <translation>Die Wolke unterwegs</translation>
+    </message>
+    <message>
+        <source>Motion masks and motion likelihood</source>
+        <translation>Bewegungsmasken und Bewegungswahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>The cone of one camera</source>
+        <translation>Der Kegel einer Kamera</translation>
     </message>
     <message>
         <source>Where the cloud may start</source>
@@ -1203,8 +1227,8 @@
         <translation>Mehrere Personen nach Bewegung und Farbe, jede mit eigenem Filter (Mohedano u. a. 2009, MS+C): hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
-        <translation>Mehrere Personen nur nach Bewegung (Mohedano u. a. 2009, MS): erfasst ganze Körper, verwechselt aber Personen, die sich nahe kommen.</translation>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
+        <translation>Mehrere Personen nur nach Bewegung (Mohedano u. a. 2009, MS): erfasst mehr vom Körper als MS+C, verwechselt aber Personen, die sich nahe kommen.</translation>
     </message>
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
@@ -3660,8 +3684,8 @@ bei %4, %5, %6 m</translation>
         <translation>Experimente der Artikel</translation>
     </message>
     <message>
-        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
-        <translation>Wie viele Startzahlen, 1, 2, 3 und so weiter: Mehr dauern länger und sind sicherer</translation>
+        <source>How many seeds: more take longer and are surer</source>
+        <translation>Wie viele Startzahlen: Mehr dauern länger und sind sicherer</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>
@@ -4204,6 +4228,17 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>before</source>
         <translation>vorher</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::HistogramView</name>
+    <message>
+        <source>Colors of the box</source>
+        <translation>Farben des Rahmens</translation>
+    </message>
+    <message>
+        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <translation>Farbhistogramme des Rahmens: leere Balken, wie er angegeben wurde, gefüllte Balken, wie er jetzt ist. Gezeigt werden die größten von 512 Klassen, jede in ihrer Farbe.</translation>
     </message>
 </context>
 <context>

@@ -328,6 +328,14 @@
         <translation>Mostrar lo probable que es para las cámaras cada lugar alrededor del objetivo y qué lugares se consideraron</translation>
     </message>
     <message>
+        <source>Show best particle</source>
+        <translation>Mostrar la mejor partícula</translation>
+    </message>
+    <message>
+        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <translation>Marcar con un triángulo, en todas las vistas, la partícula de mayor peso (MAP) de cada objetivo</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>Gráficos</translation>
     </message>
@@ -937,6 +945,14 @@
         <translation>Barrera et al. 2005, sección III-B: con una cámara la nube se aleja de ella.</translation>
     </message>
     <message>
+        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
+        <translation>Barrera et al. 2005, figura 5: dónde encuentra el color una sola cámara y por qué la nube se aleja de ella.</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
+        <translation>Mohedano et al. 2009, figuras 1 y 3: lo que se mueve en las imágenes de una cámara, a trozos, y lo probable que hace eso a una persona en cada píxel.</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>Deriva a lo largo del eje óptico</translation>
     </message>
@@ -959,6 +975,14 @@
     <message>
         <source>The cloud on its way</source>
         <translation>La nube en camino</translation>
+    </message>
+    <message>
+        <source>Motion masks and motion likelihood</source>
+        <translation>Máscaras de movimiento y verosimilitud del movimiento</translation>
+    </message>
+    <message>
+        <source>The cone of one camera</source>
+        <translation>El cono de una cámara</translation>
     </message>
     <message>
         <source>Where the cloud may start</source>
@@ -1203,8 +1227,8 @@
         <translation>Varias personas por movimiento y color, cada una con su propio filtro (Mohedano et al. 2009, MS+C): las distingue cuando su ropa es distinta.</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
-        <translation>Varias personas solo por movimiento (Mohedano et al. 2009, MS): abarca cuerpos enteros, pero confunde a quienes se acercan.</translation>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
+        <translation>Varias personas solo por movimiento (Mohedano et al. 2009, MS): abarca más del cuerpo que MS+C, pero confunde a quienes se acercan.</translation>
     </message>
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
@@ -3660,8 +3684,8 @@ en %4, %5, %6 m</translation>
         <translation>Experimentos de los artículos</translation>
     </message>
     <message>
-        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
-        <translation>Cuántas semillas, 1, 2, 3, etc.: más tardan más y son más seguras</translation>
+        <source>How many seeds: more take longer and are surer</source>
+        <translation>Cuántas semillas: más tardan más y son más seguras</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>
@@ -4204,6 +4228,17 @@ en %4, %5, %6 m</translation>
     <message>
         <source>before</source>
         <translation>antes</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::HistogramView</name>
+    <message>
+        <source>Colors of the box</source>
+        <translation>Colores del recuadro</translation>
+    </message>
+    <message>
+        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <translation>Histogramas de color del recuadro: barras huecas, como se indicó; barras llenas, como es ahora. Se muestran las mayores de 512 clases, cada una en su color.</translation>
     </message>
 </context>
 <context>

@@ -328,6 +328,14 @@
         <translation>ターゲットの周囲の各位置をカメラがどれだけ確からしいと見るか、どの位置が候補になったかを表示します</translation>
     </message>
     <message>
+        <source>Show best particle</source>
+        <translation>最良のパーティクルを表示</translation>
+    </message>
+    <message>
+        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <translation>各ターゲットの重みが最大のパーティクル(MAP)を、すべてのビューで三角形で示します</translation>
+    </message>
+    <message>
         <source>Plots</source>
         <translation>グラフ</translation>
     </message>
@@ -937,6 +945,14 @@
         <translation>Barrera ら 2005、III-B節:カメラ1台では雲がそこから遠ざかります。</translation>
     </message>
     <message>
+        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
+        <translation>Barrera ら 2005、図5:カメラ1台だけで色が見つかる範囲と、雲がそこから遠ざかる理由。</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
+        <translation>Mohedano ら 2009、図1と図3:カメラの画像で動く部分(断片的)と、それによる各画素での人物の確からしさ。</translation>
+    </message>
+    <message>
         <source>Drift along the optical axis</source>
         <translation>光軸方向のドリフト</translation>
     </message>
@@ -959,6 +975,14 @@
     <message>
         <source>The cloud on its way</source>
         <translation>移動中の雲</translation>
+    </message>
+    <message>
+        <source>Motion masks and motion likelihood</source>
+        <translation>動きのマスクと動きの尤度</translation>
+    </message>
+    <message>
+        <source>The cone of one camera</source>
+        <translation>カメラ1台の円錐</translation>
     </message>
     <message>
         <source>Where the cloud may start</source>
@@ -1203,8 +1227,8 @@
         <translation>動きと色による複数の人物、それぞれ独立したフィルター（Mohedano ら 2009、MS+C）：服が異なれば区別できます。</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but confuses people who come close.</source>
-        <translation>動きだけによる複数の人物（Mohedano ら 2009、MS）：体全体を捉えますが、近づいた人を取り違えます。</translation>
+        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
+        <translation>動きだけによる複数の人物（Mohedano ら 2009、MS）：MS+C より体の広い範囲を捉えますが、近づいた人を取り違えます。</translation>
     </message>
     <message>
         <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
@@ -3659,8 +3683,8 @@ at %4, %5, %6 m</source>
         <translation>論文の実験</translation>
     </message>
     <message>
-        <source>How many seeds, 1, 2, 3 and so on: more take longer and are surer</source>
-        <translation>シードの数(1、2、3…)。多いほど時間がかかり、確かになります</translation>
+        <source>How many seeds: more take longer and are surer</source>
+        <translation>シードの数。多いほど時間がかかり、確かになります</translation>
     </message>
     <message>
         <source>The report, its pictures and its numbers go there</source>
@@ -4202,6 +4226,17 @@ at %4, %5, %6 m</source>
     <message>
         <source>before</source>
         <translation>前</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::HistogramView</name>
+    <message>
+        <source>Colors of the box</source>
+        <translation>枠の色</translation>
+    </message>
+    <message>
+        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <translation>枠の色ヒストグラム：中空の棒は指定時、塗りつぶした棒は現在です。512個のビンのうち大きいものを、それぞれの色で表示します。</translation>
     </message>
 </context>
 <context>

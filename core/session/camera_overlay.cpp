@@ -81,6 +81,9 @@ CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
     overlay.estimate = projector.project(position->mean);
     overlay.ellipse = projectedEllipse(projector, position->mean, position->covariance);
   }
+  if (const auto best = bestParticleOf(target.estimate)) {
+    overlay.best = projector.project(*best);
+  }
   if (target.truth) {
     overlay.truth = projector.project(*target.truth);
   }

@@ -2,6 +2,7 @@
 #include "core/session/snapshot_builder.h"
 
 #include "core/color/match_image.h"
+#include "core/observation/boxes/box_histogram.h"
 #include "core/session/box_counterparts.h"
 
 #include <opencv2/imgproc.hpp>
@@ -82,6 +83,27 @@ void addShapes(TrackSnapshot& snapshot) {
   }
 }
 
+/// The colors of the boxes, as they were given and in the images shown.
+void addHistograms(const TrackingRun& run, TrackSnapshot& snapshot) {
+  const auto* const colors = run.capability<ReferenceColors>();
+  const std::size_t count = std::min(snapshot.targets.size(), run.targets().size());
+  for (std::size_t k = 0; colors != nullptr && k < count; ++k) {
+    const BoxEstimate* const box = snapshot.targets[k].box();
+    const auto camera = static_cast<std::size_t>(box != nullptr ? box->camera : 0);
+    if (box == nullptr || camera >= snapshot.frames->frames.size() ||
+        !snapshot.frames->frames[camera] ||
+        snapshot.frames->frames[camera]->image.type() != CV_8UC3) {
+      continue;
+    }
+    ColorHistograms histograms{colors->referenceHistogram(k),
+                               boxHistogram(snapshot.frames->frames[camera]->image, box->box)};
+    if (!histograms.reference.empty() && !histograms.candidate.empty()) {
+      snapshot.targets[k].histograms =
+          std::make_shared<const ColorHistograms>(std::move(histograms));
+    }
+  }
+}
+
 /// Which pixels have the colors of the targets; what matches several targets is the first one's.
 std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
   std::vector<cv::Mat> masks;
@@ -124,6 +146,23 @@ std::vector<cv::Mat> motionMasks(const TrackingRun& run, const PeopleFinding& fi
   return masks;
 }
 
+/// The maps of a method's last frame, in the sizes of the images.
+std::vector<LikelihoodMap> motionMaps(const TrackingRun& run, const MotionMapping& mapping) {
+  std::vector<LikelihoodMap> maps = mapping.motionLikelihoods();
+  for (std::size_t camera = 0; camera < std::min(maps.size(), run.rig().size()); ++camera) {
+    LikelihoodMap& map = maps[camera];
+    const Intrinsics& intrinsics = run.rig()[camera].intrinsics;
+    const cv::Size size(intrinsics.width, intrinsics.height);
+    if (!map.area.empty() && map.area.size() != size) {
+      cv::Mat larger;
+      cv::resize(map.logLikelihood, larger, size, 0.0, 0.0, cv::INTER_LINEAR);
+      map.logLikelihood = larger;
+      map.area = {{0, 0}, size};
+    }
+  }
+  return maps;
+}
+
 } // namespace
 
 void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& run,
@@ -149,6 +188,9 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
   }
   if (!snapshot.frames) {
     return;
+  }
+  if (!snapshot.preview) {
+    addHistograms(run, snapshot);
   }
   if (run.capability<PeopleFinding>() == nullptr) { // of whom nobody knows which true one it is
     for (TargetSnapshot& target : snapshot.targets) {
@@ -196,7 +238,7 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
 
 bool SnapshotBuilder::wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
   return run.capability<PeopleFinding>() != nullptr // whose motion is seen without tracking
-             ? wishes_.masks && snapshot.frames != nullptr
+             ? (wishes_.masks || wishes_.maps) && snapshot.frames != nullptr
              : wishes_.maps && snapshot.tracked;
 }
 
@@ -205,9 +247,14 @@ bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& sna
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (const auto* const finding = run.capability<PeopleFinding>()) {
+  const auto* const finding = run.capability<PeopleFinding>();
+  if (finding != nullptr && wishes_.masks) {
     snapshot.masks = motionMasks(run, *finding);
     snapshot.masksShowMotion = true;
+  }
+  const auto* const motion = run.capability<MotionMapping>();
+  if (motion != nullptr && wishes_.maps) {
+    snapshot.motionMaps = motionMaps(run, *motion);
   }
   const auto* const mapping = run.capability<LikelihoodMapping>();
   for (std::size_t k = 0; mapping != nullptr && k < snapshot.targets.size(); ++k) {

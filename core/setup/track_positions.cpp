@@ -47,6 +47,7 @@ Result<TrackerPtr> trackerAt(const Eigen::Vector3d& position, ParameterValues pa
 TrajectoryHeader headerOf(const ParameterValues& parameters, std::uint64_t seed) {
   TrajectoryHeader header;
   header.entries = {{"method", "dynamics"}, {"seed", std::to_string(seed)}};
+  header.hasBest = true;
   for (const auto& declaration : parameters.declarations()) {
     if (isStartOfPositions(declaration.key)) {
       continue; // its own of each target
@@ -123,6 +124,7 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
     }
     TrajectorySample result = sample;
     result.position = estimate.mean;
+    result.best = estimate.best;
     result.covariance = estimate.covariance;
     result.effectiveSampleSize = estimate.effectiveSampleSize;
     result.cameras = 0;

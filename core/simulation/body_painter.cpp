@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/body_painter.h"
 
+#include "core/simulation/part_painter.h"
 #include "core/simulation/room.h"
+#include "core/simulation/sampling.h"
 #include "core/simulation/soft_shadow.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 
 namespace dewpoint::simulation {
 namespace {
-
-// Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr int kEdgeSamples = 4; ///< per side of a pixel on a silhouette
-/// Instants of one exposure.
-constexpr int kMostInstants = 16;
-/// Pixels that a body travels between two of them.
-constexpr double kPixelsPerInstant = 1.5;
 
 /// What one instant contributes to one pixel: color times coverage, and coverage.
 struct Share {
@@ -25,16 +21,36 @@ struct Share {
   float coverage = 0.0F;
 };
 
+/// The rows that an exposure is for, as an area of the image.
+cv::Rect rowsOf(const CameraView& view, const Exposure& exposure) {
+  const int first = std::max(0, exposure.firstRow);
+  const int end = std::min(view.height, exposure.endRow);
+  return {0, first, view.width, std::max(0, end - first)};
+}
+
+const Vector3f& lampOf(const Body& body) {
+  return body.light != nullptr ? body.light->illumination->lamp : kLampPosition;
+}
+
+/// The color of a matte surface of a body in the light that falls on it.
+Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& normal) {
+  if (body.light != nullptr) {
+    return body.light->at(point, normal).cwiseProduct(body.color);
+  }
+  return shade(point, normal, 1.0F) * body.color;
+}
+
 /// The color of a ball's surface at `normal`: matte, with a faint broad highlight.
 Vector3f ballColor(const Body& body, const Vector3f& point, const Vector3f& direction) {
   const Vector3f normal = (point - body.center) / body.radius;
-  const Vector3f halfway = ((kLampPosition - point).normalized() - direction).normalized();
+  const Vector3f halfway = ((lampOf(body) - point).normalized() - direction).normalized();
   const float facing = std::max(0.0F, normal.dot(halfway));
   const float facing4 = facing * facing * facing * facing;
   const float gloss = 12.0F * facing4 * facing4 * facing4;
   // A ball on a desk is dark below: it hides the room's light there from itself.
-  const float light = shade(point, normal, 1.0F);
-  return (light * body.color + Vector3f::Constant(gloss)).cwiseMin(255.0F);
+  const Vector3f color = litColor(body, point, normal) + Vector3f::Constant(gloss);
+  // In other light it is the sensor that cuts.
+  return body.light != nullptr ? color : Vector3f(color.cwiseMin(255.0F));
 }
 
 /// Where a ray enters the sphere; nothing when it misses it or the sphere lies behind.
@@ -78,7 +94,7 @@ Share sample(const CameraView& view, const Body& body, const Vector3f& direction
   if (d[side] > 0.0F) {
     normal = -normal;
   }
-  return {shade(view.center + enter * direction, normal, 1.0F) * body.color, 1.0F};
+  return {litColor(body, view.center + enter * direction, normal), 1.0F};
 }
 
 bool onEdge(const CameraView& view, const Body& body, int column, int row) {
@@ -121,20 +137,49 @@ void addInstant(const CameraView& view, const Body& body, const cv::Rect& area,
   }
 }
 
-void castShadow(const CameraView& view, const Body& body, cv::Mat& image) {
+void castShadow(const CameraView& view, const Body& body, const cv::Rect& rows, cv::Mat& image) {
   // Only the shadow on the desk (z = 0) is drawn; a sphere around it bounds its pixels.
-  const Vector3f lamp = kLampPosition;
+  const Vector3f lamp = lampOf(body);
   if (body.box || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
     return;
   }
   const Vector3f spot = lamp + (body.center - lamp) * (lamp.z() / (lamp.z() - body.center.z()));
   const float penumbra = kLampRadius * body.center.z() / lamp.z();
-  const cv::Rect area = view.boundsOfSphere(spot.cast<double>(), 1.6 * (body.radius + penumbra));
+  const cv::Rect area =
+      rows & view.boundsOfSphere(spot.cast<double>(), 1.6 * (body.radius + penumbra));
   const ShadowCaster caster{body.center, body.radius, lamp, kLampRadius, 0.002F, 0.01F};
   forEachShadedPixel(view, area, caster,
                      [&](int row, int column, std::size_t pixel, float covered, float /*blur*/) {
                        image.at<cv::Vec3f>(row, column) *= 1.0F - covered * view.lit[pixel];
                      });
+}
+
+/// The light that comes from a point of a body of parts; `light` is that of the body.
+Vector3f partColor(const SurfacePoint& seen, const LightField* light) {
+  const Vector3f& lamp = light != nullptr ? light->illumination->lamp : kLampPosition;
+  const float gloss = seen.gloss.at(seen.normal, (lamp - seen.point).normalized(), seen.direction);
+  if (light != nullptr) { // it is the sensor that cuts
+    return light->at(seen.point, seen.normal).cwiseProduct(seen.color) + Vector3f::Constant(gloss);
+  }
+  const float shaded = shade(seen.point, seen.normal, 1.0F);
+  return (shaded * seen.color + Vector3f::Constant(gloss)).cwiseMin(255.0F);
+}
+
+/// What casts a body's shadow: a body of parts casts that of a ball of their volume.
+Body shadowBody(const Body& body) {
+  if (body.parts.empty()) {
+    return body;
+  }
+  double volume = 0.0;
+  for (const MovingPart& part : body.parts) {
+    volume += volumeOf(part);
+  }
+  Body ball;
+  ball.center = body.center;
+  ball.radius = static_cast<float>(std::cbrt(0.75 / std::numbers::pi * volume));
+  ball.color = body.color;
+  ball.light = body.light;
+  return ball;
 }
 
 } // namespace
@@ -146,11 +191,12 @@ void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposur
   const auto middle = bodiesAt(time);
   const auto opening = bodiesAt(time - half);
   const auto closing = bodiesAt(time + half);
+  const cv::Rect rows = rowsOf(view, exposure);
   std::vector<std::size_t> order(middle.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
     if (middle[i].present) {
-      castShadow(view, middle[i], image);
+      castShadow(view, shadowBody(middle[i]), rows, image);
     }
   }
   // Far to near: what is nearer covers what is farther.
@@ -158,12 +204,20 @@ void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposur
                     [&](std::size_t i) { return (middle[i].center - view.center).squaredNorm(); });
   std::vector<Share> shares;
   for (const std::size_t i : order) {
+    if (!middle[i].parts.empty()) {
+      if (middle[i].present) {
+        paintParts(
+            view, [&](double instant) { return bodiesAt(instant)[i].parts; }, exposure, rows,
+            [&](const SurfacePoint& seen) { return partColor(seen, middle[i].light); }, image);
+      }
+      continue;
+    }
     const auto boundsAt = [&](const Body& body) {
       return view.boundsOfSphere(body.center.cast<double>(), body.radius);
     };
     const cv::Rect first = boundsAt(opening[i]);
     const cv::Rect last = boundsAt(closing[i]);
-    const cv::Rect area = first | boundsAt(middle[i]) | last;
+    const cv::Rect area = (first | boundsAt(middle[i]) | last) & rows;
     if (area.empty() || !middle[i].present) {
       continue;
     }

@@ -2,15 +2,19 @@
 #pragma once
 
 #include "core/simulation/camera_view.h"
+#include "core/simulation/illumination.h"
+#include "core/simulation/moving_part.h"
 
 #include <opencv2/core.hpp>
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace dewpoint::simulation {
 
-/// A moving object at one instant: a ball, or a box of any orientation. World frame, meters.
+/// A moving object at one instant: a ball, a box of any orientation, or a body of parts. World
+/// frame, meters.
 struct Body {
   bool box = false;
   Vector3f center;
@@ -19,15 +23,22 @@ struct Body {
   Vector3f halfSize{0.0F, 0.0F, 0.0F};                ///< of the box, along its own axes
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< of the box; rows: its axes in the world
   bool present = true;                                ///< false: not in the scene just now
+  const LightField* light = nullptr;                  ///< null: the room's lamp alone lights it
+  /// Of a body of parts, which is drawn from them alone; as many at every instant. Such a body
+  /// casts the shadow of a ball of their volume around `center`.
+  std::vector<MovingPart> parts{};
 };
 
 /// All bodies at an instant, seconds; the same number in the same order at every instant.
 using BodiesAt = std::function<std::vector<Body>(double)>;
 
-/// When the shutter is open: centered on `time`, for `seconds`.
+/// When the shutter is open: centered on `time`, for `seconds`; and for which rows of the image,
+/// [firstRow, endRow), cut by the image.
 struct Exposure {
   double time = 0.0;
   double seconds = 0.0;
+  int firstRow = 0;
+  int endRow = std::numeric_limits<int>::max();
 };
 
 /// Draws bodies, their soft shadows on z = 0 and their motion blur into `image` (CV_32FC3), which

@@ -39,10 +39,14 @@ OfficeRenderer::OfficeRenderer(OfficeScene scene, simulation::ViewCache& views)
 cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
   const auto& view = *views_.at(camera);
   std::vector<std::vector<simulation::BodyPart>> people;
+  people.reserve(scene_.people.size() + scene_.furniture.size());
   const double time = scene_.timeOf(frame);
   for (const auto& walker : scene_.people) {
     people.push_back(walker.presentAt(time) ? bodyParts(walker, time)
                                             : std::vector<simulation::BodyPart>{});
+  }
+  for (const MovableFurniture& piece : scene_.furniture) {
+    people.push_back(furnitureParts(piece, time));
   }
   cv::Mat image = view.background.clone();
   paintPeople(view, people, simulation::kOfficeLampPosition, image, who);
@@ -51,9 +55,29 @@ cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* 
   return simulation::develop(image, scene_.noiseSigma, noise);
 }
 
+cv::Mat OfficeRenderer::silhouette(std::size_t camera, std::int64_t frame,
+                                   std::size_t person) const {
+  const double time = scene_.timeOf(frame);
+  const auto& walker = scene_.people.at(person);
+  return wholeSilhouette(*views_.at(camera), walker.presentAt(time)
+                                                 ? bodyParts(walker, time)
+                                                 : std::vector<simulation::BodyPart>{});
+}
+
 cv::Mat OfficeRenderer::emptyRoom(std::size_t camera) const {
+  const auto& view = *views_.at(camera);
+  cv::Mat empty = view.background;
+  if (!scene_.furniture.empty()) {
+    std::vector<std::vector<simulation::BodyPart>> pieces;
+    pieces.reserve(scene_.furniture.size());
+    for (const MovableFurniture& piece : scene_.furniture) {
+      pieces.push_back(furnitureParts(piece, 0.0));
+    }
+    empty = view.background.clone();
+    paintPeople(view, pieces, simulation::kOfficeLampPosition, empty);
+  }
   cv::Mat image;
-  views_.at(camera)->background.convertTo(image, CV_8UC3);
+  empty.convertTo(image, CV_8UC3);
   return image;
 }
 
@@ -65,7 +89,7 @@ bool OfficeRenderer::inside(std::size_t person, double time) const {
 Eigen::Vector3d OfficeRenderer::middle(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
   const Eigen::Vector2d position = walker.position(time);
-  return {position.x(), position.y(), 0.5 * walker.height};
+  return {position.x(), position.y(), 0.5 * walker.top(time)};
 }
 
 } // namespace dewpoint::simulation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/simulation/movable_furniture.h"
 #include "core/simulation/view_cache.h"
 #include "core/simulation/walker.h"
 
@@ -22,6 +23,7 @@ CameraRig officeRig();
 struct OfficeScene {
   CameraRig cameras = officeRig();
   std::vector<simulation::Walker> people;
+  std::vector<MovableFurniture> furniture; ///< beside what always stands there
   double framesPerSecond = 15.0;
   std::int64_t frameCount = 150;
   std::uint64_t seed = 1;  ///< of the sensor noise
@@ -39,11 +41,15 @@ public:
   const OfficeScene& scene() const { return scene_; }
   /// CV_8UC3, BGR: a pure function of its arguments. `who`: as paintPeople().
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
-  /// The office without anybody, without noise: CV_8UC3.
+  /// The whole silhouette of a person, whether or not something hides it: CV_8UC1, 255 on the body,
+  /// without a load; all 0 while the person is not there. What is visible of it: `who` of render().
+  cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
+  /// The office without anybody, as it is at time 0, without noise: CV_8UC3.
   cv::Mat emptyRoom(std::size_t camera) const;
   /// Whether the person is there, and inside the office's walls.
   bool inside(std::size_t person, double time) const;
-  /// Point of the floor below the person and half its height: the middle of the body, meters.
+  /// Point of the floor below the person and half as high as the top of its head: the center of the
+  /// body, meters.
   Eigen::Vector3d middle(std::size_t person, double time) const;
 
 private:

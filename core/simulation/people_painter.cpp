@@ -6,23 +6,39 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace dewpoint::simulation {
 namespace {
 
-/// A ray as a body part sees it: in its own axes, in units of its half sizes.
+/// Rays as a part sees them: in its own axes, in units of its half sizes.
 struct PartRay {
   Vector3f origin;
   Eigen::Matrix3f toPart;
+  PartShape shape;
 
   PartRay(const BodyPart& part, const Vector3f& from)
-      : toPart(part.halfSize.cwiseInverse().asDiagonal() * part.axes) {
+      : toPart(part.halfSize.cwiseInverse().asDiagonal() * part.axes), shape(part.shape) {
     origin = toPart * (from - part.center);
   }
   /// Distance along the unit direction to where the ray enters the part.
   std::optional<float> enter(const Vector3f& direction) const {
     const Vector3f d = toPart * direction;
+    return shape == PartShape::Box ? enterBox(d) : enterEllipsoid(d);
+  }
+  Vector3f normal(float distance, const Vector3f& direction) const {
+    Vector3f surface = origin + distance * (toPart * direction);
+    if (shape == PartShape::Box) { // the face is that of the coordinate of largest size
+      Eigen::Index face = 0;
+      surface.cwiseAbs().maxCoeff(&face);
+      surface = std::copysign(1.0F, surface[face]) * Vector3f::Unit(face);
+    }
+    return (toPart.transpose() * surface).normalized();
+  }
+
+private:
+  std::optional<float> enterEllipsoid(const Vector3f& d) const {
     const float a = d.squaredNorm();
     const float b = origin.dot(d);
     const float root = b * b - a * (origin.squaredNorm() - 1.0F);
@@ -31,13 +47,24 @@ struct PartRay {
     }
     return (-b - std::sqrt(root)) / a;
   }
-  Vector3f normal(float distance, const Vector3f& direction) const {
-    const Vector3f surface = origin + distance * (toPart * direction);
-    return (toPart.transpose() * surface).normalized();
+  /// The slab test on the cube from -1 to 1; nothing when the ray begins inside.
+  std::optional<float> enterBox(const Vector3f& d) const {
+    float enter = -std::numeric_limits<float>::infinity();
+    float leave = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const float slope = std::abs(d[axis]) < 1e-9F ? 1e-9F : d[axis];
+      const float side = std::copysign(1.0F, slope);
+      enter = std::max(enter, (-side - origin[axis]) / slope);
+      leave = std::min(leave, (side - origin[axis]) / slope);
+    }
+    return enter <= leave && enter > 0.0F ? std::optional(enter) : std::nullopt;
   }
 };
 
 cv::Rect boundsOf(const CameraView& view, const BodyPart& part) {
+  if (part.shape == PartShape::Box) {
+    return view.boundsOfSphere(part.center.cast<double>(), part.halfSize.norm());
+  }
   // Along a thin limb a ball around it would be far too large: three balls along it.
   const float radius = std::max(part.halfSize.x(), part.halfSize.y());
   const float reach = std::max(0.0F, part.halfSize.z() - radius);
@@ -49,6 +76,31 @@ cv::Rect boundsOf(const CameraView& view, const BodyPart& part) {
   return area;
 }
 
+/// The color of a part in full light at a point of the world.
+Vector3f colorAt(const BodyPart& part, const Vector3f& point) {
+  return part.cloth.pattern == ClothPattern::Plain
+             ? part.color
+             : clothColor(part.cloth, part.color, part.axes * (point - part.center));
+}
+
+/// Calls `enter(row, column, pixel, distance)` for the pixels whose ray enters the part, at a
+/// distance along `ray` in meters.
+template <class Enter>
+void forEachPixelOf(const CameraView& view, const BodyPart& part, const PartRay& ray,
+                    const Enter& enter) {
+  const cv::Rect area = boundsOf(view, part);
+  for (int row = area.y; row < area.y + area.height; ++row) {
+    for (int column = area.x; column < area.x + area.width; ++column) {
+      const std::size_t pixel = view.index(column, row);
+      const Vector3f& direction = view.directions[pixel];
+      const auto distance = direction.isZero(0.0F) ? std::nullopt : ray.enter(direction);
+      if (distance && *distance > 0.0F) {
+        enter(row, column, pixel, *distance);
+      }
+    }
+  }
+}
+
 class Canvas {
 public:
   Canvas(const CameraView& view, const Vector3f& lamp, cv::Mat& image, cv::Mat* who)
@@ -56,25 +108,20 @@ public:
 
   void paint(const BodyPart& part, std::uint8_t person) {
     const PartRay ray(part, view_.center);
-    const cv::Rect area = boundsOf(view_, part);
-    for (int row = area.y; row < area.y + area.height; ++row) {
-      for (int column = area.x; column < area.x + area.width; ++column) {
-        const std::size_t pixel = view_.index(column, row);
-        const Vector3f& direction = view_.directions[pixel];
-        const auto distance = direction.isZero(0.0F) ? std::nullopt : ray.enter(direction);
-        if (!distance || *distance >= depth_[pixel] || *distance <= 0.0F) {
-          continue;
-        }
-        depth_[pixel] = *distance;
-        const Vector3f point = view_.center + *distance * direction;
-        const Vector3f color =
-            shade(point, ray.normal(*distance, direction), 1.0F, lamp_) * part.color;
-        image_.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
-        if (who_ != nullptr) {
-          who_->at<std::uint8_t>(row, column) = person;
-        }
+    forEachPixelOf(view_, part, ray, [&](int row, int column, std::size_t pixel, float distance) {
+      if (distance >= depth_[pixel]) {
+        return;
       }
-    }
+      depth_[pixel] = distance;
+      const Vector3f& direction = view_.directions[pixel];
+      const Vector3f point = view_.center + distance * direction;
+      const Vector3f color =
+          shade(point, ray.normal(distance, direction), 1.0F, lamp_) * colorAt(part, point);
+      image_.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
+      if (who_ != nullptr) {
+        who_->at<std::uint8_t>(row, column) = part.ofBody ? person : 0;
+      }
+    });
   }
 
 private:
@@ -106,6 +153,19 @@ void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lam
 }
 
 } // namespace
+
+cv::Mat wholeSilhouette(const CameraView& view, const std::vector<BodyPart>& parts) {
+  cv::Mat mask = cv::Mat::zeros(view.height, view.width, CV_8UC1);
+  for (const BodyPart& part : parts) {
+    if (part.ofBody) {
+      forEachPixelOf(view, part, PartRay(part, view.center),
+                     [&](int row, int column, std::size_t /*pixel*/, float /*distance*/) {
+                       mask.at<std::uint8_t>(row, column) = 255;
+                     });
+    }
+  }
+  return mask;
+}
 
 void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
                  const Vector3f& lamp, cv::Mat& image, cv::Mat* who) {

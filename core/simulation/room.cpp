@@ -120,8 +120,8 @@ float shade(const Vector3f& point, const Vector3f& normal, float lit, const Vect
          kLampShare * lambert * lit;
 }
 
-Room::Room(Furnishing furnishing) {
-  const Material plaster{Pattern::Plaster, rgb(226, 219, 203)};
+Room::Room(Furnishing furnishing, const RoomDesign& design) {
+  const Material plaster = design.walls.value_or(Material{Pattern::Plaster, rgb(226, 219, 203)});
   Furniture furniture;
   switch (furnishing) {
   case Furnishing::Hall:
@@ -143,6 +143,8 @@ Room::Room(Furnishing furnishing) {
     break;
   }
   solids_ = furniture.solids();
+  solids_.insert(solids_.end(), design.further.solids().begin(), design.further.solids().end());
+  lamp_ = design.lamp.value_or(lamp_);
 }
 
 Hit Room::cast(const Vector3f& origin, const Vector3f& direction) const {

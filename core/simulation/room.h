@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/simulation/furniture.h"
 #include "core/simulation/solid.h"
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace dewpoint::simulation {
@@ -42,11 +44,18 @@ enum class Furnishing {
   Office,        ///< an office of 7 x 7 x 2.7 m around the origin; its floor is z = 0
 };
 
+/// What makes a room another one than its furnishing says.
+struct RoomDesign {
+  Furniture further;             ///< stands there as well
+  std::optional<Material> walls; ///< of another color
+  std::optional<Vector3f> lamp;  ///< that hangs elsewhere, world, meters
+};
+
 /// The furnished room of the simulation, at rest. Its textures are functions of the position in the
 /// world, so that all cameras see the same room.
 class Room {
 public:
-  explicit Room(Furnishing furnishing);
+  explicit Room(Furnishing furnishing, const RoomDesign& design = {});
 
   Hit cast(const Vector3f& origin, const Vector3f& direction) const;
   /// The color of a hit; `jitter` varies the point on the lamp that shadows are cast from.

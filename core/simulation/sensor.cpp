@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/sensor.h"
 
+#include "core/simulation/normal_table.h"
+
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
@@ -9,31 +12,9 @@
 #include <vector>
 
 namespace dewpoint::simulation {
-namespace {
-
-constexpr std::size_t kNoiseCount = 65536;
-
-/// Standard normal numbers to pick from: drawing them again for every pixel would cost more than
-/// all the rest of a frame.
-const std::vector<float>& noiseTable() {
-  static const std::vector<float> table = [] {
-    std::vector<float> values(kNoiseCount);
-    const RandomStream stream(0, 0, 0, RandomPurpose::Noise);
-    for (std::size_t i = 0; i < kNoiseCount; i += 4) {
-      const auto four = stream.normal4(static_cast<std::uint32_t>(i / 4), 1);
-      std::ranges::transform(four, values.begin() + static_cast<std::ptrdiff_t>(i),
-                             [](double value) { return static_cast<float>(value); });
-    }
-    return values;
-  }();
-  return table;
-}
-
-} // namespace
-
 cv::Mat develop(const cv::Mat& image, double noiseSigma, const RandomStream& stream) {
   cv::Mat result(image.size(), CV_8UC3);
-  const std::vector<float>& normals = noiseTable();
+  const std::vector<float>& normals = normalTable();
   const auto sigma = static_cast<float>(noiseSigma);
   const auto values = static_cast<std::size_t>(image.total()) * 3;
   const auto* in = image.ptr<float>();
@@ -59,6 +40,17 @@ cv::Mat throughJpeg(const cv::Mat& image, int quality) {
   std::vector<std::uint8_t> bytes;
   cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
   return cv::imdecode(bytes, cv::IMREAD_COLOR);
+}
+
+cv::Mat sharpened(const cv::Mat& image, const Sharpening& sharpening) {
+  if (sharpening.amount <= 0.0) {
+    return image;
+  }
+  cv::Mat soft;
+  cv::GaussianBlur(image, soft, {}, sharpening.sigmaPx, sharpening.sigmaPx, cv::BORDER_REPLICATE);
+  cv::Mat result;
+  cv::addWeighted(image, 1.0 + sharpening.amount, soft, -sharpening.amount, 0.0, result);
+  return result;
 }
 
 cv::Mat unevenLight(cv::Size size, double vignette, double right, double down) {

@@ -11,7 +11,17 @@ namespace dewpoint::simulation {
 /// noise of `noiseSigma` gray levels drawn from `stream`.
 cv::Mat develop(const cv::Mat& image, double noiseSigma, const RandomStream& stream);
 
-/// The image (CV_8UC3) as it comes back from a JPEG file of `quality` 1 to 100.
+/// Unsharp masking, as a webcam's own processor does it: the image plus `amount` times what a
+/// Gaussian blur of `sigmaPx` (pixels) takes away from it. Edges get halos.
+struct Sharpening {
+  double amount = 0.0;
+  double sigmaPx = 1.0;
+};
+/// The sharpened image (CV_8UC3); with an amount of 0 the image itself.
+cv::Mat sharpened(const cv::Mat& image, const Sharpening& sharpening);
+
+/// The image (CV_8UC3) as it comes back from a JPEG file of `quality` 1 to 100. Its colors have
+/// half the resolution (4:2:0), as the encoder's default and nearly every webcam have it.
 cv::Mat throughJpeg(const cv::Mat& image, int quality);
 
 /// Gains over the image (CV_32FC3): light that falls off towards the corners by `vignette` and

@@ -81,6 +81,12 @@ std::optional<Gaussian3> positionOf(const TrackEstimate& estimate) {
   return std::visit(Position{}, estimate);
 }
 
+std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate) {
+  const auto* sphere = std::get_if<SphereEstimate>(&estimate);
+  return sphere != nullptr && sphere->particleCount > 0 ? std::optional(sphere->best)
+                                                        : std::nullopt;
+}
+
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate) {
   static const std::vector<CameraEvidence> kNone;
   const auto* sphere = std::get_if<SphereEstimate>(&estimate);

@@ -85,6 +85,9 @@ double effectiveSampleSizeOf(const TrackEstimate& estimate);
 int particleCountOf(const TrackEstimate& estimate);
 /// Mean and covariance in the world (m, m²); nothing for what is known in an image only.
 std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
+/// Particle of highest weight (MAP) in the world, meters; nothing where there are no particles, and
+/// for kinds of targets that do not tell it (boxes, people).
+std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);
 /// Evidence of each camera for the position; empty when the method has none.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
 /// Per camera the color range in use where it follows the light; else empty.

@@ -96,6 +96,15 @@ public:
   virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t track, int reach) const = 0;
 };
 
+/// Maps the likelihood of motion over the images of every camera, whoever it is that moves.
+class MotionMapping {
+public:
+  virtual ~MotionMapping() = default;
+  /// One per camera: log D of the last frame (Mohedano et al. 2009, equation 8) over the whole
+  /// image, which is perhaps smaller than the camera's. An empty area where there is no mask.
+  virtual std::vector<LikelihoodMap> motionLikelihoods() const = 0;
+};
+
 /// The centers of some particles of a box, in the image: rows x y, pixels from the upper left
 /// corner, with linear weights.
 struct BoxParticles {
@@ -113,6 +122,15 @@ public:
                         std::uint64_t seed) = 0;
   /// At most `limit` particles of a target, evenly picked; none while it is absent.
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;
+};
+
+/// Knows the colors of a target as it was given.
+class ReferenceColors {
+public:
+  virtual ~ReferenceColors() = default;
+  /// The color histogram (boxHistogram()) of the box from which a target is followed; empty while
+  /// it is absent.
+  virtual std::vector<double> referenceHistogram(std::size_t target) const = 0;
 };
 
 /// Creates tracks of people by itself. Identity N is track N - 1, from its creation on.

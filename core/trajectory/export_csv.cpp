@@ -24,14 +24,20 @@ std::string covarianceCells(const ExportCell& cell) {
   return text;
 }
 
-std::string tidyRow(const ExportCell& cell) {
-  if (!cell.present) {
-    return std::string(13, ',') + "0,,0,0\n";
+std::string positionCells(const Eigen::Vector3d& p) {
+  return fmt::format(",{},{},{}", lengthText(p.x()), lengthText(p.y()), lengthText(p.z()));
+}
+
+std::string tidyRow(const ExportCell& cell, bool hasBest) {
+  std::string text =
+      cell.present
+          ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position), covarianceCells(cell),
+                        cell.cameras, covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
+          : std::string(13, ',') + "0,,0,0";
+  if (hasBest) {
+    text += cell.best ? positionCells(*cell.best) : std::string(3, ',');
   }
-  const auto& p = cell.position;
-  return fmt::format(",{},{},{}{},{},{},1,{}\n", lengthText(p.x()), lengthText(p.y()),
-                     lengthText(p.z()), covarianceCells(cell), cell.cameras,
-                     covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0);
+  return text + '\n';
 }
 
 } // namespace
@@ -40,13 +46,14 @@ Files tidyCsv(const ExportTable& table, const std::string& /*name*/) {
   std::string text = commentHeader(table);
   text += fmt::format("time_s,frame,target,x_{0},y_{0},z_{0},sx_{0},sy_{0},sz_{0},cov_xx_{0}2,"
                       "cov_xy_{0}2,cov_xz_{0}2,cov_yy_{0}2,cov_yz_{0}2,cov_zz_{0}2,cameras,ess,"
-                      "valid,filled\n",
+                      "valid,filled",
                       table.unitName());
+  text += table.best ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}\n", table.unitName()) : "\n";
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     for (std::size_t target = 0; target < table.targets.size(); ++target) {
       text += fmt::format("{},{},{}", timeText(table.times[row]), table.frames[row],
                           csvCell(table.targets[target]));
-      text += tidyRow(table.cells[target][row]);
+      text += tidyRow(table.cells[target][row], table.best);
     }
   }
   return std::vector{ExportFile{"", std::move(text)}};

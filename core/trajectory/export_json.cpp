@@ -30,12 +30,17 @@ std::string matrixText(const Eigen::Matrix3d& c) {
   return text + ']';
 }
 
+std::string vectorText(const Eigen::Vector3d& p) {
+  return fmt::format("[{},{},{}]", lengthText(p.x()), lengthText(p.y()), lengthText(p.z()));
+}
+
 std::string targetText(const std::string& name, const ExportCell& cell) {
-  const auto& p = cell.position;
-  std::string text = fmt::format("{{\"id\":{},\"xyz\":[{},{},{}]", quoted(name), lengthText(p.x()),
-                                 lengthText(p.y()), lengthText(p.z()));
+  std::string text = fmt::format("{{\"id\":{},\"xyz\":{}", quoted(name), vectorText(cell.position));
   if (cell.covariance) {
     text += fmt::format(",\"cov\":{}", matrixText(*cell.covariance));
+  }
+  if (cell.best) {
+    text += fmt::format(",\"best\":{}", vectorText(*cell.best));
   }
   return text + fmt::format(",\"cams\":{},\"ess\":{}{}}}", cell.cameras,
                             covarianceText(cell.effectiveSampleSize),

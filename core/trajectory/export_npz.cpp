@@ -101,6 +101,11 @@ std::array<double, 3> placeOf(const ExportCell& cell) {
   return {cell.position.x(), cell.position.y(), cell.position.z()};
 }
 
+std::array<double, 3> bestOf(const ExportCell& cell) {
+  const Eigen::Vector3d best = cell.best.value_or(Eigen::Vector3d::Constant(kNaN));
+  return {best.x(), best.y(), best.z()};
+}
+
 std::array<double, 9> covarianceOf(const ExportCell& cell) {
   std::array<double, 9> values{};
   values.fill(kNaN);
@@ -138,6 +143,9 @@ Files npz(const ExportTable& table, const std::string& /*name*/) {
       {"names.npy", textArray(table.targets, fmt::format("{},", table.targets.size()))},
       {"units.npy", textArray({unitsSentence(table)}, "")},
   };
+  if (table.best) {
+    entries.push_back({"best.npy", cellArray<double>(table, "<f8", ", 3", bestOf)});
+  }
   if (table.header) {
     std::string about;
     for (const auto& [key, value] : table.entries) {

@@ -67,6 +67,9 @@ ExportCell cellOf(const TrajectorySample& sample) {
     if (sample.covariance.allFinite() && !sample.covariance.isZero(0.0)) {
       cell.covariance = sample.covariance;
     }
+    if (sample.best && sample.best->allFinite()) {
+      cell.best = sample.best;
+    }
     cell.effectiveSampleSize = sample.effectiveSampleSize;
     cell.cameras = sample.cameras;
   }
@@ -277,6 +280,10 @@ void turnAndScale(ExportTable& table) {
         const Eigen::Matrix3d rotated = turn * *cell.covariance * turn.transpose();
         cell.covariance = scale * scale * rotated;
         table.covariance = true;
+      }
+      if (cell.best) {
+        cell.best = Eigen::Vector3d(scale * (turn * *cell.best));
+        table.best = true;
       }
     }
   }

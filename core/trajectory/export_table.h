@@ -21,6 +21,7 @@ struct ExportCell {
   bool filled = false;  ///< interpolated over a gap
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> covariance; ///< nothing: not known
+  std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; nothing: not known
   double effectiveSampleSize = 0.0;
   int cameras = 0;
 };
@@ -35,6 +36,7 @@ struct ExportTable {
   double recordedRate = 0.0;                  ///< the same before it was resampled
   std::size_t recordedRows = 0;               ///< with those that were dropped
   bool covariance = false;                    ///< some cell has one
+  bool best = false;                          ///< some cell has one
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool header = true;

@@ -99,6 +99,11 @@ std::string tensorText(const ExportCell& cell) {
                      covarianceText(c(0, 2)));
 }
 
+std::string vectorTuple(const std::optional<Eigen::Vector3d>& p) {
+  return p ? fmt::format("{} {} {}", lengthText(p->x()), lengthText(p->y()), lengthText(p->z()))
+           : "nan nan nan";
+}
+
 std::string fieldData(const ExportTable& table) {
   std::string text = "<FieldData>\n" + textArray("targets", table.targets);
   text += textArray("units", {unitsSentence(table)});
@@ -133,6 +138,10 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
   if (table.covariance) {
     text += nodeArray(drawing, "Float64", "covariance", 6,
                       [&](const Node& node) { return tensorText(cellAt(node)); });
+  }
+  if (table.best) {
+    text += nodeArray(drawing, "Float64", "best", 3,
+                      [&](const Node& node) { return vectorTuple(cellAt(node).best); });
   }
   return text + "</PointData>\n";
 }

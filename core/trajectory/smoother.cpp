@@ -362,8 +362,10 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 
 Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
   Trajectory result = live;
+  result.header.hasBest = false; // particles are of the run; what is known after it has none
   std::map<std::string, std::vector<TrajectorySample*>> targets;
   for (TrajectorySample& sample : result.samples) {
+    sample.best.reset();
     targets[sample.target].push_back(&sample);
   }
   bool stopped = false;

@@ -32,6 +32,7 @@ struct TrajectorySample {
   bool valid = true;
   std::optional<PositionMeasurement> seen; ///< nothing: not seen in this frame, or not known
   double existenceProbability = 0.0;       ///< probability that the target is there; not in files
+  std::optional<Eigen::Vector3d> best;     ///< particle of highest weight (MAP); nothing: not known
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.
@@ -46,6 +47,7 @@ struct TrajectoryHeader {
   std::vector<std::pair<std::string, std::string>> entries; ///< method, seed, parameters, version
   std::vector<TrajectoryCamera> cameras;
   bool hasSeen = false; ///< the file has columns for `seen`
+  bool hasBest = false; ///< the file has columns for `best`
 };
 
 struct Trajectory {

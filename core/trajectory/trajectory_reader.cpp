@@ -151,6 +151,7 @@ private:
   Status readColumns(Cells cells) {
     columns_ = std::move(cells);
     trajectory_.header.hasSeen = column("seen_x_m").has_value();
+    trajectory_.header.hasBest = column("best_x_m").has_value();
     for (const char* name : {"x_m", "y_m", "z_m"})
       if (!column(name))
         return missing(name, "this column is needed");
@@ -200,6 +201,12 @@ private:
     if (const auto index = column("seen_x_m"); index && !cells[*index].empty()) {
       PositionMeasurement& seen = sample.seen.emplace();
       readPosition("seen_", seen.position, seen.covariance);
+    }
+    if (const auto index = column("best_x_m"); index && !cells[*index].empty()) {
+      Eigen::Vector3d& best = sample.best.emplace();
+      number("best_x_m", best.x());
+      number("best_y_m", best.y());
+      number("best_z_m", best.z());
     }
     if (!status)
       return status;

@@ -23,10 +23,12 @@ public:
   Status finish();
 
 private:
-  TrajectoryWriter(GrowingFile file, bool hasSeen) : file_(std::move(file)), hasSeen_(hasSeen) {}
+  TrajectoryWriter(GrowingFile file, bool hasSeen, bool hasBest)
+      : file_(std::move(file)), hasSeen_(hasSeen), hasBest_(hasBest) {}
 
   GrowingFile file_;
   bool hasSeen_;
+  bool hasBest_;
 };
 
 /// Writes a whole trajectory at once; a file of that name is replaced, or stays as it was.

@@ -183,6 +183,8 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/experiment/scenarios/a.h", "\"core/experiment/metrics/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/baselines/a.h", "\"core/experiment/suite/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"core/experiment/studies/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"core/experiment/clips/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/clips/a.h", "\"core/experiment/suite/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"core/experiment/suite/b.h\""), 1U);
 
   EXPECT_EQ(complaints("core/calibration/a.h", "<vector>"), 1U) << "beside the rooms";

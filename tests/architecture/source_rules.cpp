@@ -69,6 +69,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
        {{"metrics", {}},
         {"report", {}},
         {"scenarios", {}},
+        {"clips", {"scenarios"}},
         {"baselines", {"scenarios"}},
         {"suite", {"baselines", "metrics", "report", "scenarios"}},
         {"studies", {"baselines", "metrics", "report", "scenarios"}}}},

@@ -16,7 +16,8 @@ for format in "${!suffix[@]}"; do
   expectText out.txt 'right-handed' '40 rows at 30 per second'
 done
 [[ $(rowCount out-csv.csv) == 40 ]] || fail "$(rowCount out-csv.csv) rows"
-expectText out-csv.csv '# method: dewpoint' '# exported: 20' 'estimates: live'
+expectText out-csv.csv '# method: dewpoint' '# exported: 20' 'estimates: live' 'valid,filled,best_x_m'
+expectText out-jsonl.jsonl '"best":['
 [[ $(find out-pvd-frames -name '*.vtp' | wc -l) == 40 ]] || fail 'not one file per row'
 
 expectExit 0 export run/trajectory.csv --smooth --from 10f --to 0.9s --rate 60 --unit mm --axes y-up \

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/common.sh"
 
 expectExit 0 suite --help
-expectText out.txt --list --scenario --method --grade --seeds --first-seed --threads --out
+expectText out.txt --list --scenario --method --grade --seeds --first-seed --threads --out --merge
 expectExit 0 suite --list
 expectText out.txt S0-slow triangulation-kalman camshift barrera
 
@@ -12,7 +12,7 @@ readonly -a few=(--scenario S0-slow --grade ideal --first-seed 1 --method triang
 rows() { sed 's/,[^,]*,\([^,]*\)$/,\1/' "$1"; }
 
 expectExit 0 suite "${few[@]}" --seeds 2 --threads 2 --out both
-for file in report.html runs.csv summary.csv report.json traces.csv; do
+for file in report.html runs.csv summary.csv belief.csv report.json traces.csv; do
   [[ -s both/$file ]] || fail "$file is missing"
 done
 [[ $(wc -l <both/runs.csv) == 5 ]] || fail "a header and four rows expected: $(cat both/runs.csv)"
@@ -30,8 +30,33 @@ before=$(md5sum parts/runs.csv)
 expectExit 0 suite "${few[@]}" --seeds 2 --out parts
 [[ $before == $(md5sum parts/runs.csv) ]] || fail "nothing was left to do, but the rows have changed"
 
+# Run apart and put together: the same.
+expectExit 0 suite "${few[@]}" --seeds 1 --out first
+expectExit 0 suite --scenario S0-slow --grade ideal --first-seed 2 --seeds 1 \
+  --method triangulation,camshift --out second
+before=$(md5sum first/runs.csv)
+expectExit 0 suite --merge first second --out merged
+cmp <(rows both/runs.csv) <(rows merged/runs.csv) || fail "merged, it gives something else"
+cmp both/traces.csv merged/traces.csv || fail "merged, its traces are others"
+[[ $before == $(md5sum first/runs.csv) ]] || fail "a folder that was merged has changed"
+expectText merged/report.json '"reporting_seeds": false'
+expectExit $kBadInput suite --merge first nowhere --out merged
+expectSentence nowhere
+[[ ! -e nowhere ]] || fail "a folder that is not there was made"
+expectExit $kUsage suite --merge first --seeds 2 --out merged
+
 expectExit $kUsage suite --out o --scenario S99
 expectSentence S99 --list
+# Clips whose recordings are not there are skipped by name.
+expectExit 0 suite --list --recordings none
+expectText out.txt 'R1-hand is skipped: ' none/hand2_desk 'Recording ball9_arena is not measured' csrt
+expectExit $kUsage suite --out o --grade real --recordings none --scenario R1-hand
+expectText err.txt 'R1-hand is skipped: ' --recordings
+expectExit 0 suite --scenario S0-slow,R1-hand --grade both,real --first-seed 1 --seeds 1 --method triangulation \
+  --recordings none --out clips
+[[ $(wc -l <clips/runs.csv) == 3 ]] || fail "S0-slow in two grades expected: $(cat clips/runs.csv)"
+expectText err.txt 'R1-hand is skipped: '
+expectText clips/report.html 'R1-hand is skipped: '
 expectExit $kUsage suite --out o --method magic
 expectSentence magic camshift
 expectExit $kUsage suite --out o --grade bright

@@ -4,7 +4,7 @@
 expectExit 0 track demo --out run --frames 0:60 --seed 1
 [[ ! -s err.txt ]] || fail "not quiet when piped: $(cat err.txt)"
 expectText run/trajectory.csv method dewpoint seed version \
-  'time_s,frame,target,x_m,y_m,z_m,' ',ess,cameras,valid'
+  'time_s,frame,target,x_m,y_m,z_m,' ',ess,cameras,valid' ',best_x_m,best_y_m,best_z_m'
 # 60 frames, one target.
 [[ $(rowCount run/trajectory.csv) == 60 ]] || fail "$(rowCount run/trajectory.csv) rows, not 60"
 expectText run/run.json '"frames"' '"seconds"'

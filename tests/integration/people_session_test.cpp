@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace dewpoint::tests {
@@ -127,6 +128,7 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
   Session session(office());
   session.setShapesWanted(true);
   session.setMasksWanted(true);
+  session.setLikelihoodMapsWanted(true);
   playThrough(session);
   const Trajectory all = session.trajectory();
   session.showFrame(70);
@@ -143,7 +145,12 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
   ASSERT_EQ(then->masks.size(), 4U);
   EXPECT_EQ(then->masks[0].size(), cv::Size(320, 240));
   EXPECT_GT(cv::countNonZero(then->masks[0]) + cv::countNonZero(then->masks[1]), 200);
-  session.showFrame(3); // nobody yet
+  ASSERT_EQ(then->motionMaps.size(), 4U);
+  const LikelihoodMap& map = then->motionMaps[0]; // in the size of the image, as the mask
+  EXPECT_EQ(map.area, cv::Rect(0, 0, 320, 240));
+  EXPECT_EQ(map.logLikelihood.size(), cv::Size(320, 240));
+  EXPECT_NEAR(map.least, std::log(0.2), 1e-12); // p_B
+  session.showFrame(3);                         // nobody yet
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 3; }));
   then = session.newest();
   EXPECT_EQ(present(*then), 0);

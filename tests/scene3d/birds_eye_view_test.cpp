@@ -163,6 +163,18 @@ private Q_SLOTS:
     QVERIFY(blob(after, held, 4.0).count > 0);
   }
 
+  void theBestParticleIsMarkedOnlyWhenItIsWanted() {
+    const auto snapshot = ballSnapshot();
+    std::get<SphereEstimate>(snapshot->targets[0].estimate).best =
+        kBall + Eigen::Vector3d(0.3, 0.2, 0.0); // beside the cloud
+    view_->setSnapshot(snapshot);
+    const QImage without = view_->currentPicture();
+    view_->setBestShown(true);
+    QVERIFY(differentPixels(without, view_->currentPicture()) > 10); // a triangle of 14 x 12 px
+    view_->setBestShown(false);
+    QCOMPARE(differentPixels(without, view_->currentPicture()), 0);
+  }
+
   void numbersAreWrittenAsTheLanguageDoes() {
     view_->setLocale(QLocale(QLocale::English));
     const QImage english = view_->currentPicture();

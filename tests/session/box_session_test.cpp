@@ -71,6 +71,9 @@ TEST_P(BoxSessionTest, FollowsAndLeavesNothingInSpace) {
   ASSERT_TRUE(overlay.box);
   EXPECT_EQ(*overlay.box, track.samples.back().estimate.box);
   EXPECT_EQ(overlay.particles.size(), 300U); // the default number of both
+  ASSERT_TRUE(shown->targets[0].histograms);
+  EXPECT_EQ(shown->targets[0].histograms->reference.size(), 512U);
+  EXPECT_GT(shown->targets[0].histograms->similarity(), 0.5); // it is on the patch
 }
 
 TEST_P(BoxSessionTest, ABoxSetWhilePausedStartsAtTheFrameShown) {

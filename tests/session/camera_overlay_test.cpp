@@ -54,6 +54,20 @@ TEST(CameraOverlay, IsEmptyWithoutRigCameraOrEstimate) {
   EXPECT_FALSE(overlay.estimate || overlay.ellipse || overlay.truth);
 }
 
+TEST(CameraOverlay, HasTheParticleOfHighestWeight) {
+  const auto snapshot = snapshotWithRig();
+  TargetSnapshot target = threeParticles();
+  auto& sphere = std::get<SphereEstimate>(target.estimate);
+  sphere.best = {0.05, 0.02, 0.12};
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).best); // of no particles
+  sphere.particleCount = 3;
+  const auto best = cameraOverlay(snapshot, 0, target).best;
+  ASSERT_TRUE(best);
+  EXPECT_TRUE(best->isApprox(*Projector((*snapshot.rig)[0]).project(sphere.best)));
+  target.estimate = PersonEstimate{};
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).best);
+}
+
 TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
   const auto snapshot = snapshotWithRig();
   TargetSnapshot target;

@@ -26,6 +26,35 @@ TEST(ExportText, TidyCsvAsWrittenByHand) {
                 "0.3,3,ball,0.3,0.25,10" + rest);
 }
 
+/// The example, with a particle of highest weight 10 mm along X from the ball at frame 1.
+Trajectory exampleWithBest() {
+  Trajectory trajectory = exportExample();
+  trajectory.samples[2].best = Eigen::Vector3d(0.11, 0.25, 2.0);
+  return trajectory;
+}
+
+TEST(ExportText, TheParticleOfHighestWeightGoesAlong) {
+  ExportOptions options = exportAs("csv");
+  options.targets = {"ball"};
+  options.unit = LengthUnit::Millimeter;
+  const std::string csv = exported(exampleWithBest(), options, "a.csv");
+  EXPECT_NE(csv.find(",valid,filled,best_x_mm,best_y_mm,best_z_mm\n"), std::string::npos);
+  EXPECT_NE(csv.find(",2,120,1,0,110,250,2000\n"), std::string::npos); // frame 1
+  EXPECT_NE(csv.find(",2,120,1,0,,,\n"), std::string::npos);           // frames 0 and 3
+  EXPECT_NE(csv.find(",,0,0,,,\n"), std::string::npos);                // frame 2: a gap
+  ExportOptions json = exportAs("jsonl");
+  json.axes = WorldAxes::YUp; // (x, y, z) becomes (y, z, x)
+  const std::string lines = exported(exampleWithBest(), json, "a.jsonl");
+  EXPECT_NE(lines.find("\"best\":[0.25,2,0.11]"), std::string::npos);
+  EXPECT_EQ(lines.find("\"best\"", lines.find("\"best\"") + 1), std::string::npos); // no other
+  const std::string lines3d = exported(exampleWithBest(), exportAs("vtp"), "a.vtp");
+  EXPECT_NE(lines3d.find("Name=\"best\" NumberOfComponents=\"3\""), std::string::npos);
+  // Between recorded frames, and after smoothing, there are no particles.
+  ExportOptions smooth = exportAs("csv");
+  smooth.smooth = true;
+  EXPECT_EQ(exported(exampleWithBest(), smooth, "a.csv").find("best_x"), std::string::npos);
+}
+
 TEST(ExportText, TidyCsvIsReadByOurOwnReader) {
   const ExportFolder folder;
   ExportOptions options = exportAs("csv");

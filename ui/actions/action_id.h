@@ -58,6 +58,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionExperiments",
     "actionShowMask",
     "actionShowEvidence",
+    "actionShowBest",
     "actionShowVolumes",
     "actionLookFromAbove",
     "actionLookFromFront",

@@ -183,6 +183,10 @@ std::vector<ActionDeclaration> viewActions() {
                          "Show how likely the cameras find each place around the target, "
                          "and which places were considered"),
        "evidence", Qt::Key_E, true},
+      {"actionShowBest", group, QT_TRANSLATE_NOOP("Actions", "Show best particle"),
+       QT_TRANSLATE_NOOP("Actions", "Mark the particle of highest weight (MAP) of each target with "
+                                    "a triangle, in all views"),
+       nullptr, Qt::SHIFT | Qt::Key_E, true},
       {"actionShowVolumes", group, QT_TRANSLATE_NOOP("Actions", "Show volumes of people"),
        QT_TRANSLATE_NOOP("Actions", "Show the hull that holds 95 % of each person, and the density "
                                     "of each on the floor"),

@@ -45,6 +45,13 @@ void CameraDocks::connectActions() {
       view->setMaskShown(shown);
     }
   });
+  bench_.needRun({"actionShowBest"},
+                 [document = &bench_.document] { return document->presentation().marksBest; });
+  bench_.onToggled("actionShowBest", this, [this](bool shown) {
+    for (CameraView* view : views_) {
+      view->setBestShown(shown);
+    }
+  });
   bench_.onToggled("actionShowEvidence", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
       session->setLikelihoodMapsWanted(shown);
@@ -64,6 +71,7 @@ void CameraDocks::make() {
   views_.clear();
   const bool mask = bench_.action("actionShowMask")->isChecked();
   const bool evidence = bench_.action("actionShowEvidence")->isChecked();
+  const bool best = bench_.action("actionShowBest")->isChecked();
   const auto& cameras = bench_.document.project().cameras;
   for (int camera = 0; camera < static_cast<int>(cameras.size()); ++camera) {
     auto* view = new CameraView(camera, &bench_.window);
@@ -78,6 +86,7 @@ void CameraDocks::make() {
     connect(view, &CameraView::stateChanged, &dock->title(), &DockTitle::setState);
     view->setMaskShown(mask);
     view->setEvidenceShown(evidence);
+    view->setBestShown(best);
     view->setChosenTarget(bench_.selection.target());
     bench_.connectImageView(view);
     pick_->attach(camera, view);

@@ -40,12 +40,13 @@ cv::Mat masked(const cv::Mat& image, const PictureSource& source) {
                      source.isOfMotion ? cv::Mat(1, 256, CV_8UC3, kMoving) : colorsOfTargets());
 }
 
-QImage mapImage(const TargetSnapshot& target, int camera) {
+/// The map of a camera; null where there is none.
+QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
   const auto index = static_cast<std::size_t>(camera);
-  if (index >= target.maps.size() || target.maps[index].area.empty()) {
+  if (index >= maps.size() || maps[index].area.empty()) {
     return {};
   }
-  const cv::Mat drawn = likelihoodImage(target.maps[index]);
+  const cv::Mat drawn = likelihoodImage(maps[index]);
   // ARGB32 lies in memory as blue, green, red, alpha on the machines we support (toImage()).
   return QImage(drawn.data, drawn.cols, drawn.rows, static_cast<qsizetype>(drawn.step),
                 QImage::Format_ARGB32)
@@ -60,7 +61,7 @@ bool PictureSource::operator==(const PictureSource& other) const {
 }
 
 CameraPicture drawPicture(const PictureSource& source) {
-  CameraPicture picture{source, {}, {}};
+  CameraPicture picture{source, {}, {}, {}};
   const cv::Mat& image = source.frame->image;
   if (image.type() == CV_8UC3) {
     picture.image =
@@ -68,8 +69,9 @@ CameraPicture drawPicture(const PictureSource& source) {
   }
   if (source.maps) {
     for (const TargetSnapshot& target : source.maps->targets) {
-      picture.maps.push_back(mapImage(target, source.camera));
+      picture.maps.push_back(mapImage(target.maps, source.camera));
     }
+    picture.motionMap = mapImage(source.maps->motionMaps, source.camera);
   }
   return picture;
 }

@@ -40,6 +40,7 @@ struct CameraPicture {
   PictureSource source;
   QImage image;
   std::vector<QImage> maps; ///< per target; null where it has no map
+  QImage motionMap;         ///< of the whole image; null where there is none
 };
 
 /// Draws a picture, which takes long for large images. Any thread.

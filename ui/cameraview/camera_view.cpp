@@ -70,6 +70,11 @@ void CameraView::setEvidenceShown(bool shown) {
   refresh();
 }
 
+void CameraView::setBestShown(bool shown) {
+  bestShown_ = shown;
+  update();
+}
+
 void CameraView::setChosenTarget(int target) {
   chosenTarget_ = target;
   update();
@@ -200,6 +205,9 @@ void CameraView::paintEvent(QPaintEvent*) {
 }
 
 void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
+  if (picture_.source.maps == shown_ && !picture_.motionMap.isNull()) {
+    paintEvidence(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {}, placement_);
+  }
   paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
   paintPeopleTrouble(painter, *shown_, camera_, picture);
   for (std::size_t i = 0; i < shown_->targets.size(); ++i) {
@@ -210,7 +218,11 @@ void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
       paintEvidence(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
                     proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);
     }
-    paintOverlay(painter, cameraOverlay(*shown_, camera_, shown_->targets[i]), placement_,
+    CameraOverlay overlay = cameraOverlay(*shown_, camera_, shown_->targets[i]);
+    if (!bestShown_) {
+      overlay.best.reset();
+    }
+    paintOverlay(painter, overlay, placement_,
                  targetColor(shown_->targets[i].target.name, static_cast<int>(i)));
   }
   paintBumpMark(painter, picture, bumpText(bumpOf(*shown_, camera_)), palette());

@@ -25,6 +25,8 @@ public:
   void setMaskShown(bool shown);
   /// Likelihood maps and the positions that were considered.
   void setEvidenceShown(bool shown);
+  /// The particle of highest weight of each target.
+  void setBestShown(bool shown);
   /// The selected person stands out; -1: none.
   void setChosenTarget(int target);
   HoldState state() const { return state_; }
@@ -65,6 +67,7 @@ private:
   TrackSnapshotPtr snapshot_; ///< the newest
   bool maskShown_ = false;
   bool evidenceShown_ = false;
+  bool bestShown_ = false;
   int chosenTarget_ = -1;
   HoldState state_ = HoldState::NoImages;
   ImagePlacement placement_;

@@ -105,6 +105,14 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
           {at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)}));
     });
   }
+  if (overlay.best) {
+    const QPointF at = placed(overlay.best->x(), overlay.best->y(), placement);
+    // A triangle: another shape than the cross of the mean and the diamond of the truth.
+    withHalo(painter, color, 1.5, [&] {
+      painter.drawPolygon(
+          QPolygonF({at + QPointF(0, -8), at + QPointF(7, 4.5), at + QPointF(-7, 4.5)}));
+    });
+  }
   if (overlay.estimate) {
     const QPointF at = placed(overlay.estimate->x(), overlay.estimate->y(), placement);
     withHalo(painter, color, 1.8, [&] {

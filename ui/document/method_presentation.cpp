@@ -14,8 +14,10 @@ constexpr MethodPresentation kBoxes{.pointing = Pointing::Box,
                                     .pages = RunPages::Boxes,
                                     .showsRoom = false,
                                     .hasOverlays = false,
+                                    .marksBest = false,
                                     .tracksBoxesAgain = true};
-constexpr MethodPresentation kPeople{.pointing = Pointing::Nothing, .countsPeople = true};
+constexpr MethodPresentation kPeople{
+    .pointing = Pointing::Nothing, .marksBest = false, .countsPeople = true};
 
 const MethodPresentation& presentationOf(TargetsFrom targets) {
   switch (targets) {

@@ -25,6 +25,7 @@ struct MethodPresentation {
   RunPages pages = RunPages::Positions;
   bool showsRoom = true;         ///< has a bird's-eye view
   bool hasOverlays = true;       ///< masks and likelihood maps over the images
+  bool marksBest = true;         ///< can mark the particle of highest weight
   bool countsPeople = false;     ///< lists people, and says how many there are
   bool tracksBoxesAgain = false; ///< at once when one is changed
 };

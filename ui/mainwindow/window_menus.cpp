@@ -74,10 +74,11 @@ void WindowMenus::makeProjectMenu() {
 }
 
 void WindowMenus::makeViewMenu() {
-  QMenu* view = add(tr("&View"), "menuView",
-                    {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
-                     "actionShowVolumes", "actionShowMap", nullptr, "actionLookFromAbove",
-                     "actionLookFromFront", "actionLookFree", nullptr, "actionResetLayout"});
+  QMenu* view =
+      add(tr("&View"), "menuView",
+          {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence", "actionShowBest",
+           "actionShowVolumes", "actionShowMap", nullptr, "actionLookFromAbove",
+           "actionLookFromFront", "actionLookFree", nullptr, "actionResetLayout"});
   QMenu* views = view->addMenu(tr("Views"));
   views->setObjectName(QStringLiteral("menuViews"));
   connect(views, &QMenu::aboutToShow, this, [this, views] {

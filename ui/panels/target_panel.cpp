@@ -6,6 +6,7 @@
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/document/target_list_model.h"
+#include "ui/panels/histogram_view.h"
 #include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
@@ -35,7 +36,8 @@ constexpr double kLargestRadius = 2000.0;
 TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListView(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), radiusLabel_(new QLabel(this)),
-      radius_(new DecimalField(this)), box_(new QLabel(this)), hint_(new QLabel(this)) {
+      radius_(new DecimalField(this)), box_(new QLabel(this)), histograms_(new HistogramView(this)),
+      hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("targetPanel"));
   list_->setObjectName(QStringLiteral("targetList"));
   list_->setModel(&targets);
@@ -50,6 +52,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   box_->setObjectName(QStringLiteral("targetBox"));
   box_->setWordWrap(true);
   box_->hide();
+  histograms_->hide();
   hint_->setWordWrap(true);
   hint_->setForegroundRole(QPalette::PlaceholderText);
   auto* form = new QFormLayout;
@@ -62,6 +65,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   column->addWidget(list_, 1);
   column->addLayout(form);
   column->addWidget(box_);
+  column->addWidget(histograms_);
   column->addWidget(hint_);
   onRetranslate(this, [this] {
     list_->setAccessibleName(tr("Targets"));
@@ -109,6 +113,7 @@ void TargetPanel::refresh() {
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
   box_->setVisible(boxes);
+  histograms_->setVisible(boxes);
   hint_->setText(boxes ? tr("Click the thing or drag a box around it in any camera view: it is "
                             "followed from there on.")
                  : targets.empty()
@@ -136,9 +141,11 @@ void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (!snapshot || presentationOf(*snapshot).pages != RunPages::Boxes ||
       index >= snapshot->targets.size()) {
     box_->clear();
+    histograms_->setHistograms(nullptr);
     return;
   }
   const TargetSnapshot& target = snapshot->targets[index];
+  histograms_->setHistograms(target.histograms);
   if (target.box() == nullptr) {
     box_->setText(tr("No box at this moment."));
     return;

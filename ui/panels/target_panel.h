@@ -20,6 +20,7 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 class Document;
+class HistogramView;
 class TargetListModel;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
@@ -55,6 +56,7 @@ private:
   QLabel* radiusLabel_;
   QDoubleSpinBox* radius_;
   QLabel* box_; ///< figures of the box
+  HistogramView* histograms_;
   QLabel* hint_;
   int shown_ = -1; ///< row that was chosen when the targets were last looked at
   bool refreshing_ = false;

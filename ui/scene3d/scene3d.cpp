@@ -49,6 +49,14 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     }
     parts.targets[i]->show(snapshot.targets[i]);
     parts.targets[i]->setChosen(static_cast<int>(i) == parts.chosenTarget);
+    parts.targets[i]->setBestShown(parts.bestShown);
+  }
+}
+
+void Scene3d::showBest(bool shown) {
+  parts_->bestShown = shown;
+  for (const auto& target : parts_->targets) {
+    target->setBestShown(shown);
   }
 }
 

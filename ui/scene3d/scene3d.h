@@ -44,6 +44,8 @@ public:
   void setSnapshot(const TrackSnapshot& snapshot);
   /// The selected target; a person stands out. -1: none.
   void choose(int target);
+  /// Whether the particle of highest weight of each target is marked; not at first.
+  void showBest(bool shown);
   /// Marks these positions: one stroke for each, meters. Stays until it is called again.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// How well the cameras see the room; null: nothing is shown of it. Stays until called again.

@@ -59,6 +59,7 @@ public:
   View view = View::Above;
   bool dark = false;
   int chosenTarget = -1;
+  bool bestShown = false;
   bool moved = false; ///< by the user
   bool frameWanted = true;
   int width = 0;

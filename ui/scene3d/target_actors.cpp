@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace dewpoint::ui {
 namespace {
@@ -81,7 +83,7 @@ TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
     : renderer_(renderer), index_(index), color_(targetColor(index)), palette_(scenePalette(false)),
       sphere_(ballActor(28)), halo_(ballActor(28)), ellipsoid_(ballActor(40)),
       rings_(flatActor(ringData_)), tail_(flatActor(tailData_)), plumb_(flatActor(plumbData_)),
-      truthMark_(flatActor(truthData_)), person_(renderer) {
+      truthMark_(flatActor(truthData_)), bestMark_(flatActor(bestData_)), person_(renderer) {
   positions_->SetNumberOfComponents(3);
   colors_->SetNumberOfComponents(3);
   points_->SetData(positions_);
@@ -101,7 +103,7 @@ TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
   }
   // Translucent things are drawn in this order.
   for (vtkActor* actor : {plumb_.Get(), tail_.Get(), halo_.Get(), sphere_.Get(), truthMark_.Get(),
-                          ellipsoid_.Get(), rings_.Get()}) {
+                          ellipsoid_.Get(), rings_.Get(), bestMark_.Get()}) {
     actor->VisibilityOff();
     renderer_->AddActor(actor);
   }
@@ -110,7 +112,7 @@ TargetActors::TargetActors(vtkRenderer* renderer, std::size_t index)
 
 TargetActors::~TargetActors() {
   for (vtkActor* actor : {plumb_.Get(), tail_.Get(), halo_.Get(), sphere_.Get(), truthMark_.Get(),
-                          ellipsoid_.Get(), rings_.Get()}) {
+                          ellipsoid_.Get(), rings_.Get(), bestMark_.Get()}) {
     renderer_->RemoveActor(actor);
   }
   renderer_->RemoveActor(cloud_);
@@ -126,6 +128,17 @@ void TargetActors::show(const TargetSnapshot& target) {
   showEstimate(target);
   showTail(target);
   showTruth(target);
+  best_ = bestParticleOf(target.estimate);
+  showBest();
+}
+
+void TargetActors::setBestShown(bool shown) {
+  bestShown_ = shown;
+  showBest();
+}
+
+void TargetActors::showBest() {
+  bestMark_->SetVisibility(bestShown_ && best_ && best_->allFinite());
 }
 
 void TargetActors::showParticles(const TargetSnapshot& target) {
@@ -267,12 +280,13 @@ void TargetActors::setPalette(const ScenePalette& palette) {
   paint(rings_, mix(color_, palette.truth, 0.1), 0.55);
   paint(plumb_, mix(color_, palette.floor, 0.35), 0.8);
   paint(truthMark_, palette.truth);
+  paint(bestMark_, mix(color_, palette.truth, 0.2));
   person_.setColor(color_, palette);
   colorParticles();
 }
 
 /// Cross hairs about the true position that leave the middle open for the estimate.
-void TargetActors::drawMarkers(const ScreenScale& scale) {
+void TargetActors::drawTruth(const ScreenScale& scale) {
   if (truthMark_->GetVisibility() == 0) {
     return;
   }
@@ -295,6 +309,23 @@ void TargetActors::drawMarkers(const ScreenScale& scale) {
   hairs.writeTo(truthData_);
 }
 
+/// A triangle in the plane of the picture, as in the images of the cameras.
+void TargetActors::drawBest(const ScreenScale& scale) {
+  if (bestMark_->GetVisibility() == 0) {
+    return;
+  }
+  const double pixel = scale.meters(*best_, 1.0);
+  const double nearer = 1.5 * cloudReach_ + 3.0 * (radius_ + 8.0 * pixel);
+  std::vector<Eigen::Vector3d> corners;
+  for (const auto& [right, up] : {std::pair{0.0, 8.0}, {7.0, -4.5}, {-7.0, -4.5}, {0.0, 8.0}}) {
+    const Eigen::Vector3d corner = *best_ + pixel * (right * scale.right + up * scale.up);
+    corners.push_back(scale.nearer(corner, nearer));
+  }
+  Strokes triangle;
+  triangle.polyline(corners);
+  triangle.writeTo(bestData_);
+}
+
 void TargetActors::prepareFrame(const ScreenScale& scale) {
   // Estimate and truth are drawn before their own cloud, which would bury them.
   const double radius = std::max(radius_, scale.meters(mean_, kSmallestSpherePx));
@@ -311,13 +342,15 @@ void TargetActors::prepareFrame(const ScreenScale& scale) {
   if (std::abs(dot - cloudMapper_->GetScaleFactor()) > 0.1 * dot) {
     cloudMapper_->SetScaleFactor(dot);
   }
-  drawMarkers(scale);
+  drawTruth(scale);
+  drawBest(scale);
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   person_.prepareFrame(scale);
   tail_->GetProperty()->SetLineWidth(width(2.5));
   rings_->GetProperty()->SetLineWidth(width(1.0));
   plumb_->GetProperty()->SetLineWidth(width(1.0));
   truthMark_->GetProperty()->SetLineWidth(width(1.6));
+  bestMark_->GetProperty()->SetLineWidth(width(1.6));
 }
 
 } // namespace dewpoint::ui

@@ -13,11 +13,12 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <array>
+#include <optional>
 
 namespace dewpoint::ui {
 
-/// One target: particles, estimate with the ellipsoid that holds 95 % of the belief, tail, truth,
-/// and the plumb line to the floor that shows its height.
+/// One target: particles, estimate with the ellipsoid that holds 95 % of the belief, the particle
+/// of highest weight, tail, truth, and the plumb line to the floor that shows its height.
 class TargetActors {
 public:
   TargetActors(vtkRenderer* renderer, std::size_t index);
@@ -28,6 +29,8 @@ public:
   void show(const TargetSnapshot& target);
   /// A chosen person stands out.
   void setChosen(bool chosen) { person_.setChosen(chosen); }
+  /// Whether the particle of highest weight is marked; not at first.
+  void setBestShown(bool shown);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
 
@@ -37,8 +40,10 @@ private:
   void showEllipsoid(const Eigen::Matrix3d& covariance);
   void showTail(const TargetSnapshot& target);
   void showTruth(const TargetSnapshot& target);
+  void showBest();
   void colorParticles();
-  void drawMarkers(const ScreenScale& scale);
+  void drawTruth(const ScreenScale& scale);
+  void drawBest(const ScreenScale& scale);
 
   vtkRenderer* renderer_;
   std::size_t index_;
@@ -47,6 +52,8 @@ private:
   std::vector<float> brightness_; ///< per drawn particle, 0 to 1
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d truth_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> best_; ///< particle of highest weight
+  bool bestShown_ = false;
   double radius_ = 0.0;
   double cloudReach_ = 0.0; ///< from the mean to the rim of the ellipsoid, meters
 
@@ -61,6 +68,7 @@ private:
   vtkNew<vtkPolyData> tailData_;
   vtkNew<vtkPolyData> plumbData_;
   vtkNew<vtkPolyData> truthData_;
+  vtkNew<vtkPolyData> bestData_;
   vtkSmartPointer<vtkActor> sphere_;
   vtkSmartPointer<vtkActor> halo_;
   vtkSmartPointer<vtkActor> ellipsoid_;
@@ -68,6 +76,7 @@ private:
   vtkSmartPointer<vtkActor> tail_;
   vtkSmartPointer<vtkActor> plumb_;
   vtkSmartPointer<vtkActor> truthMark_;
+  vtkSmartPointer<vtkActor> bestMark_;
   PersonActors person_;
 };
 

@@ -38,6 +38,7 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::startAnew);
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
                    &BirdsEyeView::setChosenTarget);
+  bench.onToggled("actionShowBest", view, [view](bool shown) { view->setBestShown(shown); });
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
   bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
   bench.onTriggered("actionLookFree", view, [view] { view->lookFree(); });

@@ -57,6 +57,11 @@ public:
 
   /// The selected target; a person stands out. -1: none.
   void setChosenTarget(int target);
+  /// The particle of highest weight of each target.
+  void setBestShown(bool shown) {
+    scene_.showBest(shown);
+    requestPicture();
+  }
   /// While placing, a click on the floor of this height (world z, meters) is a placeClicked().
   void setPlacing(bool placing, double floor = 0.0);
 

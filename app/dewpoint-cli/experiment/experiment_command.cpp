@@ -3,7 +3,9 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
-#include "core/experiment/studies/convergence_study.h"
+#include "core/base/text_file.h"
+#include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/convergence_csv.h"
 #include "core/experiment/studies/wand_study.h"
 
 #include <CLI/CLI.hpp>
@@ -16,24 +18,69 @@
 namespace dewpoint::app {
 namespace {
 
-int studyBarrera(int runs) {
-  fmt::print("{:<40} {:>10} {:>11} {:>9} {:>11}\n", "case", "converged", "iterations", "RMSE mm",
-             "depth bias");
-  for (const auto& setup : barreraConvergenceCases(runs)) {
+constexpr int kDriftRuns = 50;
+
+struct ConvergenceOptions {
+  std::uint64_t first = kFirstReportingSeed;
+  int runs = 100;
+  std::string folder; ///< for convergence.csv and drift.csv; empty: they are not written
+};
+
+Status writeConvergence(const std::string& folder, const std::vector<ConvergenceResult>& results,
+                        const std::vector<DriftResult>& drifts) {
+  const std::filesystem::path out(folder);
+  return writeTextFile(out / "convergence.csv", convergenceCsv(results)).and_then([&] {
+    return writeTextFile(out / "drift.csv", driftCsv(drifts));
+  });
+}
+
+/// Over the first 5 and the first 40 iterations.
+Result<std::vector<DriftResult>> driftsOf(const ConvergenceOptions& options) {
+  std::vector<DriftResult> drifts;
+  for (const int iterations : {5, 40}) {
+    const auto drift = measureDrift(kDriftRuns, iterations, options.first);
+    if (!drift) {
+      return tl::make_unexpected(drift.error());
+    }
+    drifts.push_back({options.first, kDriftRuns, iterations, *drift});
+  }
+  return drifts;
+}
+
+int studyBarrera(const ConvergenceOptions& options) {
+  if (!options.folder.empty()) {
+    if (const auto folder = prepareReportFolder(options.folder, "convergence.csv"); !folder) {
+      return report(folder.error());
+    }
+  }
+  std::vector<ConvergenceResult> results;
+  fmt::print("{:<50} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "case", "converged", "within 3 cm",
+             "iterations", "RMSE mm", "depth bias");
+  for (const auto& setup : barreraConvergenceCases(options.runs, options.first)) {
     const auto result = studyConvergence(setup);
     if (!result) {
       return report(result.error());
     }
-    fmt::print("{:<40} {:>4} / {:<3} {:>11.1f} {:>9.1f} {:>8.1f} mm\n", setup.name,
-               result->converged, setup.runs, result->medianIterations, 1000.0 * result->rmse,
-               1000.0 * result->depthBias);
+    fmt::print("{:<50} {:>4} / {:<4} {:>11} {:>11.1f} {:>9.1f} {:>8.1f} mm\n", setup.name,
+               result->converged, setup.runs, result->within, result->medianIterations,
+               1000.0 * result->rmse, 1000.0 * result->depthBias);
     std::fflush(stdout);
+    results.push_back(*result);
   }
-  const auto drift = measureDrift();
-  if (!drift) {
-    return report(drift.error());
+  const auto drifts = driftsOf(options);
+  if (!drifts) {
+    return report(drifts.error());
   }
-  fmt::print("drift away from a single camera: {:.1f} mm per iteration\n", 1000.0 * *drift);
+  for (const DriftResult& drift : *drifts) {
+    fmt::print("drift away from a single camera: {:.1f} mm per iteration over the first {}\n",
+               1000.0 * drift.meters, drift.iterations);
+  }
+  fmt::print("Seeds {}.\n", seedSentence(options.first, options.runs));
+  if (!options.folder.empty()) {
+    if (const auto written = writeConvergence(options.folder, results, *drifts); !written) {
+      return report(written.error());
+    }
+  }
   return kExitDone;
 }
 
@@ -76,12 +123,13 @@ int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
                trials.size(), 1000.0 * wandBar(kind), 1000.0 * worst.cameraRms,
                1000.0 * worst.pointRms, 1000.0 * worst.offsetError, worst.solveSeconds);
   }
+  fmt::print("Seeds {}.\n", seedSentence(first, seeds));
   return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 
 void addWandStudy(CLI::App& group, int& exitCode) {
   struct Options {
-    std::uint64_t first = 5001;
+    std::uint64_t first = kFirstReportingSeed;
     int seeds = 20;
     WandRecording recording;
   };
@@ -114,15 +162,20 @@ void addExperimentCommand(CLI::App& app, int& exitCode) {
   command->require_subcommand(1);
   auto* convergence = command->add_subcommand(
       "convergence", "Method barrera: which starts converge, how fast, and the drift.");
-  auto runs = std::make_shared<int>(100);
-  convergence->add_option("--runs", *runs, "Seeds per case")
+  auto options = std::make_shared<ConvergenceOptions>();
+  convergence->add_option("--runs", options->runs, "Seeds per case")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  convergence->callback([runs, &exitCode] { exitCode = studyBarrera(*runs); });
+  convergence->add_option("--seed", options->first, "The first seed")->capture_default_str();
+  convergence->add_option("--out", options->folder,
+                          "Folder for convergence.csv and drift.csv; it is made");
+  convergence->callback([options, &exitCode] { exitCode = studyBarrera(*options); });
   addWandStudy(*command, exitCode);
   addFigureCommands(*command, exitCode);
   addPeopleExperiments(*command, exitCode);
   addSugandiExperiment(*command, exitCode);
+  addFingerprintCommand(*command, exitCode);
+  addSeedsCommand(*command, exitCode);
 }
 
 } // namespace dewpoint::app

@@ -14,5 +14,9 @@ void addFigureCommands(CLI::App& group, int& exitCode);
 void addPeopleExperiments(CLI::App& group, int& exitCode);
 /// `sugandi-rmse`.
 void addSugandiExperiment(CLI::App& group, int& exitCode);
+/// `fingerprint`: the states of the methods.
+void addFingerprintCommand(CLI::App& group, int& exitCode);
+/// `seeds`: the blocks of seeds.
+void addSeedsCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app

@@ -46,6 +46,7 @@ void addFigureCommands(CLI::App& group, int& exitCode) {
             "Folder to write report.html, pictures and numbers into; it is made")
         ->required();
     command->add_option("--runs", options->runs, "Seeds per case")->check(CLI::Range(1, 10000));
+    command->add_option("--seed", options->firstSeed, "The first seed")->capture_default_str();
     command->callback(
         [&experiment, options, &exitCode] { exitCode = makeFigure(experiment, *options); });
   }

@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
 #include "app/dewpoint-cli/simulate/record_office.h"
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/study_experiments.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -13,13 +14,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace dewpoint::app {
 namespace {
 
 struct StudyOptions {
   std::string scenario;
-  std::uint64_t first = 1;
+  std::optional<std::uint64_t> seed; ///< the first one
   int seeds = 30;
   std::string clothes = "both";
   std::vector<std::string> methods;
@@ -56,7 +58,8 @@ int recordScenario(const StudyOptions& options) {
   const auto clothes = options.clothes == clothesName(PeopleClothes::Similar)
                            ? PeopleClothes::Similar
                            : PeopleClothes::Different;
-  const auto scenario = makePeopleScenario(options.scenario, clothes, options.first);
+  const auto scenario =
+      makePeopleScenario(options.scenario, clothes, options.seed.value_or(kFirstTuningSeed));
   return scenario ? recordOffice(scenario->scene, options.record, "--record")
                   : report(scenario.error());
 }
@@ -79,7 +82,7 @@ int studyScenario(const StudyOptions& options) {
       clothes.push_back(kind);
     }
   }
-  setup->seed = options.first;
+  setup->seed = options.seed.value_or(kFirstReportingSeed);
   Progress progress("people-" + options.scenario,
                     options.seeds * static_cast<std::int64_t>(clothes.size()));
   const auto trials =
@@ -95,6 +98,7 @@ int studyScenario(const StudyOptions& options) {
   for (const PeopleSummary& summary : summarize(*trials)) {
     fmt::print("{}\n", peopleTableRow(summary));
   }
+  fmt::print("Seeds {}.\n", seedSentence(setup->seed, options.seeds));
   if (!options.folder.empty()) {
     if (const auto written = writePeopleStudy(options.scenario, *trials, options.folder);
         !written) {
@@ -113,7 +117,9 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
     command->alias(scenario);
     auto options = std::make_shared<StudyOptions>();
     options->scenario = scenario;
-    command->add_option("--seed", options->first, "The first seed")->capture_default_str();
+    command->add_option("--seed", options->seed,
+                        fmt::format("The first seed; {} unless given, with --record {}",
+                                    kFirstReportingSeed, kFirstTuningSeed));
     command->add_option("--seeds", options->seeds, "How many")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
@@ -125,8 +131,9 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         ->check(CLI::IsMember(PeopleStudySetup().methods));
     command->add_option("--set", options->settings,
                         "Set a parameter, of the methods that have it: key=value");
-    command->add_option("--out", options->folder,
-                        "Folder for report.html, its pictures and runs.csv; it is made");
+    command->add_option(
+        "--out", options->folder,
+        "Folder for report.html, its pictures, runs.csv and people.csv; it is made");
     command
         ->add_option("--record", options->record,
                      "Only write the scene of --seed into this folder, as a project to track")

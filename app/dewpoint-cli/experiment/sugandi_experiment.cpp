@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/sugandi_report.h"
 #include "core/experiment/studies/sugandi_study.h"
 
@@ -19,7 +20,8 @@ namespace {
 struct SugandiOptions {
   std::filesystem::path folder;
   std::filesystem::path data;
-  std::uint64_t scene = 5001;
+  std::uint64_t scene = kFirstReportingSeed;
+  std::uint64_t first = kFirstReportingSeed;
   int seeds = 5;
   bool perturbed = false;
 };
@@ -41,19 +43,22 @@ int studySugandi(const SugandiOptions& options) {
     std::ranges::move(*recorded, std::back_inserter(clips));
   }
   catchInterruption();
-  auto study = studyBoxes(clips, options.seeds, [](const BoxRow& row) {
+  const auto measured = [](const BoxRow& row) {
     fmt::print(stderr, "{}: {}\n", row.clip, row.method);
     return !interruptionRequested();
-  });
+  };
+  auto study = studyBoxes(clips, options.seeds, measured, options.first);
   if (!study) {
     return report(study.error());
   }
   if (options.perturbed) {
-    auto rows = studyPerturbedBoxes(clips, options.seeds, [](const BoxPerturbationRow& row) {
+    const auto followed = [](const BoxPerturbationRow& row) {
       fmt::print(stderr, "{}: {}, first box of {:.1f} times the size\n", row.clip, row.method,
                  row.scale);
       return !interruptionRequested();
-    });
+    };
+    auto rows =
+        studyPerturbedBoxes(clips, options.seeds, followed, perturbationMethods(), options.first);
     if (!rows) {
       return report(rows.error());
     }
@@ -77,6 +82,8 @@ void addSugandiExperiment(CLI::App& group, int& exitCode) {
                    "Folder with the recordings juggle1 and otb; without, the rendered clip only")
       ->envname("DEWPOINT_DATA");
   command->add_option("--scene", options->scene, "Seed of the rendered clip")
+      ->capture_default_str();
+  command->add_option("--seed", options->first, "The first seed of our methods")
       ->capture_default_str();
   command->add_option("--seeds", options->seeds, "Runs of each of our methods")
       ->check(CLI::Range(1, 1000))

@@ -4,13 +4,21 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/clips/clip_catalog.h"
+#include "core/experiment/clips/real_scenarios.h"
+#include "core/experiment/report/seed_blocks.h"
+#include "core/experiment/suite/image_clip_run.h"
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <set>
+#include <utility>
 
 namespace dewpoint::app {
 namespace {
@@ -19,40 +27,114 @@ struct SuiteOptions {
   bool list = false;
   std::vector<std::string> scenarios;
   std::vector<std::string> methods;
-  std::string grade = "both";
+  std::vector<std::string> grades{"both"};
   std::optional<int> seeds;
   std::uint64_t firstSeed = kFirstReportingSeed;
   int threads = 1;
   std::string folder;
+  std::vector<std::string> merged; ///< folders of which one is made
+  ClipFolders clips{{}, "bench/clips"};
 };
 
-int listSuite() {
-  for (const ScenarioDeclaration& scenario : scenarioCatalog()) {
+/// The rendered scenarios and the real clips that are there.
+struct SuiteCatalog {
+  std::vector<ScenarioDeclaration> scenarios;
+  std::vector<SkippedClip> skipped; ///< the real clips that are not there
+};
+
+SuiteCatalog catalogOf(const SuiteOptions& options) {
+  SuiteCatalog catalog;
+  catalog.scenarios = scenarioCatalog();
+  auto real = realScenarios(options.clips, clipCatalog());
+  std::ranges::move(real.scenarios, std::back_inserter(catalog.scenarios));
+  catalog.skipped = std::move(real.skipped);
+  return catalog;
+}
+
+int listSuite(const SuiteOptions& options) {
+  const SuiteCatalog catalog = catalogOf(options);
+  for (const ScenarioDeclaration& scenario : catalog.scenarios) {
     fmt::print("{:<4} {:<28} {:>5} seeds  {}\n", scenario.family, scenario.name, scenario.seeds,
                scenario.sentence);
   }
+  for (const SkippedClip& clip : catalog.skipped) {
+    fmt::print("{}\n", clip.sentence);
+  }
+  for (const OmittedRecording& recording : omittedRecordings()) {
+    fmt::print("Recording {} is not measured: {}\n", recording.recording, recording.reason);
+  }
   fmt::print("\nmethods:");
   for (const std::string& method : suiteMethods()) {
+    fmt::print(" {}", method);
+  }
+  fmt::print("\nmethods of clips of one camera:");
+  for (const std::string& method : imageMethods()) {
     fmt::print(" {}", method);
   }
   fmt::print("\n");
   return kExitDone;
 }
 
-Result<SuiteRequest> requestOf(const SuiteOptions& options) {
+std::vector<Grade> gradesOf(const SuiteOptions& options) {
+  return gradesNamed(options.grades).value_or(std::vector<Grade>()); // names are checked
+}
+
+/// Whether a name on the command line means a clip: it is the clip's own, or its family's.
+bool means(const std::string& name, const SkippedClip& clip) {
+  return clip.name == name || clip.name.starts_with(name + "-");
+}
+
+/// The sentences of the clips that are not there and that were requested.
+std::vector<std::string> skippedOf(const SuiteOptions& options, const SuiteCatalog& catalog) {
+  std::vector<std::string> sentences;
+  const auto grades = gradesOf(options);
+  if (std::ranges::find(grades, Grade::Real) == grades.end()) {
+    return sentences;
+  }
+  for (const SkippedClip& clip : catalog.skipped) {
+    if (options.scenarios.empty() || std::ranges::any_of(options.scenarios, [&](const auto& name) {
+          return means(name, clip);
+        })) {
+      sentences.push_back(clip.sentence);
+    }
+  }
+  return sentences;
+}
+
+/// The scenarios that were requested, without the clips that are not there: the rest is run.
+/// NotFound for a name that is unknown, and when nothing is left.
+Result<std::vector<const ScenarioDeclaration*>> scenariosOf(const SuiteOptions& options,
+                                                            const SuiteCatalog& catalog) {
+  std::vector<std::string> names;
+  for (const std::string& name : options.scenarios) {
+    const bool isFamily =
+        std::ranges::find(catalog.scenarios, name, &ScenarioDeclaration::family) !=
+        catalog.scenarios.end();
+    if (isFamily || std::ranges::none_of(catalog.skipped, [&](const SkippedClip& clip) {
+          return means(name, clip);
+        })) {
+      names.push_back(name);
+    }
+  }
+  if (names.empty() && !options.scenarios.empty()) {
+    return failure(ErrorCode::NotFound, "", "--scenario", "its recordings; see --recordings");
+  }
+  return selectScenarios(catalog.scenarios, names);
+}
+
+Result<SuiteRequest> requestOf(const SuiteOptions& options, const SuiteCatalog& catalog) {
   SuiteRequest request;
-  const auto scenarios = selectScenarios(scenarioCatalog(), options.scenarios);
+  const auto scenarios = scenariosOf(options, catalog);
   if (!scenarios) {
     return tl::make_unexpected(scenarios.error());
   }
-  const auto methods = selectMethods(options.methods);
+  const auto methods = selectMethods(options.methods, allSuiteMethods());
   if (!methods) {
     return tl::make_unexpected(methods.error());
   }
   request.scenarios = *scenarios;
   request.methods = *methods;
-  const auto grade = gradeNamed(options.grade);
-  request.grades = grade ? std::vector{*grade} : std::vector{Grade::Ideal, Grade::Room};
+  request.grades = gradesOf(options);
   request.seeds = options.seeds;
   request.firstSeed = options.firstSeed;
   return request;
@@ -71,8 +153,62 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
   return status;
 }
 
+/// The rows of the folder in the order of the report, and the report with its notes.
+Status writeReport(SuiteStore& store, const std::string& folder, const SuiteCatalog& catalog,
+                   const std::vector<std::string>& notes) {
+  const auto order = reportOrder(store.results(), catalog.scenarios);
+  return store.rewrite(order).and_then(
+      [&] { return writeSuiteReport(folder, store.results(), order, catalog.scenarios, notes); });
+}
+
+/// The sentences of the clips that are not there and have no runs, of results with real clips.
+std::vector<std::string> skippedOf(const SuiteResults& results, const SuiteCatalog& catalog) {
+  std::set<std::string> clips;
+  for (const auto& [key, result] : results) {
+    if (key.grade == Grade::Real) {
+      clips.insert(key.scenario);
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const SkippedClip& clip : catalog.skipped) {
+    if (!clips.empty() && !clips.contains(clip.name)) {
+      sentences.push_back(clip.sentence);
+    }
+  }
+  return sentences;
+}
+
+/// Makes the folder hold the runs of others, too.
+int mergeSuites(const SuiteOptions& options) {
+  SuiteResults all;
+  for (const std::string& folder : options.merged) {
+    const auto results = SuiteStore::read(folder);
+    if (!results) {
+      return report(results.error());
+    }
+    all.insert(results->begin(), results->end());
+  }
+  auto store = SuiteStore::open(options.folder);
+  if (!store) {
+    return report(store.error());
+  }
+  store->take(all);
+  const SuiteCatalog catalog = catalogOf(options);
+  const auto notes = skippedOf(store->results(), catalog);
+  if (const auto written = writeReport(*store, options.folder, catalog, notes); !written) {
+    return report(written.error());
+  }
+  fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
+  return kExitDone;
+}
+
 int runSuiteCommand(const SuiteOptions& options) {
-  const auto request = requestOf(options);
+  const SuiteCatalog catalog = catalogOf(options);
+  const auto skipped = skippedOf(options, catalog);
+  for (const std::string& sentence : skipped) {
+    fmt::print(stderr, "dewpoint-cli: {}\n", sentence);
+  }
+  const auto request = requestOf(options, catalog);
   if (!request) {
     report(request.error());
     return kExitUsage;
@@ -84,11 +220,7 @@ int runSuiteCommand(const SuiteOptions& options) {
   catchInterruption();
   const auto jobs = planSuite(*request, store->results());
   const auto run = runJobs(jobs, options.threads, *store);
-  const auto order = reportOrder(store->results(), scenarioCatalog());
-  auto written = store->rewrite(order);
-  if (written) {
-    written = writeSuiteReport(options.folder, store->results(), order, scenarioCatalog());
-  }
+  const auto written = writeReport(*store, options.folder, catalog, skipped);
   if (!run) {
     return report(run.error());
   }
@@ -115,24 +247,44 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
   command->add_option("--scenario", options->scenarios, "Family (S0) or scenario; all unless given")
       ->delimiter(',');
   command->add_option("--method", options->methods, "Method; all unless given")->delimiter(',');
-  command->add_option("--grade", options->grade, "Images: ideal, room or both")
-      ->check(CLI::IsMember({"ideal", "room", "both"}))
+  command
+      ->add_option("--grade", options->grades,
+                   "Images: ideal, room, wild, real (recordings), a list of them, or both (ideal "
+                   "and room)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"ideal", "room", "wild", "real", "both"}))
+      ->capture_default_str();
+  command
+      ->add_option("--recordings", options->clips.recordings,
+                   "Folder with the recordings of grade real")
+      ->envname("DEWPOINT_DATA");
+  command
+      ->add_option("--clips", options->clips.truth,
+                   "Folder with the truth of recordings that bring none")
       ->capture_default_str();
   command->add_option("--seeds", options->seeds, "Runs per scenario (each has its own number)")
       ->check(CLI::Range(1, 1000000));
   command
       ->add_option("--first-seed", options->firstSeed,
-                   fmt::format("First seed; below {} they are for tuning", kFirstReportingSeed))
+                   fmt::format("First seed; those from {} to {} are for reports",
+                               kFirstReportingSeed, kLastReportingSeed))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "Runs at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--out", options->folder, "Folder to write, or to go on with");
+  command
+      ->add_option("--merge", options->merged,
+                   "Only put the runs of these folders into that of --out, and write its report")
+      ->excludes("--scenario", "--method", "--grade", "--seeds", "--first-seed", "--threads",
+                 "--list");
   command->callback([options, command, &exitCode] {
     if (options->list) {
-      exitCode = listSuite();
+      exitCode = listSuite(*options);
     } else if (options->folder.empty()) {
       throw CLI::RequiredError(command->get_option("--out")->get_name());
+    } else if (!options->merged.empty()) {
+      exitCode = mergeSuites(*options);
     } else {
       exitCode = runSuiteCommand(*options);
     }

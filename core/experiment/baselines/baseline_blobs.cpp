@@ -5,17 +5,13 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
 namespace dewpoint::experiment {
 namespace {
-
-double distancePx(const Bearing& bearing, const Eigen::Vector3d& point) {
-  const double depth = std::max(1e-9, (point - bearing.ray.origin).norm());
-  return bearing.focalLength * distanceToRay(bearing.ray, point) / depth;
-}
 
 Eigen::Matrix3d covarianceOf(const std::vector<Bearing>& bearings, const Eigen::Vector3d& point) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -29,50 +25,11 @@ Eigen::Matrix3d covarianceOf(const std::vector<Bearing>& bearings, const Eigen::
   return information.inverse();
 }
 
-/// The pair's place, joined by each further camera's blob that is nearest to it and fits.
-std::optional<TriangulatedPoint> growPair(const std::vector<std::vector<Bearing>>& bearings,
-                                          const Bearing& first, const Bearing& second,
-                                          double gatePx) {
-  auto position = triangulate({first, second});
-  if (!position || position->residualPx > gatePx) {
-    return std::nullopt;
-  }
-  for (std::size_t camera = 0; camera < bearings.size(); ++camera) {
-    if (camera == first.camera || camera == second.camera || bearings[camera].empty()) {
-      continue;
-    }
-    const auto nearest =
-        std::ranges::min_element(bearings[camera], {}, [&](const Bearing& bearing) {
-          return distancePx(bearing, position->position);
-        });
-    std::vector<Bearing> more = position->bearings;
-    more.push_back(*nearest);
-    auto joined = triangulate(std::move(more));
-    if (joined && joined->residualPx <= gatePx) {
-      position = std::move(joined);
-    }
-  }
-  return position;
-}
-
-std::vector<TriangulatedPoint> allPositions(const std::vector<std::vector<Bearing>>& bearings,
-                                            double gatePx) {
-  std::vector<TriangulatedPoint> positions;
-  for (std::size_t a = 0; a < bearings.size(); ++a) {
-    for (std::size_t b = a + 1; b < bearings.size(); ++b) {
-      for (const Bearing& first : bearings[a]) {
-        for (const Bearing& second : bearings[b]) {
-          if (auto position = growPair(bearings, first, second, gatePx)) {
-            positions.push_back(std::move(*position));
-          }
-        }
-      }
-    }
-  }
-  return positions;
-}
-
 } // namespace
+
+double Blob::radiusPx() const {
+  return std::sqrt(static_cast<double>(area) / std::numbers::pi);
+}
 
 std::vector<Blob> findBlobs(const cv::Mat& mask) {
   if (mask.empty()) {
@@ -86,13 +43,23 @@ std::vector<Blob> findBlobs(const cv::Mat& mask) {
   for (int label = 1; label < count; ++label) {
     const int area = statistics.at<int>(label, cv::CC_STAT_AREA);
     if (area >= kMinBlobArea) {
-      blobs.push_back({{centers.at<double>(label, 0), centers.at<double>(label, 1)}, area});
+      blobs.push_back(
+          {{centers.at<double>(label, 0), centers.at<double>(label, 1)},
+           area,
+           {statistics.at<int>(label, cv::CC_STAT_LEFT), statistics.at<int>(label, cv::CC_STAT_TOP),
+            statistics.at<int>(label, cv::CC_STAT_WIDTH),
+            statistics.at<int>(label, cv::CC_STAT_HEIGHT)}});
     }
   }
   std::ranges::sort(blobs, {}, [](const Blob& blob) {
     return std::tuple(-blob.area, blob.center.y(), blob.center.x());
   });
   return blobs;
+}
+
+double residualPx(const Bearing& bearing, const Eigen::Vector3d& point) {
+  const double depth = std::max(1e-9, (point - bearing.ray.origin).norm());
+  return bearing.focalLength * distanceToRay(bearing.ray, point) / depth;
 }
 
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings) {
@@ -109,34 +76,10 @@ std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings) {
   result.position = *point;
   result.covariance = covarianceOf(bearings, *point);
   for (const Bearing& bearing : bearings) {
-    result.residualPx = std::max(result.residualPx, distancePx(bearing, *point));
+    result.residualPx = std::max(result.residualPx, residualPx(bearing, *point));
   }
   result.bearings = std::move(bearings);
   return result;
-}
-
-std::vector<TriangulatedPoint> triangulateMany(const std::vector<std::vector<Bearing>>& bearings,
-                                               std::size_t count, double gatePx) {
-  std::vector<TriangulatedPoint> positions = allPositions(bearings, gatePx);
-  std::ranges::stable_sort(positions, [](const TriangulatedPoint& a, const TriangulatedPoint& b) {
-    return a.bearings.size() != b.bearings.size() ? a.bearings.size() > b.bearings.size()
-                                                  : a.residualPx < b.residualPx;
-  });
-  std::set<std::pair<std::size_t, std::size_t>> used;
-  std::vector<TriangulatedPoint> picked;
-  for (TriangulatedPoint& position : positions) {
-    const bool free = std::ranges::none_of(position.bearings, [&](const Bearing& bearing) {
-      return used.contains({bearing.camera, bearing.blob});
-    });
-    if (!free || picked.size() == count) {
-      continue;
-    }
-    for (const Bearing& bearing : position.bearings) {
-      used.insert({bearing.camera, bearing.blob});
-    }
-    picked.push_back(std::move(position));
-  }
-  return picked;
 }
 
 } // namespace dewpoint::experiment

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -16,6 +17,9 @@ namespace dewpoint::experiment {
 struct Blob {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of mass, pixels (column, row)
   int area = 0;                                     ///< pixels
+  cv::Rect box;                                     ///< the pixels it lies in
+  /// Of the disk of the same area, pixels.
+  double radiusPx() const;
 };
 
 /// Smaller regions are noise.
@@ -31,6 +35,7 @@ struct Bearing {
   std::size_t blob = 0; ///< index among the camera's blobs
   Ray ray;
   double focalLength = 1.0; ///< pixels
+  double radiusPx = 0.0;    ///< apparent size of what is seen there; 0: not known
 };
 
 /// A position that bearings of at least two cameras agree on. World frame, meters.
@@ -46,13 +51,10 @@ struct TriangulatedPoint {
 /// on.
 inline constexpr double kCenterSigmaPx = 0.5;
 
+/// Distance of a bearing's ray from a point (world, meters), in pixels of its camera.
+double residualPx(const Bearing& bearing, const Eigen::Vector3d& point);
+
 /// Least-squares intersection of the bearings; nothing where nearestPoint() has none.
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings);
-
-/// Up to `count` positions from the blobs of all cameras (bearings[camera][blob]), each blob used
-/// once: positions that more cameras agree on first, then those with the smaller residual. No place
-/// has a residual above `gatePx`.
-std::vector<TriangulatedPoint> triangulateMany(const std::vector<std::vector<Bearing>>& bearings,
-                                               std::size_t count, double gatePx);
 
 } // namespace dewpoint::experiment

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/baselines/baseline_camshift.h"
 
+#include "core/experiment/baselines/baseline_blobs.h"
+
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
+
+#include <cmath>
+#include <numbers>
 
 namespace dewpoint::experiment {
 namespace {
@@ -12,26 +17,6 @@ constexpr double kStep = 1.0; // pixels, OpenCV's custom
 
 bool hasColor(const cv::Mat& mask, const cv::Rect& window) {
   return !window.empty() && cv::countNonZero(mask(window)) >= kMinBlobArea;
-}
-
-/// The box of the largest blob, empty if there is none.
-cv::Rect largestBox(const cv::Mat& mask) {
-  cv::Mat labels;
-  cv::Mat statistics;
-  cv::Mat centers;
-  const int count = cv::connectedComponentsWithStats(mask, labels, statistics, centers, 8, CV_32S);
-  int best = 0;
-  for (int label = 1; label < count; ++label) {
-    const int area = statistics.at<int>(label, cv::CC_STAT_AREA);
-    if (area >= kMinBlobArea && (best == 0 || area > statistics.at<int>(best, cv::CC_STAT_AREA))) {
-      best = label;
-    }
-  }
-  return best == 0 ? cv::Rect()
-                   : cv::Rect(statistics.at<int>(best, cv::CC_STAT_LEFT),
-                              statistics.at<int>(best, cv::CC_STAT_TOP),
-                              statistics.at<int>(best, cv::CC_STAT_WIDTH),
-                              statistics.at<int>(best, cv::CC_STAT_HEIGHT));
 }
 
 cv::Rect shifted(const cv::Mat& mask, cv::Rect window) {
@@ -45,35 +30,26 @@ cv::Rect shifted(const cv::Mat& mask, cv::Rect window) {
   return window & cv::Rect(0, 0, mask.cols, mask.rows);
 }
 
-Eigen::Vector2d centerOfMass(const cv::Mat& mask, const cv::Rect& window) {
+FollowedPixel massIn(const cv::Mat& mask, const cv::Rect& window) {
   const cv::Moments moments = cv::moments(mask(window), true);
-  return {window.x + moments.m10 / moments.m00, window.y + moments.m01 / moments.m00};
+  return {{window.x + moments.m10 / moments.m00, window.y + moments.m01 / moments.m00},
+          std::sqrt(moments.m00 / std::numbers::pi)};
 }
 
 } // namespace
 
-std::vector<std::optional<Eigen::Vector2d>>
-CamShiftFinder::find(const std::vector<cv::Mat>& masks) {
-  windows_.resize(masks.size());
-  std::vector<std::optional<Eigen::Vector2d>> result(masks.size());
-  for (std::size_t camera = 0; camera < masks.size(); ++camera) {
-    const cv::Mat& mask = masks[camera];
-    cv::Rect& window = windows_[camera];
-    if (mask.empty()) {
-      window = {};
-      continue;
-    }
-    if (!hasColor(mask, window)) {
-      window = largestBox(mask);
-    }
-    if (!window.empty()) {
-      window = shifted(mask, window);
-    }
-    if (hasColor(mask, window)) {
-      result[camera] = centerOfMass(mask, window);
-    }
+bool CamShiftFollower::start(const CameraImages& images, const cv::Rect& box) {
+  window_ = box & cv::Rect(0, 0, images.mask.cols, images.mask.rows);
+  return hasColor(images.mask, window_);
+}
+
+std::optional<FollowedPixel> CamShiftFollower::step(const CameraImages& images) {
+  if (!hasColor(images.mask, window_)) {
+    return std::nullopt;
   }
-  return result;
+  window_ = shifted(images.mask, window_);
+  return hasColor(images.mask, window_) ? std::optional(massIn(images.mask, window_))
+                                        : std::nullopt;
 }
 
 } // namespace dewpoint::experiment

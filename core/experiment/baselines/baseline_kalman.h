@@ -31,6 +31,8 @@ public:
   void update(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance);
 
   bool started() const { return started_; }
+  /// Squared Mahalanobis distance that a measurement may have.
+  double gate() const { return setup_.gate; }
   Eigen::Vector3d position() const { return state_.head<3>(); }
   Eigen::Vector3d velocity() const { return state_.tail<3>(); }
   Eigen::Matrix3d covariance() const { return covariance_.topLeftCorner<3, 3>(); }

@@ -2,19 +2,22 @@
 #include "core/experiment/baselines/baseline_methods.h"
 
 #include "core/experiment/baselines/baseline_camshift.h"
+#include "core/experiment/baselines/baseline_csrt.h"
 #include "core/experiment/baselines/baseline_tracker.h"
+#include "core/experiment/baselines/rig_start.h"
 #include "core/experiment/baselines/smoothed_method.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string_view>
 
 namespace dewpoint::experiment {
 namespace {
 
-template <class Finder> std::unique_ptr<BearingFinder> makeFinder() {
-  return std::make_unique<Finder>();
+template <class Follower> std::unique_ptr<CameraFollower> makeFollower() {
+  return std::make_unique<Follower>();
 }
 
 struct Baseline {
@@ -22,24 +25,35 @@ struct Baseline {
   BaselineSetup setup;
 };
 
-const std::array<Baseline, 3>& baselines() {
-  static const std::array<Baseline, 3> all{{
-      {"triangulation", {makeFinder<LargestBlobFinder>, false, true, 4.0}},
-      {"triangulation-kalman", {makeFinder<LargestBlobFinder>, true, true, 4.0}},
-      {"camshift", {makeFinder<CamShiftFinder>, false, false, 4.0}},
+const std::array<Baseline, 4>& baselines() {
+  static const std::array<Baseline, 4> all{{
+      {"triangulation", {nullptr, false}},
+      {"triangulation-kalman", {nullptr, true}},
+      {"camshift", {makeFollower<CamShiftFollower>, false}},
+      {"csrt", {makeFollower<CsrtFollower>, false}},
   }};
   return all;
+}
+
+/// Methods that find nothing but by particles near it: they start in what the cameras see.
+constexpr std::array<std::string_view, 2> kStartFromRig{"barrera", "dynamics"};
+
+StartVolume startOf(const std::string& method, const ScenarioRun& run) {
+  return std::ranges::find(kStartFromRig, method) != kStartFromRig.end()
+             ? startFromRig(run)
+             : StartVolume{run.startCenter, run.startHalf};
 }
 
 /// The method's defaults with the start of the run.
 Result<ParameterValues> parametersFor(const std::string& method, const ScenarioRun& run) {
   ParameterValues values(methodParameters(method));
+  const StartVolume start = startOf(method, run);
   const std::array<std::string, 3> axes{"x", "y", "z"};
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     const auto k = static_cast<Eigen::Index>(axis);
     for (const auto& [key, value] :
-         std::map<std::string, double>{{"start_" + axes[axis], run.startCenter[k]},
-                                       {"start_half_" + axes[axis], run.startHalf[k]}}) {
+         std::map<std::string, double>{{"start_" + axes[axis], start.center[k]},
+                                       {"start_half_" + axes[axis], start.half[k]}}) {
       const auto known = values.declarations();
       if (std::ranges::find(known, key, &ParameterDeclaration::key) == known.end()) {
         continue; // a method may do without a start
@@ -67,7 +81,8 @@ Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
                                                   const ScenarioRun& run) {
   for (const Baseline& baseline : baselines()) {
     if (method == baseline.name) {
-      return std::make_unique<BaselineTracker>(baseline.setup, run.rig, run.targets);
+      return std::make_unique<BaselineTracker>(baseline.setup, run.rig, run.targets,
+                                               StartVolume{run.startCenter, run.startHalf});
     }
   }
   const std::string tracked =

@@ -11,7 +11,8 @@
 namespace dewpoint::experiment {
 
 /// All methods of the suite, in the order of its tables: the ones a project may choose, ours first
-/// (and smoothed after the run), then `triangulation`, `triangulation-kalman` and `camshift`.
+/// (and smoothed after the run), then `triangulation`, `triangulation-kalman`, `camshift` and
+/// `csrt`.
 std::vector<std::string> suiteMethods();
 
 /// A tracker of one of suiteMethods() that knows what a method may know of the run (for the

@@ -2,62 +2,42 @@
 #include "core/experiment/baselines/baseline_tracker.h"
 
 #include "core/color/match_image.h"
-#include "core/filter/assignment.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace dewpoint::experiment {
 namespace {
 
-/// Blobs per camera that are looked at beyond the number of targets.
-constexpr std::size_t kSpareBlobs = 4;
-/// Meters that a target seen nowhere yet is away from every place: it takes what others leave.
-constexpr double kNeverSeen = 1e3;
+// Where a target is expected. Judgments, not tuned; those of the start are what method `dewpoint`
+// takes of the same volume (search_prior.cpp).
 
-/// Which place each member gets; places.size() for none.
-std::vector<std::size_t> shareOut(const std::vector<std::optional<Eigen::Vector3d>>& last,
-                                  const std::vector<TriangulatedPoint>& measured) {
-  Eigen::MatrixXd cost(static_cast<Eigen::Index>(last.size()),
-                       static_cast<Eigen::Index>(measured.size()));
-  for (std::size_t row = 0; row < last.size(); ++row) {
-    for (std::size_t column = 0; column < measured.size(); ++column) {
-      cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-          last[row] ? (measured[column].position - *last[row]).norm() : kNeverSeen;
-    }
-  }
-  std::vector<std::size_t> result;
-  for (const Eigen::Index column : assignMinimumCost(cost).columnOfRow) {
-    result.push_back(column == kUnassigned ? measured.size() : static_cast<std::size_t>(column));
-  }
-  return result;
+/// Standard deviation of the first position, as a share of the start volume's half size: of two
+/// objects that look the same, the one nearer to the center is meant.
+constexpr double kStartShare = 0.5;
+/// Meters; its least value, for a start at a point.
+constexpr double kLeastStartSigma = 0.05;
+/// m/s per axis: how far a target is from where it was last, for each second that has passed.
+constexpr double kSpeedSigma = 1.0;
+/// Meters per axis; its least value.
+constexpr double kLeastStepSigma = 0.01;
+
+Eigen::Matrix3d squared(const Eigen::Vector3d& sigmas) {
+  return sigmas.array().square().matrix().asDiagonal();
 }
 
 } // namespace
 
-std::vector<std::optional<Eigen::Vector2d>>
-LargestBlobFinder::find(const std::vector<cv::Mat>& masks) {
-  std::vector<std::optional<Eigen::Vector2d>> result;
-  for (const cv::Mat& mask : masks) {
-    const auto blobs = findBlobs(mask);
-    result.push_back(blobs.empty() ? std::nullopt : std::optional(blobs.front().center));
-  }
-  return result;
-}
-
 BaselineTracker::BaselineTracker(const BaselineSetup& setup, const CameraRig& rig,
-                                 std::vector<Target> targets)
-    : setup_(setup), targets_(std::move(targets)) {
-  BaselineTracker::setCameras(rig);
+                                 std::vector<Target> targets, const StartVolume& start)
+    : setup_(setup), pairing_(rig), cameraCount_(rig.size()), targets_(std::move(targets)),
+      start_(start) {
   restart(0);
 }
 
 void BaselineTracker::setCameras(const CameraRig& rig) {
-  cameras_ = std::vector<Unprojector>(rig.begin(), rig.end());
-  focalLengths_.clear();
-  for (const Camera& camera : rig) {
-    focalLengths_.push_back(std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY));
+  if (rig.size() == cameraCount_) {
+    pairing_ = BlobPairing(rig);
   }
 }
 
@@ -70,7 +50,8 @@ void BaselineTracker::setTargets(const std::vector<Target>& targets) {
 void BaselineTracker::restart(std::uint64_t) {
   tracked_.clear();
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    tracked_.push_back({setup_.finder(), KalmanPoint(), std::nullopt});
+    tracked_.push_back(
+        {CameraFollowers(setup_.follower, cameraCount_), KalmanPoint(), std::nullopt, 0.0});
   }
   estimates_.assign(targets_.size(), SphereEstimate{});
   time_.reset();
@@ -82,26 +63,8 @@ void BaselineTracker::iterate(ThreadTeam&) {
   }
   predict();
   Measured measured(targets_.size());
-  std::vector<bool> done(targets_.size(), false);
-  for (std::size_t first = 0; first < targets_.size(); ++first) {
-    std::vector<std::size_t> members;
-    for (std::size_t k = first; k < targets_.size(); ++k) {
-      if (!done[k] && targets_[k].color == targets_[first].color) {
-        members.push_back(k);
-        done[k] = true;
-      }
-    }
-    if (members.empty()) {
-      continue;
-    }
-    const auto masks = masksOf(targets_[first].color);
-    if (members.size() > 1 && setup_.manyBlobs) {
-      findMany(members, masks, measured);
-    } else {
-      for (const std::size_t k : members) {
-        measured[k] = findOne(tracked_[k], masks);
-      }
-    }
+  for (const Members& members : groups()) {
+    measure(members, measured);
   }
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     conclude(k, measured[k]);
@@ -112,6 +75,7 @@ void BaselineTracker::predict() {
   const double elapsed = time_ ? seconds(frames_->time - *time_) : 0.0;
   time_ = frames_->time;
   for (Tracked& tracked : tracked_) {
+    tracked.sinceSeen += std::max(0.0, elapsed);
     if (setup_.kalman && elapsed > 0.0) {
       tracked.filter.predict(elapsed);
     }
@@ -121,60 +85,134 @@ void BaselineTracker::predict() {
   }
 }
 
-std::vector<cv::Mat> BaselineTracker::masksOf(const ColorRange& color) const {
-  const ColorClassifier classifier(color);
-  std::vector<cv::Mat> masks(cameras_.size());
-  for (std::size_t camera = 0; camera < std::min(cameras_.size(), frames_->frames.size());
-       ++camera) {
-    if (const FramePtr& frame = frames_->frames[camera]) {
-      masks[camera] = matchImage(frame->image, classifier);
+/// The targets by what they look like.
+std::vector<BaselineTracker::Members> BaselineTracker::groups() const {
+  std::vector<Members> groups;
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    const auto same = std::ranges::find_if(groups, [&](const Members& members) {
+      const Target& first = targets_[members.front()];
+      return first.color == targets_[k].color && first.radius == targets_[k].radius;
+    });
+    if (same == groups.end()) {
+      groups.push_back({k});
+    } else {
+      same->push_back(k);
     }
   }
-  return masks;
+  return groups;
 }
 
-std::optional<Bearing> BaselineTracker::bearingOf(std::size_t camera, std::size_t blob,
-                                                  const Eigen::Vector2d& pixel) const {
-  const auto ray = cameras_[camera].ray(pixel);
-  return ray ? std::optional(Bearing{camera, blob, *ray, focalLengths_[camera]}) : std::nullopt;
+BaselineTracker::Views BaselineTracker::viewsOf(const ColorRange& color) const {
+  const ColorClassifier classifier(color);
+  Views views{std::vector<CameraImages>(cameraCount_), std::vector<CameraBlobs>(cameraCount_)};
+  for (std::size_t camera = 0; camera < std::min(cameraCount_, frames_->frames.size()); ++camera) {
+    if (const FramePtr& frame = frames_->frames[camera]) {
+      views.images[camera] = {frame->image, matchImage(frame->image, classifier)};
+      views.blobs[camera] = {true, findBlobs(views.images[camera].mask)};
+    }
+  }
+  return views;
 }
 
-std::optional<TriangulatedPoint> BaselineTracker::findOne(Tracked& tracked,
-                                                          const std::vector<cv::Mat>& masks) const {
-  const auto pixels = tracked.finder->find(masks);
+void BaselineTracker::measure(const Members& members, Measured& measured) {
+  const Target& target = targets_[members.front()];
+  const Views views = viewsOf(target.color);
+  const Members open = follow(members, views, measured);
+  if (open.empty()) {
+    return;
+  }
+  auto pairs = pairing_.pair(views.blobs, target.radius, members.size());
+  for (const std::size_t k : members) {
+    if (measured[k]) { // what its followers hold is no other target
+      std::erase_if(pairs, [&](const PairedBlobs& pair) {
+        return residualShare(pair.point.bearings, measured[k]->position) <= 1.0;
+      });
+    }
+  }
+  find(open, views, pairs, measured);
+}
+
+/// Measures those whose followers agree; returns the others.
+BaselineTracker::Members BaselineTracker::follow(const Members& members, const Views& views,
+                                                 Measured& measured) {
+  if (setup_.follower == nullptr) {
+    return members;
+  }
+  Members open;
+  for (const std::size_t k : members) {
+    measured[k] = followed(tracked_[k], views);
+    if (measured[k]) {
+      joinCameras(k, views, measured[k]->position);
+    } else {
+      open.push_back(k);
+    }
+  }
+  return open;
+}
+
+std::optional<TriangulatedPoint> BaselineTracker::followed(Tracked& tracked,
+                                                           const Views& views) const {
+  const auto pixels = tracked.followers.step(views.images);
   std::vector<Bearing> bearings;
   for (std::size_t camera = 0; camera < pixels.size(); ++camera) {
-    if (const auto bearing =
-            pixels[camera] ? bearingOf(camera, 0, *pixels[camera]) : std::nullopt) {
+    const auto& pixel = pixels[camera];
+    const auto bearing =
+        pixel ? pairing_.bearing(camera, 0, pixel->center, pixel->radiusPx) : std::nullopt;
+    if (bearing) {
       bearings.push_back(*bearing);
     }
   }
-  return triangulate(std::move(bearings));
+  auto point = triangulate(std::move(bearings));
+  const bool agreed = point && residualShare(point->bearings, point->position) <= 1.0;
+  return agreed ? std::move(point) : std::nullopt;
 }
 
-void BaselineTracker::findMany(const std::vector<std::size_t>& members,
-                               const std::vector<cv::Mat>& masks, Measured& measured) const {
-  std::vector<std::vector<Bearing>> bearings(masks.size());
-  for (std::size_t camera = 0; camera < masks.size(); ++camera) {
-    const auto blobs = findBlobs(masks[camera]);
-    for (std::size_t k = 0; k < std::min(blobs.size(), members.size() + kSpareBlobs); ++k) {
-      if (const auto bearing = bearingOf(camera, k, blobs[k].center)) {
-        bearings[camera].push_back(*bearing);
-      }
+void BaselineTracker::joinCameras(std::size_t target, const Views& views,
+                                  const Eigen::Vector3d& position) {
+  CameraFollowers& followers = tracked_[target].followers;
+  for (std::size_t camera = 0; camera < cameraCount_; ++camera) {
+    const std::vector<Blob>& blobs = views.blobs[camera].blobs;
+    if (followers.follows(camera) || blobs.empty()) {
+      continue;
+    }
+    if (const auto blob = pairing_.blobAt(camera, blobs, position, targets_[target].radius)) {
+      followers.start(camera, views.images[camera], blobs[*blob].box);
     }
   }
-  const auto found = triangulateMany(bearings, members.size(), setup_.residualPx);
-  std::vector<std::optional<Eigen::Vector3d>> last;
-  last.reserve(members.size());
+}
+
+void BaselineTracker::find(const Members& members, const Views& views,
+                           const std::vector<PairedBlobs>& pairs, Measured& measured) {
+  std::vector<ExpectedPosition> expected;
+  expected.reserve(members.size());
   for (const std::size_t k : members) {
-    last.push_back(tracked_[k].last);
+    expected.push_back(expectedOf(tracked_[k]));
   }
-  const auto shares = shareOut(last, found);
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    if (shares[k] < found.size()) {
-      measured[members[k]] = found[shares[k]];
+  auto found = assignPairs(pairs, expected);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (!found[i]) {
+      continue;
     }
+    CameraFollowers& followers = tracked_[members[i]].followers;
+    followers.forget();
+    for (const Bearing& bearing : found[i]->bearings) {
+      followers.start(bearing.camera, views.images[bearing.camera],
+                      views.blobs[bearing.camera].blobs[bearing.blob].box);
+    }
+    measured[members[i]] = std::move(found[i]);
   }
+}
+
+ExpectedPosition BaselineTracker::expectedOf(const Tracked& tracked) const {
+  if (setup_.kalman && tracked.filter.started()) {
+    return {tracked.filter.position(), tracked.filter.covariance(), tracked.filter.gate()};
+  }
+  if (tracked.last) {
+    const double sigma = std::max(kLeastStepSigma, kSpeedSigma * tracked.sinceSeen);
+    return {*tracked.last, squared(Eigen::Vector3d::Constant(sigma)), std::nullopt};
+  }
+  const Eigen::Vector3d sigmas = (kStartShare * start_.half).cwiseMax(kLeastStartSigma);
+  return {start_.center, squared(sigmas), std::nullopt};
 }
 
 void BaselineTracker::conclude(std::size_t target,
@@ -182,6 +220,9 @@ void BaselineTracker::conclude(std::size_t target,
   Tracked& tracked = tracked_[target];
   SphereEstimate estimate;
   estimate.camerasSeeing = position ? static_cast<int>(position->bearings.size()) : 0;
+  if (position) {
+    tracked.sinceSeen = 0.0;
+  }
   if (position && setup_.kalman) {
     tracked.filter.update(position->position, position->covariance);
   }

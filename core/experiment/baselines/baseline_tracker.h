@@ -1,58 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_classifier.h"
-#include "core/experiment/baselines/baseline_blobs.h"
 #include "core/experiment/baselines/baseline_kalman.h"
+#include "core/experiment/baselines/blob_pairing.h"
+#include "core/experiment/baselines/camera_followers.h"
+#include "core/tracking/start_parameters.h"
 #include "core/tracking/tracker_capabilities.h"
 
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace dewpoint::experiment {
 
-/// What turns the masks of one frame into at most one bearing per camera, for a target that is the
-/// only one of its color.
-class BearingFinder {
-public:
-  virtual ~BearingFinder() = default;
-  /// Forgets what it remembers of earlier frames.
-  virtual void forget() = 0;
-  /// Masks as from matchImage(), one per camera, empty where there is no image.
-  virtual std::vector<std::optional<Eigen::Vector2d>> find(const std::vector<cv::Mat>& masks) = 0;
-};
-
-/// The center of the largest blob of each camera.
-class LargestBlobFinder final : public BearingFinder {
-public:
-  void forget() override {}
-  std::vector<std::optional<Eigen::Vector2d>> find(const std::vector<cv::Mat>& masks) override;
-};
-
-/// Makes a finder for one target.
-using BearingFinderFactory = std::unique_ptr<BearingFinder> (*)();
-
 struct BaselineSetup {
-  BearingFinderFactory finder = nullptr;
-  bool kalman = false;     ///< a Kalman filter behind the triangulation
-  bool manyBlobs = true;   ///< several targets of one color share the blobs; else each has a finder
-  double residualPx = 4.0; ///< several targets: how far from a ray a position may be
+  /// Follows each target in each camera; null: the blobs are paired anew in every frame.
+  CameraFollowerFactory follower = nullptr;
+  bool kalman = false; ///< a Kalman filter behind the triangulation, whose gate the pairing uses
 };
 
 /// The baselines: color mask, a position in each camera's image, least-squares intersection of the
 /// rays, no particles and no appearance but the mask. A target is valid when two cameras see it (or
 /// while its Kalman filter predicts); it knows no probability, so `existenceProbability` is 0 or 1.
 ///
-/// Targets of one color: the positions that blobs of two or more cameras agree on are given to the
-/// targets so that the sum of the distances to where they were last is least. Deterministic: seed
-/// and parameters mean nothing to it.
+/// They know what the methods know at the start: colors, sizes, calibration and the start volume.
+/// Blobs of different cameras are paired (blob_pairing.h), and of the pairs each target takes the
+/// one that looks most like it and is nearest to where it is expected: in the start volume at
+/// first, then where it was last, or where its Kalman filter predicts it. Targets of one color and
+/// size share the blobs.
+///
+/// With followers, the pairing only starts them: a follower begins with the box of its camera's
+/// blob, and all of a target's begin again when fewer than two are left, or when their rays miss
+/// each other by more than the pairing allows. A camera without a follower gets one at the blob
+/// that fits the position of the others. Deterministic: seed and parameters mean nothing to it.
 class BaselineTracker final : public Tracker,
                               public TargetFollowing,
                               public CameraCalibrated,
                               public ParticleCloud {
 public:
-  BaselineTracker(const BaselineSetup& setup, const CameraRig& rig, std::vector<Target> targets);
+  /// `start` is where the targets are first searched for.
+  BaselineTracker(const BaselineSetup& setup, const CameraRig& rig, std::vector<Target> targets,
+                  const StartVolume& start);
 
   void configure(const ParameterValues&) override {}
   void setTargets(const std::vector<Target>& targets) override;
@@ -69,26 +56,36 @@ public:
 
 private:
   struct Tracked {
-    std::unique_ptr<BearingFinder> finder;
+    CameraFollowers followers;
     KalmanPoint filter;
-    std::optional<Eigen::Vector3d> last; ///< where it was seen last
+    std::optional<Eigen::Vector3d> last; ///< where it was seen last, or is predicted
+    double sinceSeen = 0.0;              ///< seconds
   };
+  /// What the cameras show of one color, in the order of the rig.
+  struct Views {
+    std::vector<CameraImages> images;
+    std::vector<CameraBlobs> blobs;
+  };
+  using Members = std::vector<std::size_t>; ///< indices of targets
   using Measured = std::vector<std::optional<TriangulatedPoint>>;
 
-  std::vector<cv::Mat> masksOf(const ColorRange& color) const;
-  std::optional<Bearing> bearingOf(std::size_t camera, std::size_t blob,
-                                   const Eigen::Vector2d& pixel) const;
-  std::optional<TriangulatedPoint> findOne(Tracked& tracked,
-                                           const std::vector<cv::Mat>& masks) const;
-  void findMany(const std::vector<std::size_t>& members, const std::vector<cv::Mat>& masks,
-                Measured& measured) const;
   void predict();
+  std::vector<Members> groups() const;
+  Views viewsOf(const ColorRange& color) const;
+  void measure(const Members& members, Measured& measured);
+  Members follow(const Members& members, const Views& views, Measured& measured);
+  std::optional<TriangulatedPoint> followed(Tracked& tracked, const Views& views) const;
+  void joinCameras(std::size_t target, const Views& views, const Eigen::Vector3d& position);
+  void find(const Members& members, const Views& views, const std::vector<PairedBlobs>& pairs,
+            Measured& measured);
+  ExpectedPosition expectedOf(const Tracked& tracked) const;
   void conclude(std::size_t target, const std::optional<TriangulatedPoint>& position);
 
   BaselineSetup setup_;
-  std::vector<Unprojector> cameras_;
-  std::vector<double> focalLengths_;
+  BlobPairing pairing_;
+  std::size_t cameraCount_ = 0;
   std::vector<Target> targets_;
+  StartVolume start_;
   std::vector<Tracked> tracked_;
   FrameSetPtr frames_;
   std::optional<TimeStamp> time_;

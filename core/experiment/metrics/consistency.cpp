@@ -11,7 +11,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The mean of `samples` chi-square variables of `degrees` each is, times their number, chi-square
@@ -28,18 +28,19 @@ Interval meanBounds(double mean, double samples, double degrees, double level) {
 
 double normalizedErrorSquared(const StateError& sample) {
   if (!sample.error.allFinite() || !sample.covariance.allFinite())
-    return kNothing;
+    return kUndefined;
   const Eigen::LLT<Eigen::Matrix3d> factor(sample.covariance);
   if (factor.info() != Eigen::Success)
-    return kNothing;
+    return kUndefined;
   const double value = sample.error.dot(factor.solve(sample.error));
-  return std::isfinite(value) ? value : kNothing;
+  return std::isfinite(value) ? value : kUndefined;
 }
 
 Consistency consistency(std::span<const StateError> errors, double level) {
   Consistency result;
   result.samples = static_cast<std::int64_t>(errors.size());
   result.inside.total = result.samples;
+  result.inside50.total = result.samples;
   double sum = 0.0;
   for (const StateError& sample : errors) {
     const double value = normalizedErrorSquared(sample);
@@ -52,11 +53,13 @@ Consistency consistency(std::span<const StateError> errors, double level) {
         (sample.error.array().square() / sample.covariance.diagonal().array()).matrix();
     if (value <= kChiSquared95ThreeDof)
       ++result.inside.count;
+    if (value <= kChiSquared50ThreeDof)
+      ++result.inside50.count;
   }
   const auto usable = static_cast<double>(result.samples - result.unusable);
   const bool any = usable > 0.0;
-  result.nees = meanBounds(any ? sum / usable : kNothing, usable, 3.0, level);
-  result.axisNees = any ? (result.axisNees / usable).eval() : Eigen::Vector3d::Constant(kNothing);
+  result.nees = meanBounds(any ? sum / usable : kUndefined, usable, 3.0, level);
+  result.axisNees = any ? (result.axisNees / usable).eval() : Eigen::Vector3d::Constant(kUndefined);
   result.axisBounds = meanBounds(1.0, usable, 1.0, level);
   return result;
 }

@@ -18,6 +18,8 @@ struct StateError {
 
 /// 95 % of a chi-square variable with three degrees of freedom: the 95 % ellipsoid's squared size.
 inline constexpr double kChiSquared95ThreeDof = 7.814727903251;
+/// The same for 50 %: half of the errors of a consistent estimate lie within.
+inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 
 /// Do the stated covariances fit the errors? NEES is the normalized estimation error squared,
 /// error^T covariance^-1 error (Bar-Shalom, Li & Kirubarajan 2001, section 5.4.2): 3 on average for
@@ -29,6 +31,7 @@ struct Consistency {
   Eigen::Vector3d axisNees = Eigen::Vector3d::Zero(); ///< mean error² / variance per world axis
   Interval axisBounds; ///< value 1: what each of axisNees should be, and its bounds
   Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
+  Proportion inside50; ///< the same for the 50 % ellipsoid
 };
 
 /// The bounds are the two-sided chi-square bounds of the mean at `level`. They take the errors for

@@ -11,7 +11,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoScore = std::numeric_limits<double>::quiet_NaN();
 /// So that a similarity that is a threshold but for rounding reaches it.
 constexpr double kRoundingMargin = 1e-9;
 
@@ -121,9 +121,9 @@ HotaAtThreshold judge(const std::vector<Match>& matches, const Appearances& appe
     const auto frames = static_cast<double>(count);
     result.association += frames / found * appearances.alignment(pair, frames);
   }
-  result.association = all == 0 ? kNothing : result.association;
-  result.detection = all == 0 ? kNothing : found / static_cast<double>(all);
-  result.localization = result.matches == 0 ? kNothing : similaritySum / found;
+  result.association = all == 0 ? kNoScore : result.association;
+  result.detection = all == 0 ? kNoScore : found / static_cast<double>(all);
+  result.localization = result.matches == 0 ? kNoScore : similaritySum / found;
   result.hota = std::sqrt(result.detection * result.association);
   return result;
 }
@@ -146,7 +146,7 @@ Hota hota(std::span<const TrackFrame> frames, double gate) {
       ++located;
     }
   }
-  result.localization = located == 0 ? kNothing : result.localization / located;
+  result.localization = located == 0 ? kNoScore : result.localization / located;
   return result;
 }
 

@@ -8,7 +8,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoForecast = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<ReliabilityBin> emptyBins(int binCount) {
   std::vector<ReliabilityBin> bins(static_cast<std::size_t>(binCount));
@@ -47,8 +47,8 @@ Reliability reliability(std::span<const Forecast> forecasts, int binCount) {
   const auto total = static_cast<double>(result.count);
   for (ReliabilityBin& bin : result.bins) {
     const auto count = static_cast<double>(bin.count);
-    bin.meanProbability = bin.count == 0 ? kNothing : bin.meanProbability / count;
-    bin.frequency = bin.count == 0 ? kNothing : bin.frequency / count;
+    bin.meanProbability = bin.count == 0 ? kNoForecast : bin.meanProbability / count;
+    bin.frequency = bin.count == 0 ? kNoForecast : bin.frequency / count;
     if (bin.count == 0)
       continue;
     const double difference = std::abs(bin.frequency - bin.meanProbability);
@@ -57,7 +57,7 @@ Reliability reliability(std::span<const Forecast> forecasts, int binCount) {
   }
   result.brier /= total;
   if (result.count == 0)
-    result.expectedError = result.greatestError = result.brier = kNothing;
+    result.expectedError = result.greatestError = result.brier = kNoForecast;
   return result;
 }
 

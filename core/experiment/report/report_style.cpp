@@ -15,6 +15,8 @@ std::string reportStyle() {
   --good: #6fd49a; --good-back: #17341f; --bad: #ff9a8f; --bad-back: #40201d; --none-back: #2a2f36;
   --warn: #ffce6b; --warn-back: #3c2f12; --ours: #1b2a3b;
   --m0: #58a9f0; --m1: #ff9350; --m2: #3fcf9f; --m3: #e08bd0; --m4: #e0c04a; --m5: #aaa; } }
+:root { --m6: #0c8a9c; --m7: #7a5cc4; --m8: #7d6b5d; }
+@media (prefers-color-scheme: dark) { :root { --m6: #4cc8da; --m7: #a98df0; --m8: #b8a697; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--page); color: var(--ink);
   font: 15px/1.55 system-ui, -apple-system, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif; }
@@ -60,6 +62,7 @@ svg { display: block; width: 100%; height: auto; }
   margin-right: 6px; vertical-align: middle; }
 .dot { display: inline-block; width: 9px; height: 9px; border-radius: 50%; background: var(--c); margin-right: 8px; }
 .m0 { --c: var(--m0); } .m1 { --c: var(--m1); } .m2 { --c: var(--m2); } .m3 { --c: var(--m3); } .m4 { --c: var(--m4); } .m5 { --c: var(--m5); }
+.m6 { --c: var(--m6); } .m7 { --c: var(--m7); } .m8 { --c: var(--m8); }
 .grid { stroke: var(--grid); stroke-width: 1; }
 .mark { fill: var(--soft); font-size: 10.5px; }
 .label { fill: var(--soft); font-size: 11.5px; }

@@ -24,7 +24,7 @@ struct SvgPoint {
 
 /// A line with, if wanted, a band around it or a disk on each point.
 struct SvgSeries {
-  std::string style; ///< CSS class that gives the color ("m0" to "m5")
+  std::string style; ///< CSS class that gives the color ("m0" to "m8")
   std::vector<SvgPoint> line;
   std::vector<double> bandLow;  ///< at the line's points; empty for none
   std::vector<double> bandHigh; ///< at the line's points; empty for none

@@ -21,11 +21,15 @@ struct PeopleScenario {
   double after = 0.0;
 };
 
-/// "crossing", "meet-and-turn", "side-by-side", "enter-leave", and "apart", the easy case.
+/// Those of Mohedano et al. 2009: "crossing", "meet-and-turn", "side-by-side", "enter-leave", and
+/// "apart", the easy case; then what people also do: "heights", "sitting", "carrying", "crowd",
+/// "two-cameras", "contact", "furniture-moved", "room-clothes" and "patterned-clothes".
 const std::vector<std::string>& peopleScenarioNames();
 /// What happens in it, one sentence.
 std::string peopleScenarioSentence(const std::string& name);
-/// NotFound for an unknown name.
+/// Whether it is a scene of Mohedano et al. 2009.
+bool isPeopleScenarioOfPaper(const std::string& name);
+/// NotFound for an unknown name; Undetermined when the seed draws no ways that are possible.
 Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes clothes,
                                           std::uint64_t seed);
 

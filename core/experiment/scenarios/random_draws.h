@@ -6,12 +6,15 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <numbers>
 #include <string>
 
 namespace dewpoint::experiment {
 
 /// The same number for the same text, everywhere (FNV-1a).
 std::uint32_t hashOf(const std::string& text);
+
+inline constexpr double kFullTurn = 2.0 * std::numbers::pi; ///< radians
 
 /// Numbers that a seed decides, drawn one after the other: what a scenario is made of.
 class Draws {

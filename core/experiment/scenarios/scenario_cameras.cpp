@@ -3,7 +3,6 @@
 #include "core/experiment/scenarios/scenario_places.h"
 #include "core/simulation/camera_view.h"
 #include "core/simulation/rigs.h"
-#include "core/simulation/room.h"
 
 #include <fmt/format.h>
 
@@ -86,11 +85,10 @@ bool withBump(ScenarioDraft& draft) {
   const std::int64_t frame = 75 + draft.draws.whole(-15, 15);
   const int which = draft.draws.whole(0, static_cast<int>(draft.rig.size()) - 1);
   const auto camera = static_cast<std::size_t>(which);
-  const simulation::Room room(simulation::Furnishing::ClutteredDesk);
   for (int i = 0; i < kBumps; ++i) {
     // Not from the cache: no other run has this view.
     const auto view = std::make_shared<const simulation::CameraView>(
-        bumped(draft.rig[camera], draft.draws), room);
+        bumped(draft.rig[camera], draft.draws), *draft.room);
     if (staysVisibleSince(draft, frame, *view)) {
       // Half a frame early, so that the frame's whole exposure is after it.
       const double since = draft.timeOf(frame) - 0.5 / draft.framesPerSecond;

@@ -1,59 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/scenarios/scenario_draft.h"
 
+#include "core/experiment/scenarios/grade_model.h"
+#include "core/experiment/scenarios/target_truth.h"
+#include "core/experiment/scenarios/wild_rig.h"
+#include "core/experiment/scenarios/wild_room.h"
 #include "core/simulation/scene.h"
-#include "core/simulation/sensor.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-// The constants of grade `room`.
-constexpr double kRadialDistortion = -0.15; // k1; k2 keeps the image monotonous to its corners
-/// k2.
-constexpr double kRadialDistortion2 = 0.04;
-constexpr double kFocalError = 0.005;    // standard deviation, of the focal length
-constexpr double kPositionError = 0.002; // meters, per axis
-constexpr double kTurnError = 0.2 * std::numbers::pi / 180.0; // about a random axis
-/// Quality of JPEG in the grade `Room`.
-constexpr int kJpegQuality = 70;
-/// Loss of light in the corners.
-constexpr double kVignette = 0.25;
-constexpr double kSideLight = 0.12; // at most, per direction
-
 /// Keeps the noise's seed apart from the draws'.
 constexpr std::uint32_t kNoisePart = 0x5EED;
 
-void addDistortion(CameraRig& rig) {
-  for (Camera& camera : rig) {
-    camera.distortion[0] = kRadialDistortion;
-    camera.distortion[1] = kRadialDistortion2;
-  }
-}
-
-CameraRig withCalibrationNoise(CameraRig rig, Draws& draws) {
-  for (Camera& camera : rig) {
-    const double focal = 1.0 + draws.normal(kFocalError);
-    camera.intrinsics.focalX *= focal;
-    camera.intrinsics.focalY *= focal;
-    const Eigen::Vector3d position =
-        camera.center() + Eigen::Vector3d(draws.normal(kPositionError),
-                                          draws.normal(kPositionError),
-                                          draws.normal(kPositionError));
-    const Eigen::AngleAxisd turn(draws.normal(kTurnError), draws.direction());
-    camera.cameraFromWorld.linear() = turn * camera.cameraFromWorld.linear();
-    camera.cameraFromWorld.translation() = -(camera.cameraFromWorld.linear() * position);
-  }
-  return rig;
-}
-
-Trajectory truthOf(const ScenarioDraft& draft) {
+/// The extents are those of the samples, in their order.
+Trajectory truthOf(const ScenarioDraft& draft, std::vector<TargetExtent>& extents) {
   Trajectory truth;
   truth.header.entries = {{"scenario", draft.name}, {"seed", fmt::format("{}", draft.seed)}};
   for (const Camera& camera : draft.rig) {
@@ -66,7 +33,9 @@ Trajectory truthOf(const ScenarioDraft& draft) {
       sample.time = draft.timeOf(frame);
       sample.frame = frame;
       sample.target = body.name;
-      sample.position = body.path(sample.time);
+      const TargetTruth now = targetTruth(body, sample.time);
+      sample.position = now.position;
+      extents.push_back(now.extent);
       sample.cameras = static_cast<int>(draft.rig.size());
       sample.valid = body.presentAt(sample.time);
       truth.samples.push_back(std::move(sample));
@@ -96,9 +65,20 @@ FramePtr frameOf(const ScenarioDraft& draft, std::size_t camera, std::int64_t fr
       return nullptr;
     }
   }
-  const double time = clock.offset + static_cast<double>(own) / clock.framesPerSecond;
+  const CameraTiming timing = draft.timings.empty() ? CameraTiming{} : draft.timings.at(camera);
+  const RandomStream chances(draft.stage.seed, static_cast<std::uint32_t>(own),
+                             static_cast<std::uint32_t>(camera), RandomPurpose::Start);
+  const auto delivery = delivered(timing, own, chances);
+  if (!delivery) {
+    return nullptr;
+  }
+  const auto stampOf = [&](std::int64_t number) {
+    return clock.offset + static_cast<double>(number) / clock.framesPerSecond;
+  };
+  const double taken = exposureTime(timing, stampOf(delivery->shown));
   return std::make_shared<const Frame>(
-      Frame{own, timeStamp(time), simulation::renderStage(draft.stage, camera, time, own)});
+      Frame{own, timeStamp(stampOf(own) + delivery->stampError),
+            simulation::renderStage(draft.stage, camera, taken, delivery->shown)});
 }
 
 FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame) {
@@ -109,15 +89,25 @@ FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame) {
   return std::make_shared<const FrameSet>(std::move(set));
 }
 
-/// The images' faults of grade `room`; the calibration's are the believed rig's.
-void roughen(simulation::Stage& stage, Draws& draws) {
-  stage.jpegQuality = kJpegQuality;
-  for (const auto& view : stage.views) {
-    const double right = draws.uniform(-kSideLight, kSideLight);
-    const double down = draws.uniform(-kSideLight, kSideLight);
-    stage.unevenness.push_back(
-        simulation::unevenLight({view->width, view->height}, kVignette, right, down));
+/// What the grade and the scenario do to images, time stamps and calibration.
+SensingFaults faultsOf(const ScenarioDraft& draft) {
+  SensingFaults faults = noFaults(draft);
+  if (draft.grade != Grade::Ideal) {
+    const GradeModel& model = gradeModel(draft.grade);
+    Draws draws(draft.seed, draft.name + " " + model.name);
+    FaultContext context;
+    context.cameras = draft.rig.size();
+    context.seconds = draft.timeOf(draft.frameCount);
+    context.framesPerSecond = draft.framesPerSecond;
+    context.exposureSeconds = draft.stage.exposureSeconds;
+    context.middle = draft.stage.bodies[draft.targets.front()].path(0.0);
+    faults = drawFaults(model, context, draws);
+    faults.illumination.lamp = draft.stage.illumination.lamp;
   }
+  if (draft.adjustFaults) {
+    draft.adjustFaults(faults);
+  }
+  return faults;
 }
 
 ScenarioRun runOf(ScenarioDraft draft) {
@@ -127,10 +117,10 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.seed = draft.seed;
   run.trueRig = draft.rig;
   run.rig = draft.rig;
-  if (draft.grade == Grade::Room) {
-    Draws faults(draft.seed, draft.name + " room");
-    run.rig = withCalibrationNoise(draft.rig, faults);
-    roughen(draft.stage, faults);
+  // What is ideal stays as it was drawn, to the bit.
+  if (draft.grade != Grade::Ideal || draft.adjustFaults) {
+    Draws errors(draft.seed, draft.name + " calibration");
+    run.rig = applyFaults(faultsOf(draft), draft, errors);
   }
   for (const std::size_t target : draft.targets) {
     const simulation::StageBody& body = draft.stage.bodies[target];
@@ -140,28 +130,80 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.startHalf = draft.startHalf;
   run.framesPerSecond = draft.framesPerSecond;
   run.frameCount = draft.frameCount;
-  run.truth = truthOf(draft);
+  run.truth = truthOf(draft, run.extents);
   run.events = draft.events;
+  run.equalCandidates = draft.equalCandidates;
   const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
   run.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };
+  if (shared->teach) {
+    shared->teach(*shared, run);
+  }
   return run;
+}
+
+/// A draft with its cameras and the room at rest, before the scenario's own part.
+ScenarioDraft usualDraft(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
+                         std::uint64_t seed, Grade grade) {
+  ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
+  Draws lenses(seed, recipe.name + " lenses");
+  drawLenses(grade, draft.rig, lenses);
+  draft.room = std::make_shared<const simulation::Room>(recipe.furnishing);
+  for (const Camera& camera : draft.rig) {
+    draft.stage.views.push_back(cache.view(camera, recipe.furnishing));
+  }
+  return draft;
+}
+
+/// The same with cameras, furniture and people of its own.
+ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int attempt) {
+  ScenarioDraft draft{recipe.name, Grade::Wild, seed, Draws(seed, recipe.name), {}};
+  Draws draws(seed, fmt::format("{} wild {}", recipe.name, attempt));
+  const WildRig wild = drawRig(recipe.rig, recipe.furnishing, attempt, draws);
+  draft.rig = wild.rig;
+  draft.pathScale = wild.pathScale;
+  draft.radiusScale = wild.radiusScale;
+  drawLenses(Grade::Wild, draft.rig, draws);
+  const simulation::RoomDesign design = drawRoom(recipe.furnishing, draft.rig, draws);
+  const auto room = std::make_shared<const simulation::Room>(recipe.furnishing, design);
+  // Not from the cache: no other run has these views.
+  for (const Camera& camera : draft.rig) {
+    draft.stage.views.push_back(std::make_shared<const simulation::CameraView>(camera, *room));
+  }
+  draft.room = room;
+  draft.stage.illumination.lamp = room->lamp();
+  draft.stage.floorHeight = floorOf(recipe.furnishing);
+  return draft;
+}
+
+/// Makes the balls as small as the grade wants them: what was placed for larger ones stays clear.
+void shrinkBalls(ScenarioDraft& draft) {
+  for (simulation::StageBody& body : draft.stage.bodies) {
+    if (!body.box) {
+      body.radius *= draft.radiusScale;
+    }
+  }
 }
 
 Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
                           std::uint64_t seed, Grade grade) {
-  ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
-  if (grade == Grade::Room) {
-    addDistortion(draft.rig);
+  const bool wild = grade == Grade::Wild;
+  for (int attempt = 0; attempt < (wild ? kMostRigs : 1); ++attempt) {
+    ScenarioDraft draft =
+        wild ? wildDraft(recipe, seed, attempt) : usualDraft(recipe, cache, seed, grade);
+    draft.stage.seed = derivedSeed(seed, hashOf(recipe.name) ^ kNoisePart);
+    if (!recipe.complete(draft)) {
+      continue;
+    }
+    if (wild) {
+      shrinkBalls(draft);
+      Draws people(seed, recipe.name + " people");
+      const double seconds = draft.timeOf(draft.frameCount);
+      draft.stage.people = drawPeople(recipe.furnishing, seconds, people);
+    }
+    return runOf(std::move(draft));
   }
-  for (const Camera& camera : draft.rig) {
-    draft.stage.views.push_back(cache.view(camera, recipe.furnishing));
-  }
-  draft.stage.seed = derivedSeed(seed, hashOf(recipe.name) ^ kNoisePart);
-  if (!recipe.complete(draft)) {
-    return failure(ErrorCode::NotFound, "", recipe.name,
-                   fmt::format("no place was found for what must be seen (seed {})", seed));
-  }
-  return runOf(std::move(draft));
+  return failure(ErrorCode::NotFound, "", recipe.name,
+                 fmt::format("no place was found for what must be seen (seed {})", seed));
 }
 
 } // namespace
@@ -198,7 +240,7 @@ void startNearTruth(ScenarioDraft& draft) {
   constexpr double kHalf = 0.1;
   const Eigen::Vector3d off =
       draft.draws.inBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
-  draft.startCenter = draft.stage.bodies[draft.targets.front()].path(0.0) + off;
+  draft.startCenter = targetTruth(draft.stage.bodies[draft.targets.front()], 0.0).position + off;
   draft.startHalf = Eigen::Vector3d::Constant(kHalf);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/experiment/scenarios/scenario.h"
+#include "core/experiment/scenarios/sensing_faults.h"
 #include "core/simulation/stage.h"
 #include "core/simulation/view_cache.h"
 
@@ -42,6 +43,22 @@ struct ScenarioDraft {
   /// Frame does not arrive.
   std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
+  /// Changes what the grade has drawn, or what an ideal run has: the faults that the scenario is
+  /// about. Called when all else is complete.
+  std::function<void(SensingFaults&)> adjustFaults = nullptr;
+  /// One per camera, set by the grade and the scenario's faults; empty: all is known and comes.
+  std::vector<CameraTiming> timings = {};
+
+  /// The room that the stage's views show, for views of further cameras.
+  std::shared_ptr<const simulation::Room> room = nullptr;
+  /// Of the extent of smooth paths; below 1 where the cameras show less.
+  double pathScale = 1.0;
+  /// Of the radius of balls, applied when the scenario is complete; at most 1.
+  double radiusScale = 1.0;
+  int equalCandidates = 1; ///< see ScenarioRun
+  /// Sets what methods know about the targets from the images of the finished run; none: they know
+  /// the range of the pink ball.
+  std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
@@ -85,5 +102,17 @@ std::vector<ScenarioRecipe> clockScenarios();      ///< S7
 std::vector<ScenarioRecipe> lightScenarios();      ///< S8
 std::vector<ScenarioRecipe> bumpScenarios();       ///< S9
 std::vector<ScenarioRecipe> unknownScenarios();    ///< S10
+std::vector<ScenarioRecipe> heldScenarios();       ///< S11
+std::vector<ScenarioRecipe> patternedScenarios();  ///< S12
+std::vector<ScenarioRecipe> posterScenarios();     ///< S13
+std::vector<ScenarioRecipe> sensorScenarios();     ///< S14
+std::vector<ScenarioRecipe> timingScenarios();     ///< S15
+std::vector<ScenarioRecipe> driftScenarios();      ///< S16
+std::vector<ScenarioRecipe> outOfViewScenarios();  ///< S17
+std::vector<ScenarioRecipe> thrownScenarios();     ///< S18
+std::vector<ScenarioRecipe> crowdScenarios();      ///< S19
+std::vector<ScenarioRecipe> lampScenarios();       ///< S20
+std::vector<ScenarioRecipe> shapeScenarios();      ///< S21
+std::vector<ScenarioRecipe> clickedScenarios();    ///< S22
 
 } // namespace dewpoint::experiment::scenarios

@@ -12,8 +12,6 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
 /// A flat plate before one camera, square to the line of sight, one edge on that line.
 struct Plate {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();
@@ -31,7 +29,7 @@ Plate drawPlate(ScenarioDraft& draft, std::size_t camera, const Eigen::Vector3d&
   Plate plate;
   plate.eye = draft.rig[camera].center();
   plate.sight = (target - plate.eye).normalized();
-  const Eigen::AngleAxisd turn(draft.draws.uniform(0.0, kTurn), plate.sight);
+  const Eigen::AngleAxisd turn(draft.draws.uniform(0.0, kFullTurn), plate.sight);
   plate.edge = turn * plate.sight.unitOrthogonal();
   plate.aside = plate.edge.cross(plate.sight);
   return plate;
@@ -71,9 +69,9 @@ bool besideStillPlate(ScenarioDraft& draft) {
   const Eigen::Vector3d center = draft.draws.inBox({0.46, 0.46, 0.12}, {0.56, 0.58, 0.18});
   const Plate plate = drawPlate(draft, camera, center);
   const double period = draft.draws.uniform(4.0, 7.0);
-  const double phase = draft.draws.uniform(0.0, kTurn);
+  const double phase = draft.draws.uniform(0.0, kFullTurn);
   const simulation::Path path = [=](double time) -> Eigen::Vector3d {
-    const double angle = kTurn * time / period + phase;
+    const double angle = kFullTurn * time / period + phase;
     return center + 0.08 * std::sin(angle) * plate.sight +
            0.04 * std::sin(2.0 * angle) * plate.edge;
   };
@@ -99,7 +97,7 @@ bool withMovingPlate(ScenarioDraft& draft) {
   const double wander = draft.draws.uniform(1.0, 2.0);
   addPlate(draft, plate, [=, path = *path](double time) -> Eigen::Vector3d {
     const double out = std::clamp((kEnd - time) / (kEnd - kBegin), 0.0, 1.0);
-    const double edge = 0.15 * kBallRadius * kAlong * std::sin(kTurn * time / wander);
+    const double edge = 0.15 * kBallRadius * kAlong * std::sin(kFullTurn * time / wander);
     return plate.eye + kAlong * (path(time) - plate.eye) +
            (kPlateWide + kFar * out * out * (3.0 - 2.0 * out) + edge) * plate.aside;
   });

@@ -82,7 +82,7 @@ std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double ra
   for (int i = 0; i < kMostDraws; ++i) {
     RoundPath path;
     path.center = draws.inBox({0.46, 0.46, 0.12}, {0.56, 0.58, 0.18});
-    path.extent = draws.uniform(0.8, 1.1) * Eigen::Vector3d{0.11, 0.08, 0.05};
+    path.extent = draft.pathScale * draws.uniform(0.8, 1.1) * Eigen::Vector3d{0.11, 0.08, 0.05};
     path.phase =
         draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
     path.period = fast ? 1.2 : 6.0;

@@ -10,6 +10,9 @@ inline constexpr int kMostDraws = 4000;
 /// How often a whole layout is drawn again before a scenario gives up. Origin not recorded.
 inline constexpr int kMostLayouts = 50;
 
+/// Frames of a run of 6 s, at 30 per second.
+inline constexpr std::int64_t kUsualFrames = 180;
+
 /// A closed path: center + extent .* (sin a, sin 2a, sin 3a), each with a phase of its own, once
 /// round in `period` seconds.
 struct RoundPath {

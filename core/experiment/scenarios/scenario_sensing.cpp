@@ -13,8 +13,6 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr std::int64_t kFrames = 180;
-
 /// Mixes what each camera has, so that no rate or offset goes with a place.
 void shuffle(std::vector<CameraClock>& clocks, Draws& draws) {
   for (std::size_t i = clocks.size() - 1; i > 0; --i) {
@@ -25,7 +23,7 @@ void shuffle(std::vector<CameraClock>& clocks, Draws& draws) {
 /// Every camera is early by its own part of a frame: one by none, one by half a frame.
 bool withOffsets(ScenarioDraft& draft) {
   constexpr double kMost = 0.5; // frames
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const double rate = draft.framesPerSecond;
@@ -40,7 +38,7 @@ bool withOffsets(ScenarioDraft& draft) {
 /// The sets come at the fastest camera's rate; a slower one's frame is in the first set after it
 /// was taken.
 bool withRates(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   draft.clocks = {{30.0, 0.0}, {25.0, 0.0}, {15.0, 0.0}};
@@ -60,7 +58,7 @@ double rampGain(double time) {
 }
 
 bool withRamp(ScenarioDraft& draft) {
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const double begin = draft.draws.uniform(0.7, 1.3);
@@ -76,7 +74,7 @@ bool withTemperature(ScenarioDraft& draft) {
   constexpr double kMiddle = 5500.0;
   constexpr double kSwing = 1000.0;
   constexpr double kSwingPeriod = 6.0; // seconds: the whole run
-  if (!addDeskBall(draft, kFrames)) {
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const double turn = 2.0 * std::numbers::pi;

@@ -6,10 +6,8 @@
 
 namespace dewpoint::experiment {
 
-// Barrera et al. 2005, section III, on the simulated demo, as FigureExperiment::run.
+// Barrera et al. 2005, section III-A, on the simulated demo, as FigureExperiment::run.
 Status barreraFigure3(const ExperimentOptions& options);
 Status barreraFigure4(const ExperimentOptions& options);
-Status barreraDrift(const ExperimentOptions& options);
-Status barreraStarts(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

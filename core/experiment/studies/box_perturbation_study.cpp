@@ -23,11 +23,11 @@ bool isOpenCvs(const std::string& method) {
   return std::ranges::find(openCvFollowers(), method) != openCvFollowers().end();
 }
 
-Result<std::unique_ptr<BoxFollower>> make(const std::string& method, int seed) {
+Result<std::unique_ptr<BoxFollower>> make(const std::string& method, std::uint64_t seed) {
   if (isOpenCvs(method)) {
     return makeOpenCvFollower(method);
   }
-  return makeBoxFollower(method, kParticles, static_cast<std::uint64_t>(seed));
+  return makeBoxFollower(method, kParticles, seed);
 }
 
 /// What was claimed on and off the target, over all runs of a row.
@@ -80,7 +80,8 @@ void conclude(const Claims& claims, BoxPerturbationRow& row) {
 }
 
 Result<BoxPerturbationRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
-                                   const std::string& method, double scale, int seeds) {
+                                   const std::string& method, double scale, int seeds,
+                                   std::uint64_t firstSeed) {
   BoxPerturbationRow row;
   row.clip = clip.name;
   row.method = method;
@@ -90,8 +91,8 @@ Result<BoxPerturbationRow> measure(const BoxClip& clip, const std::vector<cv::Ma
     if (perturbation.scale != scale) {
       continue;
     }
-    for (int seed = 1; seed <= (isOpenCvs(method) ? 1 : seeds); ++seed) {
-      auto follower = make(method, seed);
+    for (int k = 0; k < (isOpenCvs(method) ? 1 : seeds); ++k) {
+      auto follower = make(method, firstSeed + static_cast<std::uint64_t>(k));
       if (!follower) {
         return tl::make_unexpected(follower.error());
       }
@@ -120,10 +121,14 @@ std::vector<BoxPerturbation> boxPerturbations() {
   return perturbations;
 }
 
+std::vector<std::string> perturbationMethods() {
+  return {"histogram", "sugandi", "csrt", "camshift"};
+}
+
 Result<std::vector<BoxPerturbationRow>>
 studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
                     const std::function<bool(const BoxPerturbationRow&)>& report,
-                    const std::vector<std::string>& methods) {
+                    const std::vector<std::string>& methods, std::uint64_t firstSeed) {
   std::vector<BoxPerturbationRow> rows;
   for (const BoxClip& clip : clips) {
     const auto images = imagesOf(clip);
@@ -132,7 +137,7 @@ studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
     }
     for (const std::string& method : methods) {
       for (const double scale : kScales) {
-        auto row = measure(clip, *images, method, scale, seeds);
+        auto row = measure(clip, *images, method, scale, seeds, firstSeed);
         if (!row) {
           return tl::make_unexpected(row.error());
         }

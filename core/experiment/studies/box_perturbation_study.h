@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/experiment/metrics/box_metrics.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/box_clips.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -40,12 +42,16 @@ struct BoxPerturbationRow {
   double surelyWrong = 0.0;   ///< share of all frames off the target, yet above 0.9
 };
 
+/// The methods that are compared unless others are chosen.
+std::vector<std::string> perturbationMethods();
+
 /// Follows every clip from sloppy first boxes with `sugandi` and `histogram` (300 particles,
-/// `seeds` runs each), CSRT and CamShift. `report` gets each row as it is done; it returns false to
-/// stop.
-Result<std::vector<BoxPerturbationRow>> studyPerturbedBoxes(
-    const std::vector<BoxClip>& clips, int seeds,
-    const std::function<bool(const BoxPerturbationRow&)>& report,
-    const std::vector<std::string>& methods = {"histogram", "sugandi", "csrt", "camshift"});
+/// `seeds` runs each, from `firstSeed` on), CSRT and CamShift. `report` gets each row as it is
+/// done; it returns false to stop.
+Result<std::vector<BoxPerturbationRow>>
+studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
+                    const std::function<bool(const BoxPerturbationRow&)>& report,
+                    const std::vector<std::string>& methods = perturbationMethods(),
+                    std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

@@ -17,15 +17,24 @@
 namespace dewpoint::experiment {
 namespace {
 
-/// Meters: "position error < 3 cm once converged".
-constexpr double kConvergedError = 0.03;
+/// Meters: the paper's "position error < 3 cm once converged".
+constexpr double kPaperError = 0.03;
+/// World, meters: where the paper puts all its particles at first.
+const Eigen::Vector3d kPaperStart(0.4, 0.1, 0.2);
 constexpr int kDistinctFrames = 16; // frames of a still ball differ by their noise only
 
-Scene stillScene(const Eigen::Vector3d& ball) {
+Scene stillScene(const ConvergenceCase& setup) {
   Scene scene = demoScene();
   scene.balls.front().motion = Motion::Still;
-  scene.balls.front().position = ball;
+  scene.balls.front().position = setup.ball;
+  scene.cameras = setup.cameras;
+  scene.clutter = setup.clutter;
   return scene;
+}
+
+Camera lookingAt(Camera camera, const Eigen::Vector3d& point) {
+  camera.cameraFromWorld = lookAt(camera.center(), point);
+  return camera;
 }
 
 std::vector<FrameSetPtr> renderFrames(const Scene& scene) {
@@ -98,6 +107,7 @@ private:
 /// The run of a still scene that is to find its ball, and the scene's frames.
 struct Trial {
   TrackingRun run;
+  double motionSigma = 0.0; ///< meters per axis and iteration
   std::vector<FrameSetPtr> frames;
   Eigen::Vector3d axis; ///< optical axis of the first camera, world
 };
@@ -111,81 +121,98 @@ Status watchRun(Trial& trial, std::uint64_t seed, int iterations, const Converge
   return session::trackFrames(source, {0, iterations}, trial.run, observers, [] { return true; });
 }
 
-/// The cloud's mean after each iteration.
-Result<std::vector<Eigen::Vector3d>> meansOfRun(Trial& trial, std::uint64_t seed, int iterations) {
+/// The cloud after each iteration: its mean, and its spread around it (world, meters).
+struct CloudPath {
   std::vector<Eigen::Vector3d> means;
+  std::vector<double> spreads;
+};
+
+Result<CloudPath> pathOfRun(Trial& trial, std::uint64_t seed, int iterations) {
+  CloudPath path;
   return watchRun(trial, seed, iterations,
                   [&](int, const TrackingRun&, const SphereEstimate& estimate) {
-                    means.push_back(estimate.mean);
+                    path.means.push_back(estimate.mean);
+                    path.spreads.push_back(estimate.spread());
                   })
-      .map([&] { return means; });
-}
-
-/// Iterations done when the error falls below the bound for good; nothing if it is above it at the
-/// end.
-std::optional<int> iterationsToConverge(const std::vector<Eigen::Vector3d>& means,
-                                        const Eigen::Vector3d& truth) {
-  const auto isFar = [&](const Eigen::Vector3d& mean) {
-    return (mean - truth).norm() >= kConvergedError;
-  };
-  const auto last = std::find_if(means.rbegin(), means.rend(), isFar);
-  const auto iterations = static_cast<int>(means.rend() - last) + 1;
-  return iterations > static_cast<int>(means.size()) ? std::nullopt : std::optional(iterations);
+      .map([&] { return path; });
 }
 
 Result<Trial> prepare(const Scene& scene, const ConvergenceCase& setup) {
   auto definition = std::make_shared<RunDefinition>();
   definition->method = "barrera";
   definition->parameters = parametersOf(setup);
+  const double motionSigma = definition->parameters.at("motion_sigma");
   definition->targets = {targetOf(scene.balls.front())};
   definition->rig = std::make_shared<const CameraRig>(scene.cameras);
   return TrackingRun::create(std::move(definition), 1).map([&](TrackingRun run) {
-    return Trial{std::move(run), renderFrames(scene), scene.cameras.front().opticalAxis()};
+    return Trial{std::move(run), motionSigma, renderFrames(scene),
+                 scene.cameras.front().opticalAxis()};
   });
 }
 
-/// Runs with seeds 1, 2, ... and what they add up to.
+/// Sums over the iterations of converged clouds.
+struct ErrorSum {
+  double squares = 0.0; ///< m²
+  double depth = 0.0;   ///< meters along the optical axis
+  int count = 0;
+
+  double rmse() const { return std::sqrt(squares / std::max(1, count)); }
+  void add(const ErrorSum& other) {
+    squares += other.squares;
+    depth += other.depth;
+    count += other.count;
+  }
+};
+
+/// The errors of the means from an iteration (from 1) on.
+ErrorSum errorsFrom(int iteration, const std::vector<Eigen::Vector3d>& means,
+                    const Eigen::Vector3d& truth, const Eigen::Vector3d& axis) {
+  ErrorSum sum;
+  for (auto k = static_cast<std::size_t>(iteration - 1); k < means.size(); ++k) {
+    const Eigen::Vector3d error = means[k] - truth;
+    sum.add({error.squaredNorm(), error.dot(axis), 1});
+  }
+  return sum;
+}
+
+/// Runs with the case's seeds and what they add up to.
 Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
   ConvergenceResult result{setup};
   std::vector<double> iterations;
-  double squares = 0.0;
-  double depth = 0.0;
-  int count = 0;
-  for (int run = 1; run <= setup.runs; ++run) {
-    const auto found = meansOfRun(trial, static_cast<std::uint64_t>(run), setup.iterations);
-    if (!found) {
-      return tl::make_unexpected(found.error());
+  ErrorSum all;
+  for (int run = 0; run < setup.runs; ++run) {
+    const std::uint64_t seed = setup.firstSeed + static_cast<std::uint64_t>(run);
+    const auto path = pathOfRun(trial, seed, setup.iterations);
+    if (!path) {
+      return tl::make_unexpected(path.error());
     }
-    const std::vector<Eigen::Vector3d>& means = *found;
-    const auto converged = iterationsToConverge(means, setup.ball);
+    const auto converged = convergedFrom(path->spreads, trial.motionSigma);
     if (!converged) {
       continue;
     }
+    const ErrorSum errors = errorsFrom(*converged, path->means, setup.ball, trial.axis);
     ++result.converged;
+    result.within += errors.rmse() < kPaperError ? 1 : 0;
     iterations.push_back(*converged);
-    for (auto k = static_cast<std::size_t>(*converged); k < means.size(); ++k) {
-      squares += (means[k] - setup.ball).squaredNorm();
-      depth += (means[k] - setup.ball).dot(trial.axis);
-      ++count;
-    }
+    all.add(errors);
   }
   result.medianIterations = median(std::move(iterations));
-  result.rmse = std::sqrt(squares / std::max(1, count));
-  result.depthBias = depth / std::max(1, count);
+  result.rmse = all.rmse();
+  result.depthBias = all.depth / std::max(1, all.count);
   return result;
 }
 
 /// Meters along the optical axis after each iteration, mean over the runs, starting on the ball.
 Result<std::vector<double>> driftOf(const Eigen::Vector3d& start, Trial& trial, int runs,
-                                    int iterations) {
+                                    int iterations, std::uint64_t firstSeed) {
   std::vector<double> moved(static_cast<std::size_t>(iterations), 0.0);
-  for (int run = 1; run <= runs; ++run) {
-    const auto means = meansOfRun(trial, static_cast<std::uint64_t>(run), iterations);
-    if (!means) {
-      return tl::make_unexpected(means.error());
+  for (int run = 0; run < runs; ++run) {
+    const auto path = pathOfRun(trial, firstSeed + static_cast<std::uint64_t>(run), iterations);
+    if (!path) {
+      return tl::make_unexpected(path.error());
     }
     for (std::size_t k = 0; k < moved.size(); ++k) {
-      moved[k] += ((*means)[k] - start).dot(trial.axis) / runs;
+      moved[k] += (path->means[k] - start).dot(trial.axis) / runs;
     }
   }
   return moved;
@@ -193,15 +220,32 @@ Result<std::vector<double>> driftOf(const Eigen::Vector3d& start, Trial& trial, 
 
 } // namespace
 
-std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
+std::optional<int> convergedFrom(std::span<const double> spreads, double motionSigma) {
+  const double bound = std::sqrt(3.0) * motionSigma;
+  std::size_t begin = spreads.size(); // of the spreads below the bound at the end
+  while (begin > 0 && spreads[begin - 1] < bound) {
+    --begin;
+  }
+  return begin == spreads.size() ? std::nullopt : std::optional(static_cast<int>(begin) + 1);
+}
+
+std::vector<ConvergenceCase> barreraConvergenceCases(int runs, std::uint64_t firstSeed) {
   const Eigen::Vector3d near(0.5, 0.5, 0.15);
   const Eigen::Vector3d far(0.8, 0.7, 0.15);
   const Eigen::Vector3d aside(0.7, 0.75, 0.15); // just outside camera 2's image in the demo's rig
-  const Eigen::Vector3d paperStart(0.4, 0.1, 0.2);
-  return {
-      {"paper start, ball at 0.5 0.5 0.15", near, paperStart, Eigen::Vector3d::Zero(), runs, 150},
-      {"paper start, ball at 0.8 0.7 0.15", far, paperStart, Eigen::Vector3d::Zero(), runs, 150},
-      {"paper start, ball at 0.7 0.75 0.15", aside, paperStart, Eigen::Vector3d::Zero(), runs, 150},
+  const Eigen::Vector3d meterAway(0.6, 1.05, 0.15);
+  CameraRig atTheBall = demoRig();
+  for (Camera& camera : atTheBall) {
+    camera = lookingAt(camera, meterAway);
+  }
+  std::vector<ConvergenceCase> cases{
+      {"paper start, ball at 0.5 0.5 0.15", near, kPaperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"paper start, ball at 0.8 0.7 0.15", far, kPaperStart, Eigen::Vector3d::Zero(), runs, 150},
+      {"paper start, ball at 0.7 0.75 0.15", aside, kPaperStart, Eigen::Vector3d::Zero(), runs,
+       150},
+      {"paper start, ball at 0.6 1.05 0.15, cameras at it", meterAway, kPaperStart,
+       Eigen::Vector3d::Zero(), runs, 150, atTheBall, false},
+      figure3Case(runs, firstSeed),
       {"start beyond the ball, 0.5 0.9 0.15",
        near,
        {0.5, 0.9, 0.15},
@@ -211,33 +255,53 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs) {
       {"uniform start, desk 1 x 1 x 0.5 m", near, {0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}, runs, 150},
       {"uniform start, room 4 x 4 x 2 m", near, {0.5, 0.5, 1.0}, {2.0, 2.0, 1.0}, runs, 150},
   };
+  for (ConvergenceCase& one : cases) {
+    one.firstSeed = firstSeed;
+  }
+  return cases;
+}
+
+ConvergenceCase figure3Case(int runs, std::uint64_t firstSeed) {
+  ConvergenceCase setup{"paper start, figure 3: ball at 0.3 1.1 0.15",
+                        {0.3, 1.1, 0.15},
+                        kPaperStart,
+                        Eigen::Vector3d::Zero(),
+                        runs,
+                        150};
+  // Camera 1 looks 27 degrees to the left of +Y: it sees the start 117 px to the left of its
+  // image's center, and the ball 102 px to the right.
+  setup.cameras[0] = lookingAt(setup.cameras[0], {0.0, 1.0, 0.15});
+  setup.cameras[1] = lookingAt(setup.cameras[1], setup.ball);
+  setup.clutter = false;
+  setup.firstSeed = firstSeed;
+  return setup;
 }
 
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup) {
-  return prepare(stillScene(setup.ball), setup).and_then([&](Trial trial) {
+  return prepare(stillScene(setup), setup).and_then([&](Trial trial) {
     return resultOf(setup, trial);
   });
 }
 
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch) {
-  return prepare(stillScene(setup.ball), setup).and_then([&](Trial trial) {
+  return prepare(stillScene(setup), setup).and_then([&](Trial trial) {
     return watchRun(trial, seed, setup.iterations, watch);
   });
 }
 
-Result<std::vector<double>> driftCurve(int runs, int iterations) {
-  Scene scene = stillScene({0.5, 0.5, 0.15});
-  scene.cameras.resize(1);
+Result<std::vector<double>> driftCurve(int runs, int iterations, std::uint64_t firstSeed) {
   ConvergenceCase setup;
-  setup.start = scene.balls.front().position;
-  return prepare(scene, setup).and_then([&](Trial trial) {
-    return driftOf(setup.start, trial, runs, iterations);
+  setup.ball = {0.5, 0.5, 0.15};
+  setup.start = setup.ball;
+  setup.cameras.resize(1);
+  return prepare(stillScene(setup), setup).and_then([&](Trial trial) {
+    return driftOf(setup.start, trial, runs, iterations, firstSeed);
   });
 }
 
-Result<double> measureDrift(int runs, int iterations) {
-  return driftCurve(runs, iterations).map([&](const std::vector<double>& moved) {
+Result<double> measureDrift(int runs, int iterations, std::uint64_t firstSeed) {
+  return driftCurve(runs, iterations, firstSeed).map([&](const std::vector<double>& moved) {
     return moved.back() / iterations;
   });
 }

@@ -4,6 +4,7 @@
 
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/dynamics_study.h"
 
 #include <fmt/format.h>
@@ -162,10 +163,10 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
   for (std::size_t k = 0; k < sigmas.size(); ++k) {
     DynamicsSetup setup;
     setup.motionSigma = sigmas[k];
-    const auto errors = meanErrors(setup, runs);
+    const auto errors = meanErrors(setup, runs, options.firstSeed);
     const Convergence one = found.emplace_back(convergenceOf(errors, setup));
-    const double limit = speedLimit(setup, 10);
-    const double most = farAdvance(setup, 10);
+    const double limit = speedLimit(setup, 10, options.firstSeed);
+    const double most = farAdvance(setup, 10, options.firstSeed);
     rows.push_back({fmt::format("{:.2f} m", sigmas[k]), iterationsText(one.first),
                     fmt::format("{:.2f} m", errors[std::size_t(setup.jump)]),
                     iterationsText(one.again),
@@ -182,6 +183,7 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
     columns[0].push_back(double(k));
   }
   page.plots({{fmt::format("Mean of {} runs", runs), errorPlot(curves)}}, legend);
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, runs) + ".");
   page.table({"motion sigma", "first found after", "error at iteration 30", "found again after",
               "fastest it follows, per iteration", "its way towards a far object, per iteration"},
              rows);
@@ -212,7 +214,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
     DynamicsSetup setup;
     setup.start = setup.before; // found already, whatever the sigma
     setup.motionSigma = kLowest + (kHighest - kLowest) * k / (kSigmas - 1);
-    errors.push_back(meanErrors(setup, options.runs));
+    errors.push_back(meanErrors(setup, options.runs, options.firstSeed));
     columns[0].push_back(setup.motionSigma);
     columns[1].push_back(convergenceOf(errors.back(), setup).again);
     columns[2].push_back(errors.back()[69]);
@@ -228,6 +230,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
                   "sigma_m from 0.001 to 0.3 m",
                   options.runs),
       framed(errorImage(errors), kLowest, kHighest));
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, options.runs) + ".");
   const auto at = [&](double sigma) {
     return std::size_t(std::lround((sigma - kLowest) / (kHighest - kLowest) * (kSigmas - 1)));
   };
@@ -262,13 +265,14 @@ Status dynamicsFigure8(const ExperimentOptions& options) {
                   "Particles at iterations 29, 32, 36, 42, 50 and 69; the object jumps by 2 m "
                   "before iteration 30. Projected to the plane of the jump.");
   page.paragraph(chosen(kStartsBeside));
+  page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
   std::array<DynamicsRun, 2> runs;
   std::array<Plot, 2> clouds;
   constexpr std::array kSigmas{0.03, 0.15};
   for (std::size_t k = 0; k < kSigmas.size(); ++k) {
     DynamicsSetup setup;
     setup.motionSigma = kSigmas[k];
-    runs[k] = runDynamics(setup, 1, instants);
+    runs[k] = runDynamics(setup, options.firstSeed, instants);
     clouds[k] = cloudPlot(runs[k]);
     if (!experimentGoesOn(options, double(k + 1) / double(kSigmas.size()))) {
       return experimentStopped();

@@ -54,12 +54,12 @@ DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t 
   return run;
 }
 
-bool keepsUp(const DynamicsSetup& setup, double speed, int runs) {
+bool keepsUp(const DynamicsSetup& setup, double speed, int runs, std::uint64_t firstSeed) {
   constexpr double kLost = 0.25; // meters
   const Path path = [&](int k) { return Eigen::Vector3d(speed * k, 0.0, 0.0); };
   int kept = 0;
-  for (int seed = 1; seed <= runs; ++seed) {
-    const DynamicsRun run = follow(setup, path, static_cast<std::uint64_t>(seed), {});
+  for (int k = 0; k < runs; ++k) {
+    const DynamicsRun run = follow(setup, path, firstSeed + static_cast<std::uint64_t>(k), {});
     kept += run.errors.back() < kLost ? 1 : 0;
   }
   return 2 * kept >= runs;
@@ -73,12 +73,12 @@ DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
   return follow(setup, path, seed, instants);
 }
 
-std::vector<double> meanErrors(const DynamicsSetup& setup, int runs) {
+std::vector<double> meanErrors(const DynamicsSetup& setup, int runs, std::uint64_t firstSeed) {
   std::vector<double> sums(static_cast<std::size_t>(setup.iterations), 0.0);
-  for (int seed = 1; seed <= runs; ++seed) {
-    const DynamicsRun run = runDynamics(setup, static_cast<std::uint64_t>(seed));
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-      sums[k] += run.errors[k] / runs;
+  for (int k = 0; k < runs; ++k) {
+    const DynamicsRun run = runDynamics(setup, firstSeed + static_cast<std::uint64_t>(k));
+    for (std::size_t at = 0; at < sums.size(); ++at) {
+      sums[at] += run.errors[at] / runs;
     }
   }
   return sums;
@@ -92,7 +92,7 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
   return last == end ? -1 : last - from + 1;
 }
 
-double speedLimit(DynamicsSetup setup, int runs) {
+double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   constexpr int kSteps = 60;
   constexpr int kHalvings = 8;
   setup.start = Eigen::Vector3d::Zero();
@@ -101,20 +101,20 @@ double speedLimit(DynamicsSetup setup, int runs) {
   double lost = 10.0 * setup.motionSigma;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (kept + lost);
-    (keepsUp(setup, middle, runs) ? kept : lost) = middle;
+    (keepsUp(setup, middle, runs, firstSeed) ? kept : lost) = middle;
   }
   return kept;
 }
 
-double farAdvance(DynamicsSetup setup, int runs) {
+double farAdvance(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   static constexpr double kFar = 50.0; // meters
   constexpr int kSteps = 40;
   setup.start = Eigen::Vector3d::Zero();
   setup.iterations = kSteps;
   double advance = 0.0;
-  for (int seed = 1; seed <= runs; ++seed) {
+  for (int k = 0; k < runs; ++k) {
     const DynamicsRun run = follow(setup, [](int) { return Eigen::Vector3d(kFar, 0.0, 0.0); },
-                                   static_cast<std::uint64_t>(seed), {});
+                                   firstSeed + static_cast<std::uint64_t>(k), {});
     advance += (run.errors.front() - run.errors.back()) / (kSteps - 1) / runs;
   }
   return advance;

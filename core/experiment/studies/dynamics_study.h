@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "core/experiment/report/seed_blocks.h"
 
 #include <Eigen/Core>
 
@@ -41,8 +41,9 @@ struct DynamicsRun {
 DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
                         const std::vector<int>& instants = {});
 
-/// The mean error of `runs` runs with seeds 1, 2, ... after each iteration.
-std::vector<double> meanErrors(const DynamicsSetup& setup, int runs);
+/// The mean error of `runs` runs with seeds from `firstSeed` on after each iteration.
+std::vector<double> meanErrors(const DynamicsSetup& setup, int runs,
+                               std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Iterations from `from` on until the error is below `bound` for good, at least up to `end`; -1
 /// when it is not.
@@ -50,11 +51,11 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
 
 /// Meters per iteration that a cloud can follow: the speed of a steadily moving object at which the
 /// error stays below a quarter of a meter, by bisection over 60 iterations and `runs` seeds.
-double speedLimit(DynamicsSetup setup, int runs);
+double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Meters per iteration that the mean moves towards an object far away, mean of `runs` seeds: about
 /// the expected largest of N standard normals times sigma_m (2.75 sigma_m at N = 200), since only
 /// the nearest particle survives.
-double farAdvance(DynamicsSetup setup, int runs);
+double farAdvance(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

@@ -3,7 +3,9 @@
 
 #include "core/experiment/report/report_folder.h"
 #include "core/experiment/studies/barrera_figures.h"
+#include "core/experiment/studies/drift_figures.h"
 #include "core/experiment/studies/dynamics_figures.h"
+#include "core/experiment/studies/motion_figures.h"
 
 #include <array>
 
@@ -23,10 +25,14 @@ std::span<const FigureExperiment> figureExperiments() {
       FigureExperiment{"barrera-fig3", "Particles in both images",
                        "Barrera et al. 2005, figure 3: the particles projected into both cameras "
                        "while the cloud finds the ball.",
-                       1, &intoFolder<&barreraFigure3>},
+                       50, &intoFolder<&barreraFigure3>},
       FigureExperiment{"barrera-fig4", "Particles from above",
                        "Barrera et al. 2005, figure 4: the same cloud from above.", 1,
                        &intoFolder<&barreraFigure4>},
+      FigureExperiment{"barrera-fig5", "The cone of one camera",
+                       "Barrera et al. 2005, figure 5: where one camera alone finds the color, and "
+                       "why the cloud moves away from it.",
+                       1, &intoFolder<&barreraFigure5>},
       FigureExperiment{"drift", "Drift along the optical axis",
                        "Barrera et al. 2005, section III-B: with one camera the cloud moves away "
                        "from it.",
@@ -47,6 +53,11 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, figure 8: the cloud at six instants, with a small and "
                        "a large motion sigma.",
                        1, &intoFolder<&dynamicsFigure8>},
+      FigureExperiment{
+          "mohedano-fig1", "Motion masks and motion likelihood",
+          "Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, "
+          "in pieces, and how likely that makes a person at each pixel.",
+          1, &intoFolder<&mohedanoMotionFigures>},
   };
   return kAll;
 }

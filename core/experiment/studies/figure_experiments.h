@@ -25,7 +25,7 @@ struct FigureExperiment {
 /// All of them, in the order of menus.
 std::span<const FigureExperiment> figureExperiments();
 /// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
-/// and people-<scenario>. The command line has all their options.
+/// and people-<scenario> of the paper's scenes. The command line has all scenes and options.
 std::span<const FigureExperiment> studyExperiments();
 
 } // namespace dewpoint::experiment

@@ -4,6 +4,7 @@
 #include "core/experiment/metrics/clear_mot.h"
 #include "core/experiment/metrics/gospa.h"
 #include "core/experiment/metrics/hota.h"
+#include "core/experiment/studies/office_instant.h"
 #include "core/filter/assignment.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
@@ -26,31 +27,8 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr int kVisiblePixels = 150; ///< of a person in a camera that sees it (whole: 600 and more)
-
-/// The images of one instant, and who is seen in them.
-struct OfficeInstant {
-  FrameSetPtr frames;
-  std::vector<int> camerasSeeing; ///< per person
-};
-
-OfficeInstant renderInstant(const OfficeRenderer& renderer, std::int64_t frame) {
-  const OfficeScene& scene = renderer.scene();
-  OfficeInstant instant;
-  instant.camerasSeeing.assign(scene.people.size(), 0);
-  FrameSet set{frame, timeStamp(scene.timeOf(frame)), {}};
-  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-    cv::Mat who;
-    set.frames.push_back(
-        std::make_shared<const Frame>(Frame{frame, set.time, renderer.render(k, frame, &who)}));
-    for (std::size_t person = 0; person < scene.people.size(); ++person) {
-      const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kVisiblePixels;
-      instant.camerasSeeing[person] += seen ? 1 : 0;
-    }
-  }
-  instant.frames = std::make_shared<const FrameSet>(std::move(set));
-  return instant;
-}
+constexpr std::int64_t kVolumeEvery = 15; ///< frames; a volume costs more than a step
+static_assert(kVolumeEvery % kSilhouetteEvery == 0);
 
 /// Which estimate (identity) each truth (identity) has.
 std::map<int, int> matched(const TrackFrame& frame, double gate) {
@@ -91,8 +69,13 @@ private:
 class EvaluatedTracker {
 public:
   /// The run is of a method that finds people.
-  EvaluatedTracker(std::string method, TrackingRun run)
-      : method_(std::move(method)), run_(std::move(run)) {}
+  EvaluatedTracker(std::string method, TrackingRun run, const OfficeScene& scene)
+      : method_(std::move(method)), run_(std::move(run)), tallies_(scene.people.size()) {
+    projectors_.reserve(scene.cameras.size());
+    for (const Camera& camera : scene.cameras) {
+      projectors_.emplace_back(camera);
+    }
+  }
 
   Status see(const OfficeRenderer& renderer, const OfficeInstant& instant,
              const std::vector<PeopleInstant>& picturedInstants) {
@@ -134,6 +117,11 @@ public:
     result.hullVolume = volumes_ > 0 ? volume_ / volumes_ : 0.0;
     result.stepMs = steps_ > 0 ? 1000.0 * seconds_ / steps_ : 0.0;
     result.pictures = pictures_;
+    result.everybody = everybody_.result(0.0);
+    result.persons.reserve(tallies_.size());
+    for (std::size_t k = 0; k < tallies_.size(); ++k) {
+      result.persons.push_back(tallies_[k].result(scenario.scene.people[k].height));
+    }
     if (scenario.before > 0.0) {
       const auto at = [&](double time) {
         const auto frame =
@@ -151,7 +139,6 @@ private:
   const PeopleFinding& found() const { return *run_.capability<PeopleFinding>(); }
 
   void record(const OfficeRenderer& renderer, const OfficeInstant& instant) {
-    constexpr std::int64_t kVolumeEvery = 15; // frames: a volume costs more than a step
     const double time = dewpoint::base::seconds(instant.frames->time);
     TrackFrame frame{instant.frames->index, time, {}, {}};
     const double interval = 1.0 / renderer.scene().framesPerSecond;
@@ -164,12 +151,12 @@ private:
     }
     for (const PersonEstimate& person : found().people()) {
       frame.estimates.push_back({person.identity, {person.position.x(), person.position.y(), 0.0}});
-      if (frame.frame % kVolumeEvery == 0) {
-        volume_ += bodyHull(found().body(person.identity)).volume();
-        ++volumes_;
-      }
     }
     const auto pairs = matched(frame, kPeopleGate);
+    if (frame.frame % kSilhouetteEvery == 0) {
+      measureVolumes(instant, pairs);
+    }
+    measureHeights(renderer.scene(), pairs);
     std::set<int> used;
     missed_.begin();
     ghosts_.begin();
@@ -177,8 +164,14 @@ private:
       used.insert(estimate);
     }
     for (const TrackPoint& truth : frame.truth) {
-      if (!pairs.contains(truth.identity) &&
-          instant.camerasSeeing[static_cast<std::size_t>(truth.identity)] >= 2) {
+      const auto person = static_cast<std::size_t>(truth.identity);
+      if (instant.camerasSeeing[person] < 2) {
+        continue;
+      }
+      const bool isFound = pairs.contains(truth.identity);
+      tallies_[person].addFrame(isFound);
+      everybody_.addFrame(isFound);
+      if (!isFound) {
         missed_.goesOn(truth.identity, interval);
       }
     }
@@ -192,8 +185,56 @@ private:
     frames_.push_back(std::move(frame));
   }
 
+  /// The 95 % volumes: their size, and their outlines against the true silhouettes of the people
+  /// they belong to.
+  void measureVolumes(const OfficeInstant& instant, const std::map<int, int>& pairs) {
+    std::map<int, ConvexHull> hulls;
+    for (const PersonEstimate& person : found().people()) {
+      const ConvexHull& hull =
+          hulls.emplace(person.identity, bodyHull(found().body(person.identity))).first->second;
+      if (instant.frames->index % kVolumeEvery == 0) {
+        volume_ += hull.volume();
+        ++volumes_;
+      }
+    }
+    for (const auto& [truth, estimate] : pairs) {
+      measureSilhouettes(instant, static_cast<std::size_t>(truth), hulls.at(estimate));
+    }
+  }
+
+  void measureSilhouettes(const OfficeInstant& instant, std::size_t person,
+                          const ConvexHull& hull) {
+    for (std::size_t camera = 0; camera < projectors_.size(); ++camera) {
+      const cv::Mat visible = instant.visible(camera, person);
+      if (cv::countNonZero(visible) < kVisiblePixels) {
+        continue;
+      }
+      const cv::Mat outline =
+          filledOutline(projectedHull(projectors_[camera], hull), visible.size());
+      const SilhouetteOverlap overlap =
+          overlapOf(outline, visible, instant.silhouettes[camera][person]);
+      tallies_[person].addSilhouette(overlap);
+      everybody_.addSilhouette(overlap);
+    }
+  }
+
+  void measureHeights(const OfficeScene& scene, const std::map<int, int>& pairs) {
+    for (const auto& [truth, estimate] : pairs) {
+      const auto& people = found().people();
+      const auto person = std::ranges::find(people, estimate, &PersonEstimate::identity);
+      if (person != people.end() && person->height > 0.0) {
+        const auto k = static_cast<std::size_t>(truth);
+        tallies_[k].addHeightError(person->height - scene.people[k].height);
+        everybody_.addHeightError(person->height - scene.people[k].height);
+      }
+    }
+  }
+
   std::string method_;
   TrackingRun run_;
+  std::vector<Projector> projectors_; ///< per camera
+  std::vector<PersonTally> tallies_;  ///< per person
+  PersonTally everybody_;
   std::vector<TrackFrame> frames_;
   std::vector<PeoplePicture> pictures_;
   LongestRun ghosts_;
@@ -210,7 +251,7 @@ bool declares(const std::string& method, const std::string& key) {
 }
 
 Result<std::vector<EvaluatedTracker>> contestants(const PeopleStudySetup& setup,
-                                                  const CameraRig& rig) {
+                                                  const OfficeScene& scene) {
   std::vector<EvaluatedTracker> all;
   for (const std::string& method : setup.methods) {
     ParameterValues parameters(methodParameters(method));
@@ -225,13 +266,13 @@ Result<std::vector<EvaluatedTracker>> contestants(const PeopleStudySetup& setup,
     RunDefinition definition;
     definition.method = method;
     definition.parameters = std::move(parameters);
-    definition.rig = std::make_shared<const CameraRig>(rig);
+    definition.rig = std::make_shared<const CameraRig>(scene.cameras);
     definition.seed = setup.seed;
     auto run = TrackingRun::create(std::make_shared<const RunDefinition>(std::move(definition)), 1);
     if (!run) {
       return tl::make_unexpected(run.error());
     }
-    all.emplace_back(method, std::move(*run));
+    all.emplace_back(method, std::move(*run), scene);
   }
   return all;
 }
@@ -272,7 +313,7 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   if (const auto checked = checkPeopleParameters(setup); !checked) {
     return tl::make_unexpected(checked.error());
   }
-  auto all = contestants(setup, scenario->scene.cameras);
+  auto all = contestants(setup, scenario->scene);
   if (!all) {
     return tl::make_unexpected(all.error());
   }

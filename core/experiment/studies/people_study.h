@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/experiment/metrics/track_frame.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
+#include "core/experiment/studies/person_tally.h"
 #include "core/simulation/view_cache.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -34,10 +36,12 @@ struct PeopleTrial {
   double hota = 0.0;
   double gospa = 0.0; ///< meters, mean, cutoff kPeopleGate
   int identitySwitches = 0;
-  double longestGhost = 0.0;  ///< seconds in a row that an estimate belongs to nobody
-  double longestMissed = 0.0; ///< seconds that somebody whom two cameras see has no estimate
-  double hullVolume = 0.0;    ///< m³, mean over people and frames
-  double stepMs = 0.0;        ///< mean CPU time of a frame with people
+  double longestGhost = 0.0;         ///< seconds in a row that an estimate belongs to nobody
+  double longestMissed = 0.0;        ///< seconds that somebody whom two cameras see has no estimate
+  double hullVolume = 0.0;           ///< m³, mean over people and frames
+  double stepMs = 0.0;               ///< mean CPU time of a frame with people
+  PersonResult everybody;            ///< over all people of the scene
+  std::vector<PersonResult> persons; ///< in the order of the scene
   std::vector<PeoplePicture> pictures; ///< of tellingInstants(), where they were requested
 };
 
@@ -48,7 +52,7 @@ struct PeopleStudySetup {
   std::string scenario;
   PeopleClothes clothes = PeopleClothes::Different;
   std::vector<std::string> methods = methodNames(TargetsFrom::Images); ///< they find people
-  std::uint64_t seed = 1;
+  std::uint64_t seed = kFirstTuningSeed;
   /// Values that differ from the defaults, for the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
   bool pictures = false; ///< draw the instants of tellingInstants()

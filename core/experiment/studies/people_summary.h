@@ -4,6 +4,7 @@
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/studies/people_study.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct PeopleSummary {
   double longestMissed = 0.0; ///< seconds, the worst run
   double hullVolume = 0.0;    ///< m³, mean
   double stepMs = 0.0;        ///< mean
+  /// Means over the runs that have them, of PeopleTrial::everybody: see PersonResult.
+  double found = std::numeric_limits<double>::quiet_NaN();
+  SilhouetteScores silhouette;
 };
 
 const char* clothesName(PeopleClothes clothes);
@@ -36,8 +40,11 @@ std::string peopleTableHead();
 std::string peopleTableRow(const PeopleSummary& summary);
 /// runs.csv: a row per trial.
 std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials);
-/// The report: what the experiment is, its table, the bars and which of them are missed, the
-/// pictures of the trials that have some; runs.csv beside it.
+/// people.csv: a row per trial and person.
+std::string peoplePersonsCsv(const std::vector<PeopleTrial>& trials);
+/// The report: what the experiment is, its table, what came out of the paper's figure 4(a), the
+/// bars and which of them are missed, people by height where some are small, the pictures of the
+/// trials that have some; runs.csv and people.csv beside it.
 FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTrial>& trials);
 
 } // namespace dewpoint::experiment

@@ -2,6 +2,7 @@
 #include "core/experiment/studies/study_experiments.h"
 
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/sugandi_report.h"
 #include "core/experiment/studies/sugandi_study.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -9,18 +10,18 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
 
 namespace dewpoint::experiment {
 namespace {
 
-constexpr std::uint64_t kRenderedClip = 5001;
 constexpr double kContenders = 7.0; ///< of studyBoxes(), per clip
 
 Status sugandiRmse(const ExperimentOptions& options) {
   if (const auto folder = prepareReportFolder(options.folder, kBoxReport); !folder) {
     return folder;
   }
-  std::vector<BoxClip> clips{simulatedBoxClip(kRenderedClip)};
+  std::vector<BoxClip> clips{simulatedBoxClip(options.firstSeed)};
   if (!options.recordings.empty()) {
     auto recorded = recordedBoxClips(options.recordings);
     if (!recorded) {
@@ -38,8 +39,9 @@ Status sugandiRmse(const ExperimentOptions& options) {
   if (!goOn(0.0)) {
     return failure(ErrorCode::Cancelled, "", "", "");
   }
-  const auto study = studyBoxes(clips, std::max(1, options.runs),
-                                [&](const BoxRow&) { return goOn(std::min(1.0, ++rows / all)); });
+  const auto study = studyBoxes(
+      clips, std::max(1, options.runs),
+      [&](const BoxRow&) { return goOn(std::min(1.0, ++rows / all)); }, options.firstSeed);
   if (!study) {
     return tl::make_unexpected(study.error());
   }
@@ -64,6 +66,7 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
   }
   PeopleStudySetup setup;
   setup.scenario = scenario;
+  setup.seed = options.firstSeed;
   bool goOn = true;
   const auto trials =
       studyManyPeople(setup, clothesOf(options.clothes), std::max(1, options.runs),
@@ -171,7 +174,13 @@ studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothe
 
 Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTrial>& trials,
                         const std::filesystem::path& folder) {
-  return peopleReport(scenario, trials).write(folder);
+  std::set<std::uint64_t> seeds;
+  for (const PeopleTrial& trial : trials) {
+    seeds.insert(trial.seed);
+  }
+  FigurePage page = peopleReport(scenario, trials);
+  page.paragraph("Seeds " + seedSentence({seeds.begin(), seeds.end()}) + ".");
+  return page.write(folder);
 }
 
 } // namespace dewpoint::experiment

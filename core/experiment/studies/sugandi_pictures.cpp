@@ -2,6 +2,7 @@
 #include "core/experiment/studies/sugandi_pictures.h"
 
 #include "core/experiment/report/figure_page.h"
+#include "core/observation/boxes/histogram_similarity.h"
 #include "core/trajectory/csv_text.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr int kCellWidth = 240;
 
 /// What is drawn over the frames, and in which style.
@@ -30,7 +31,7 @@ constexpr std::array kShown{Shown{kSugandiFew, "m1"}, Shown{kSugandiMany, "m0"},
 using Found = std::vector<std::optional<ImageBox>>;
 
 double errorAt(const Found& found, const std::vector<ImageBox>& truth, std::size_t frame) {
-  return found[frame] ? (found[frame]->center() - truth[frame].center()).norm() : kNothing;
+  return found[frame] ? (found[frame]->center() - truth[frame].center()).norm() : kGap;
 }
 
 std::vector<std::size_t> tellingFrames(const Found& found, const std::vector<ImageBox>& truth) {
@@ -153,7 +154,7 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
     legend.emplace_back(shown.style, shown.method);
     for (int axis = 0; axis < 2; ++axis) {
       centers.at(std::size_t(axis)).push_back(lineOf(shown.style, count, [&](std::size_t k) {
-        return row->boxes[k] ? row->boxes[k]->center()[axis] : kNothing;
+        return row->boxes[k] ? row->boxes[k]->center()[axis] : kGap;
       }));
     }
     errors.push_back(lineOf(shown.style, count,
@@ -169,6 +170,46 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
                                     "red: box and center as found, white: true box; four frames "
                                     "evenly picked and the one where 100 particles are farthest "
                                     "off");
+}
+
+std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip) {
+  const BoxClipFigures& figures = study.figures[clip];
+  if (figures.reference.empty() || figures.candidate.empty()) {
+    return {};
+  }
+  const double highest =
+      std::max(std::ranges::max(figures.reference), std::ranges::max(figures.candidate));
+  const auto histogramPlot = [&](const char* title, const std::vector<double>& shares) {
+    Plot plot;
+    plot.title = title;
+    plot.x = {"bin", 0.0, double(shares.size() - 1), false};
+    plot.y = {"share", 0.0, 1.05 * highest, false};
+    plot.series.push_back(lineOf("m0", shares.size(), [&](std::size_t k) { return shares[k]; }));
+    return plot;
+  };
+  const double similarity = bhattacharyyaCoefficient(figures.candidate, figures.reference);
+  return plotsHtml(
+      {{"Reference: the colors of the given box, frame 0",
+        histogramPlot("reference histogram", figures.reference)},
+       {fmt::format("Candidate: those of the box found with 300 particles, frame {}; similarity "
+                    "{:.3f}",
+                    figures.candidateFrame, similarity),
+        histogramPlot("candidate histogram", figures.candidate)}},
+      {});
+}
+
+std::string boxHistogramsCsv(const BoxStudy& study) {
+  std::string text = "clip,frame,bin,reference,candidate\n";
+  for (const BoxClipFigures& figures : study.figures) {
+    const std::size_t bins = figures.reference.empty() ? 0 : figures.candidate.size();
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      if (figures.reference[bin] > 0.0 || figures.candidate[bin] > 0.0) {
+        text += fmt::format("{},{},{},{},{}\n", csvCell(figures.clip), figures.candidateFrame, bin,
+                            figures.reference[bin], figures.candidate[bin]);
+      }
+    }
+  }
+  return text;
 }
 
 std::string boxTracksCsv(const BoxStudy& study) {

@@ -21,6 +21,11 @@ cv::Mat boxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
 /// How the picture of a clip's frames is called.
 std::string boxFramesFile(std::size_t clip);
+/// Of a clip, as Sugandi et al. 2009, figure 1: the color histogram of the given box and that of
+/// the box found in the middle of the clip, as plots in HTML.
+std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip);
+/// A row per clip and bin that is not empty in both histograms.
+std::string boxHistogramsCsv(const BoxStudy& study);
 /// A row per clip, method and frame of the first run; the truth as a method of its own.
 std::string boxTracksCsv(const BoxStudy& study);
 

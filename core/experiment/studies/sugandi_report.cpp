@@ -5,6 +5,7 @@
 #include "core/base/text_file.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/report_style.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/sugandi_pictures.h"
 #include "core/experiment/studies/sugandi_study.h"
 #include "core/trajectory/csv_text.h"
@@ -28,7 +29,12 @@ constexpr const char* kRemarks[] = {
     "says little.",
     "The paper's clip is not public: its 6.48 px with 100 particles and 2.28 px with 300 cannot be "
     "repeated, only the trend. It gives neither the noise of the motion nor sigma.",
-    "Curves and frames are of the first seed; tracks.csv has their numbers, of all methods."};
+    "Curves, frames and histograms are of the first seed; tracks.csv and histograms.csv have their "
+    "numbers. Bins are numbered 64 r + 8 g + b, with r, g and b from 0 to 7."};
+
+std::string seedRemark(const BoxStudy& study) {
+  return "Seeds of our methods: " + seedSentence(study.firstSeed, study.seeds) + ".";
+}
 
 std::string starred(const BoxRow& row) {
   return row.clip + (row.exactBoxes ? "" : " *");
@@ -59,7 +65,7 @@ std::string clipHtml(const BoxStudy& study, std::size_t clip) {
     }
   }
   return fmt::format("<h2>{}</h2>{}{}</tbody></table></div>{}", escaped(title), tableHead(), rows,
-                     boxFiguresHtml(study, clip));
+                     boxHistogramsHtml(study, clip) + boxFiguresHtml(study, clip));
 }
 
 std::string barsHtml(const BoxStudy& study) {
@@ -158,6 +164,7 @@ std::string boxStudyText(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("{}\n", remark);
   }
+  text += fmt::format("{}\n", seedRemark(study));
   return study.perturbed.empty() ? text : text + perturbationText(study.perturbed);
 }
 
@@ -187,13 +194,16 @@ std::string boxStudyHtml(const BoxStudy& study) {
   for (const char* remark : kRemarks) {
     text += fmt::format("<p>{}</p>", escaped(remark));
   }
+  text += fmt::format("<p>{}</p>", escaped(seedRemark(study)));
   return text + "\n</main></body></html>\n";
 }
 
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder) {
-  std::vector<std::pair<std::string, std::string>> files{{"sugandi-rmse.txt", boxStudyText(study)},
-                                                         {"sugandi-rmse.csv", boxStudyCsv(study)},
-                                                         {"tracks.csv", boxTracksCsv(study)}};
+  std::vector<std::pair<std::string, std::string>> files{
+      {"sugandi-rmse.txt", boxStudyText(study)},
+      {"sugandi-rmse.csv", boxStudyCsv(study)},
+      {"tracks.csv", boxTracksCsv(study)},
+      {"histograms.csv", boxHistogramsCsv(study)}};
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
     files.emplace_back(boxFramesFile(clip), imageFile(study.figures[clip].frames, ".jpg"));
   }

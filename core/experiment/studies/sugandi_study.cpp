@@ -3,6 +3,7 @@
 
 #include "core/experiment/baselines/box_follower.h"
 #include "core/experiment/studies/sugandi_pictures.h"
+#include "core/observation/boxes/box_histogram.h"
 
 #include <fmt/format.h>
 
@@ -64,7 +65,7 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollow
 }
 
 Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
-                       const Contender& contender, int seeds) {
+                       const Contender& contender, int seeds, std::uint64_t firstSeed) {
   BoxRow row;
   row.clip = clip.name;
   row.method = contender.shown();
@@ -72,8 +73,8 @@ Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
   row.exactBoxes = clip.exactBoxes;
   row.seeds = row.ours ? seeds : 1;
   row.worstPrecision = 1.0;
-  for (int seed = 1; seed <= row.seeds; ++seed) {
-    auto follower = make(contender, static_cast<std::uint64_t>(seed));
+  for (int k = 0; k < row.seeds; ++k) {
+    auto follower = make(contender, firstSeed + static_cast<std::uint64_t>(k));
     if (!follower) {
       return tl::make_unexpected(follower.error());
     }
@@ -137,18 +138,35 @@ std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
   return bars;
 }
 
+BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& images,
+                             const BoxRow& few, const BoxRow& many) {
+  BoxClipFigures figures;
+  figures.clip = clip.name;
+  figures.truth = clip.truth;
+  figures.frames = boxFrames(images, clip.truth, few, many);
+  figures.reference = boxHistogram(images.front(), clip.truth.front());
+  figures.candidateFrame = images.size() / 2;
+  if (const auto& found = many.boxes[figures.candidateFrame]) {
+    figures.candidate = boxHistogram(images[figures.candidateFrame], *found);
+  }
+  return figures;
+}
+
 } // namespace
 
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
-                            const std::function<bool(const BoxRow&)>& report) {
+                            const std::function<bool(const BoxRow&)>& report,
+                            std::uint64_t firstSeed) {
   BoxStudy study;
+  study.firstSeed = firstSeed;
+  study.seeds = seeds;
   for (const BoxClip& clip : clips) {
     const auto images = imagesOf(clip);
     if (!images) {
       return tl::make_unexpected(images.error());
     }
     for (const Contender& contender : contenders()) {
-      auto row = measure(clip, *images, contender, seeds);
+      auto row = measure(clip, *images, contender, seeds, firstSeed);
       if (!row) {
         return tl::make_unexpected(row.error());
       }
@@ -157,10 +175,8 @@ Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
         return failure(ErrorCode::Cancelled, "", "", "");
       }
     }
-    study.figures.push_back(
-        {clip.name, clip.truth,
-         boxFrames(*images, clip.truth, *rowOf(study.rows, clip.name, kSugandiFew),
-                   *rowOf(study.rows, clip.name, kSugandiMany))});
+    study.figures.push_back(clipFiguresOf(clip, *images, *rowOf(study.rows, clip.name, kSugandiFew),
+                                          *rowOf(study.rows, clip.name, kSugandiMany)));
   }
   study.bars = barsOf(study.rows);
   return study;

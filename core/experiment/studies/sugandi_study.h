@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/experiment/metrics/box_metrics.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/box_clips.h"
 #include "core/experiment/studies/box_perturbation_study.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -45,6 +47,11 @@ struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
   cv::Mat frames; ///< see boxFrames()
+  /// Color histograms (boxHistogram()) of the given box, and of the one that `sugandi` with 300
+  /// particles found at a frame in the middle of the clip; empty where that lies outside the image.
+  std::vector<double> reference;
+  std::vector<double> candidate;
+  std::size_t candidateFrame = 0;
 };
 
 struct BoxStudy {
@@ -52,11 +59,15 @@ struct BoxStudy {
   std::vector<BoxBar> bars;
   std::vector<BoxClipFigures> figures;       ///< one per clip
   std::vector<BoxPerturbationRow> perturbed; ///< of studyPerturbedBoxes(); empty unless requested
+  std::uint64_t firstSeed = kFirstTuningSeed;
+  int seeds = 1; ///< of our methods
 };
 
 /// Follows every clip with `sugandi` of 100 and of 300 particles, `histogram` and OpenCV's four
-/// trackers. `report` gets each row as it is done; it returns false to stop.
+/// trackers, ours with `seeds` seeds from `firstSeed` on. `report` gets each row as it is done; it
+/// returns false to stop.
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
-                            const std::function<bool(const BoxRow&)>& report);
+                            const std::function<bool(const BoxRow&)>& report,
+                            std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

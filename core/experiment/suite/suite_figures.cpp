@@ -106,8 +106,9 @@ SvgSeries reliabilityOf(const SuiteCell& cell) {
 } // namespace
 
 std::string methodStyle(const std::string& method) {
-  static const std::vector<std::string> order{"dewpoint", "barrera", "triangulation",
-                                              "triangulation-kalman", "camshift"};
+  static const std::vector<std::string> order{
+      "dewpoint", "barrera", "triangulation", "triangulation-kalman",
+      "camshift", "csrt",    "dynamics",      "dewpoint-smoothed"};
   return fmt::format("m{}", std::ranges::find(order, method) - order.begin());
 }
 
@@ -136,7 +137,7 @@ Plot errorDistribution(std::span<const SuiteCell> cells) {
 Plot reliabilityDiagram(std::span<const SuiteCell> cells) {
   Plot plot{"reliability of the stated existence",
             {"stated P(exists)", 0.0, 1.0, false},
-            {"share within 30 mm", 0.0, 1.0, false},
+            {"share on the target", 0.0, 1.0, false},
             true,
             {}};
   for (const SuiteCell& cell : cells) {

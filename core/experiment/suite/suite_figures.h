@@ -9,7 +9,8 @@
 
 namespace dewpoint::experiment {
 
-/// CSS class of a method's color, the same in all plots; "m5" for one that is not known.
+/// CSS class of a method's color, the same in all plots: "m0" to "m7"; "m8" for one that is not
+/// known.
 std::string methodStyle(const std::string& method);
 
 /// The three plots of a scenario; `cells` are its methods.

@@ -2,12 +2,14 @@
 #include "core/experiment/suite/suite_page.h"
 
 #include "core/experiment/report/report_style.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/suite_figures.h"
 #include "core/experiment/suite/suite_tables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace dewpoint::experiment {
@@ -17,7 +19,7 @@ namespace {
 std::string familyTitle(const std::string& family) {
   static const std::vector<std::pair<std::string, std::string>> titles{
       {"S0", "A single ball, nothing in the way"},
-      {"S1", "Look-alikes of the same color"},
+      {"S1", "Distractors of the same color"},
       {"S2", "Half of the disk hidden in one camera"},
       {"S3", "Blackouts and absences"},
       {"S4", "Random starts and jumps"},
@@ -25,7 +27,22 @@ std::string familyTitle(const std::string& family) {
       {"S6", "More cameras, and cameras that fail"},
       {"S7", "Cameras out of step"},
       {"S8", "Changing light"},
-      {"S9", "A camera that was bumped"}};
+      {"S9", "A camera that was moved"},
+      {"S10", "A ball of unknown size"},
+      {"S11", "Held in a hand"},
+      {"S12", "A patterned ball"},
+      {"S13", "Its own color behind it"},
+      {"S14", "What cameras do to images"},
+      {"S15", "Cameras and time"},
+      {"S16", "A calibration that drifts"},
+      {"S17", "Out of view"},
+      {"S18", "Thrown, bouncing, spinning"},
+      {"S19", "A crowd of identical objects"},
+      {"S20", "Hard light"},
+      {"S21", "Shapes that are no balls"},
+      {"S22", "Learned by one click"},
+      {"R1", "Real clips of calibrated cameras"},
+      {"R2", "Real clips of one camera"}};
   const auto found = std::ranges::find(titles, family, &std::pair<std::string, std::string>::first);
   return found == titles.end() ? family : family + " · " + found->second;
 }
@@ -35,15 +52,24 @@ std::string head(const SuiteReport& report) {
   for (const SuiteCell& cell : report.cells) {
     runs += cell.runs.size();
   }
-  const bool quotable = !report.seeds.empty() && report.seeds.front() >= kFirstReportingSeed;
+  const bool quotable = areReportingSeeds(report.seeds);
   const std::string seeds = escaped(seedSentence(report.seeds));
   return fmt::format("<header><h1>Dewpoint accuracy suite</h1><p class='meta'>Version {} · {} runs "
                      "· seeds {}</p>{}</header>",
                      DEWPOINT_VERSION, runs, seeds,
                      quotable ? std::string()
-                              : fmt::format("<p class='note'>Seeds {}. Seeds from {} on are for "
+                              : fmt::format("<p class='note'>Seeds {}. Seeds {} to {} are for "
                                             "reporting.</p>",
-                                            seeds, kFirstReportingSeed));
+                                            seeds, kFirstReportingSeed, kLastReportingSeed));
+}
+
+/// What the report lacks, and why: clips whose recordings are not there.
+std::string notesOf(const SuiteReport& report) {
+  std::string text;
+  for (const std::string& note : report.notes) {
+    text += fmt::format("<p class='note'>{}</p>", escaped(note));
+  }
+  return text;
 }
 
 std::string tile(const char* style, std::ptrdiff_t count, const char* words) {
@@ -51,21 +77,80 @@ std::string tile(const char* style, std::ptrdiff_t count, const char* words) {
                      words);
 }
 
+/// What the images of a grade are like, where it is known.
+std::string gradeSentence(const std::string& grade) {
+  static const std::vector<std::pair<std::string, std::string>> sentences{
+      {"ideal", "Sensor noise, shading and clutter; the calibration is exact."},
+      {"room", "What ordinary cameras and a calibration by hand do to the images."},
+      {"wild", "The same, stronger, in rooms and with cameras that are drawn per seed."},
+      {"real", "Recordings."}};
+  const auto found =
+      std::ranges::find(sentences, grade, &std::pair<std::string, std::string>::first);
+  return found == sentences.end() ? std::string() : found->second;
+}
+
+/// The bars of one grade.
+std::string requirementsOf(const SuiteReport& report, const std::string& grade) {
+  std::vector<BarResult> bars;
+  std::ranges::copy_if(report.bars, std::back_inserter(bars),
+                       [&](const BarResult& result) { return result.bar->grade == grade; });
+  return fmt::format("<h3>Grade {}</h3><p>{}</p>", escaped(grade), escaped(gradeSentence(grade))) +
+         barTable(bars);
+}
+
+/// How many are reached of the bars of this version, or of those that the next one aims at.
+std::string tiles(const SuiteReport& report, bool aims, const char* caption) {
+  std::ptrdiff_t reached = 0;
+  std::ptrdiff_t missed = 0;
+  std::ptrdiff_t open = 0;
+  for (const BarResult& result : report.bars) {
+    if (result.bar->isAim == aims) {
+      ++(!result.measured() ? open : result.reached() ? reached : missed);
+    }
+  }
+  return fmt::format("<p class='soft'>{}</p><div class='tiles'>", caption) +
+         tile("good", reached, "reached") + tile("bad", missed, "not reached") +
+         tile("", open, "not measured") + "</div>";
+}
+
 std::string requirements(const SuiteReport& report) {
-  const auto reached = std::ranges::count_if(report.bars, &BarResult::reached);
-  const auto measured = std::ranges::count_if(report.bars, &BarResult::measured);
-  const auto all = static_cast<std::ptrdiff_t>(report.bars.size());
-  return "<h2 id='bars'>What must be reached</h2><p>Method <b>dewpoint</b>, images of grade "
-         "<b>ideal</b> (sensor noise, shading and clutter, exact calibration). The other grade, "
-         "<b>room</b>, has calibration noise, lens distortion, JPEG and uneven light; it is "
-         "reported and has no bar.</p><div class='tiles'>" +
-         tile("good", reached, "reached") + tile("bad", measured - reached, "not reached") +
-         tile("", all - measured, "not measured") + "</div>" + barTable(report.bars);
+  std::string text =
+      "<h2 id='bars'>What must be reached</h2><p>Method <b>dewpoint</b>, grade by grade. Below a "
+      "value stands the scenario that decides it. <span class='chip'>next version</span> marks "
+      "what the next version aims at: this one is measured against it.</p>" +
+      tiles(report, false, "This version") + tiles(report, true, "Next version");
+  std::set<std::string> done;
+  for (const BarResult& result : report.bars) {
+    if (done.insert(result.bar->grade).second) {
+      text += requirementsOf(report, result.bar->grade);
+    }
+  }
+  return text;
+}
+
+std::string belief(const SuiteReport& report) {
+  std::string text =
+      "<h2 id='belief'>Does it know how sure it may be?</h2><p>Each figure is taken for every "
+      "scenario; shown are the median over the scenarios and, in gray, the worst of them by name. "
+      "A method that is right has 50 and 95 % of the truths in its ellipsoids and a NEES of 3; "
+      "methods without a P(exists) state 1 for all that they declare.</p>";
+  const std::span<const BeliefSummary> all(report.belief);
+  for (std::size_t begin = 0; begin < all.size();) {
+    std::size_t end = begin;
+    while (end < all.size() && all[end].grade == all[begin].grade) {
+      ++end;
+    }
+    text += fmt::format("<h3>Grade {}</h3>", gradeName(all[begin].grade)) +
+            beliefTable(all.subspan(begin, end - begin));
+    begin = end;
+  }
+  return text;
 }
 
 std::string overview(const SuiteReport& report) {
   return "<h2 id='overview'>At a glance</h2><p>Median over the runs of each run's RMSE after "
-         "convergence, in millimetres; the smallest in each row is bold. Where more than a "
+         "convergence, in millimeters (px: in pixels, of clips without lengths); the smallest in "
+         "each row is bold. Where more than a "
          "trace of the frames is lost, that is said beside it: a small error of few frames is "
          "no success.</p>" +
          overviewTable(report.cells);
@@ -84,14 +169,21 @@ std::string figureOf(const char* caption, const Plot& plot) {
   return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>", caption, svgOf(plot));
 }
 
+/// Clips that are measured in pixels have no errors to draw, those of one camera no P(exists).
 std::string plotsOf(std::span<const SuiteCell> cells) {
-  return legendOf(cells) + "<div class='plots'>" +
-         figureOf("Error over time: median, 10th to 90th percentile", errorOverTime(cells)) +
-         figureOf("Share of all frames with at most this error", errorDistribution(cells)) +
-         figureOf("Does P(exists) mean what it says?", reliabilityDiagram(cells)) + "</div>";
+  std::string plots;
+  if (std::ranges::any_of(cells, [](const auto& cell) { return !std::isnan(cell.rmseMm.value); })) {
+    plots += figureOf("Error over time: median, 10th to 90th percentile", errorOverTime(cells));
+    plots += figureOf("Share of all frames with at most this error", errorDistribution(cells));
+  }
+  if (std::ranges::any_of(
+          cells, [](const auto& cell) { return pooledReliability(cell.runs).count > 0; })) {
+    plots += figureOf("Does P(exists) mean what it says?", reliabilityDiagram(cells));
+  }
+  return plots.empty() ? plots : legendOf(cells) + "<div class='plots'>" + plots + "</div>";
 }
 
-/// One scenario in one grade; the second grade's plots are folded away.
+/// One scenario in one grade; the plots of further grades are folded away.
 std::string block(std::span<const SuiteCell> cells, bool folded) {
   const SuiteCell& first = cells.front();
   std::string text =
@@ -143,7 +235,8 @@ std::string scenarioRows(const SuiteReport& report) {
 }
 
 std::string links(const SuiteReport& report) {
-  std::string text = "<nav><a href='#bars'>Requirements</a><a href='#overview'>At a glance</a>";
+  std::string text = "<nav><a href='#bars'>Requirements</a><a href='#belief'>Belief</a>"
+                     "<a href='#overview'>At a glance</a>";
   std::set<std::string> done;
   for (const SuiteCell& cell : report.cells) {
     const std::string family = familyOf(report, cell.scenario);
@@ -174,9 +267,9 @@ std::string reportHtml(const SuiteReport& report) {
   return "<!DOCTYPE html>\n<html lang='en'><head><meta charset='utf-8'><meta name='viewport' "
          "content='width=device-width, initial-scale=1'><title>Dewpoint accuracy "
          "suite</title><style>" +
-         reportStyle() + "</style></head>\n<body><main>\n" + head(report) + links(report) +
-         requirements(report) + overview(report) + scenarioRows(report) + explanation() +
-         "\n</main></body></html>\n";
+         reportStyle() + "</style></head>\n<body><main>\n" + head(report) + notesOf(report) +
+         links(report) + requirements(report) + belief(report) + overview(report) +
+         scenarioRows(report) + explanation() + "\n</main></body></html>\n";
 }
 
 } // namespace dewpoint::experiment

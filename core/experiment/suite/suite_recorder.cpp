@@ -6,6 +6,7 @@
 #include "core/experiment/metrics/error_split.h"
 #include "core/experiment/metrics/gospa.h"
 #include "core/experiment/metrics/hota.h"
+#include "core/experiment/metrics/overconfidence.h"
 #include "core/experiment/metrics/reliability.h"
 #include "core/filter/assignment.h"
 
@@ -67,7 +68,7 @@ bool happensToACamera(ScenarioEvent::Kind kind) {
 
 bool hasToBeFoundAgain(ScenarioEvent::Kind kind) {
   return kind == ScenarioEvent::Kind::Jump || kind == ScenarioEvent::Kind::BlackoutEnd ||
-         kind == ScenarioEvent::Kind::Return;
+         kind == ScenarioEvent::Kind::Return || kind == ScenarioEvent::Kind::UnseenEnd;
 }
 
 /// The first frame at or after `frame` where the same camera's blackout ends.
@@ -84,6 +85,18 @@ std::int64_t endOfBlackout(const ScenarioRun& run, const ScenarioEvent& begin) {
 bool isWithin(const ScenarioRun& run, const ScenarioEvent& blackout, std::int64_t frame) {
   return blackout.kind == ScenarioEvent::Kind::BlackoutBegin && frame >= blackout.frame &&
          frame < endOfBlackout(run, blackout);
+}
+
+/// Whether no camera has the target in view, by the events.
+bool isOutOfView(const ScenarioRun& run, std::int64_t frame) {
+  bool outOfView = false;
+  for (const ScenarioEvent& event : run.events) { // in the order of their frames
+    if (event.camera < 0 && event.frame <= frame) {
+      outOfView = event.kind == ScenarioEvent::Kind::UnseenBegin ||
+                  (outOfView && event.kind != ScenarioEvent::Kind::UnseenEnd);
+    }
+  }
+  return outOfView;
 }
 
 void measureEvents(const ScenarioRun& run, const std::vector<TargetFrame>& frames, SuiteRow& row) {
@@ -155,6 +168,14 @@ void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
   const Consistency fit = consistency(samples);
   row.nees = fit.nees.value;
   row.coverage95Percent = 100.0 * fit.inside.value();
+  row.coverage50Percent = 100.0 * fit.inside50.value();
+}
+
+void fillOverconfidence(const std::vector<StatedBelief>& beliefs, SuiteRow& row) {
+  const Overconfidence shares = overconfidence(beliefs, kFollowGate);
+  row.sureAndWrongPercent = 100.0 * shares.sureAndWrong.value();
+  row.wrongPercent = 100.0 * shares.wrong.value();
+  row.wrongWhenSurePercent = 100.0 * shares.wrongWhenSure.value();
 }
 
 } // namespace
@@ -201,7 +222,7 @@ std::vector<TargetFrame> SuiteRecorder::framesOf(std::size_t truth, std::size_t 
     if (isDeclared(estimates_[k][estimate])) {
       frame.estimate = estimates_[k][estimate].mean;
     }
-    frame.visible = !allBlind(frame.frame);
+    frame.visible = !allBlind(frame.frame) && !isOutOfView(run_, frame.frame);
     frames.push_back(frame);
   }
   return frames;
@@ -258,6 +279,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   std::vector<Eigen::Vector3d> errors;
   std::vector<StateError> states;
   std::vector<Forecast> forecasts;
+  std::vector<StatedBelief> beliefs;
   Proportion lost;
   Proportion blindInside;
   const auto estimateOf = estimateOfTruth();
@@ -279,6 +301,8 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
       forecasts.push_back(
           {estimate.existenceProbability,
            frames[k].truth.has_value() && (estimate.mean - *frames[k].truth).norm() < kFollowGate});
+      beliefs.push_back({estimate.existenceProbability, isDeclared(estimate), estimate.mean,
+                         estimate.covariance, frames[k].truth});
       if (frames[k].truth && anyBlind(frames[k].frame)) {
         ++blindInside.total;
         blindInside.count += error && isInside95({*error, estimate.covariance}) ? 1 : 0;
@@ -292,6 +316,7 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   fillErrors(errors, run_.trueRig, row);
   fillConsistency(states, row);
   fillReliability(forecasts, result);
+  fillOverconfidence(beliefs, row);
   fillTracks(trackFrames(), row);
   if (lost.total > 0) {
     row.lostPercent = 100.0 * lost.value();

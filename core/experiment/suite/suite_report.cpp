@@ -2,6 +2,7 @@
 #include "core/experiment/suite/suite_report.h"
 
 #include "core/base/text_file.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/suite_page.h"
 
 #include <fmt/format.h>
@@ -31,15 +32,34 @@ Json interval(const Interval& value) {
 Json barJson(const BarResult& result) {
   Json json;
   json["item"] = result.bar->item;
+  json["grade"] = result.bar->grade;
+  json["next_version"] = result.bar->isAim;
   json["requirement"] = result.bar->sentence;
   json["unit"] = result.bar->unit;
   json["low"] = number(result.bar->low);
   json["high"] = number(result.bar->high);
   json["runs"] = result.runs;
   json["value"] = number(result.value);
+  json["scenario"] = result.scenario.empty() ? Json(nullptr) : Json(result.scenario);
+  json["shortfall"] = result.measured() ? number(result.shortfall()) : Json(nullptr);
   json["verdict"] = !result.measured() ? "not measured"
                     : result.reached() ? "reached"
                                        : "not reached";
+  return json;
+}
+
+Json beliefJson(const BeliefSummary& summary) {
+  Json json;
+  json["grade"] = gradeName(summary.grade);
+  json["method"] = summary.method;
+  json["scenarios"] = summary.scenarios;
+  json["runs"] = summary.runs;
+  for (std::size_t k = 0; k < summary.figures.size(); ++k) {
+    const OverScenarios& figure = summary.figures[k];
+    json["figures"][beliefFigures()[k].name] = {{"median", number(figure.median)},
+                                                {"worst", number(figure.worst)},
+                                                {"worst_scenario", figure.worstScenario}};
+  }
   return json;
 }
 
@@ -68,20 +88,6 @@ std::string csvNumber(double value) {
 
 } // namespace
 
-std::string seedSentence(const std::vector<std::uint64_t>& seeds) {
-  if (seeds.empty()) {
-    return "none";
-  }
-  const std::string range =
-      fmt::format("{} to {}, {} in all", seeds.front(), seeds.back(), seeds.size());
-  if (seeds.front() >= kFirstReportingSeed) {
-    return range + ": reporting seeds, on which no method was tuned";
-  }
-  return range + (seeds.back() < kFirstReportingSeed
-                      ? ": TUNING seeds, not to be quoted as results"
-                      : ": tuning and reporting seeds mixed, not to be quoted as results");
-}
-
 std::string summaryCsv(const SuiteReport& report) {
   std::string text = "scenario,grade,method,runs,median_rmse_mm,median_rmse_low_mm,"
                      "median_rmse_high_mm,pooled_p95_mm,pooled_p95_low_mm,pooled_p95_high_mm,"
@@ -106,14 +112,33 @@ std::string summaryCsv(const SuiteReport& report) {
   return text;
 }
 
+std::string beliefCsv(const SuiteReport& report) {
+  std::string text = "grade,method,scenarios,runs,figure,median,worst,worst_scenario\n";
+  for (const BeliefSummary& summary : report.belief) {
+    for (std::size_t k = 0; k < summary.figures.size(); ++k) {
+      const OverScenarios& figure = summary.figures[k];
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", gradeName(summary.grade), summary.method,
+                          summary.scenarios, summary.runs, beliefFigures()[k].name,
+                          csvNumber(figure.median), csvNumber(figure.worst), figure.worstScenario);
+    }
+  }
+  return text;
+}
+
 std::string reportJson(const SuiteReport& report) {
   Json json;
   json["version"] = DEWPOINT_VERSION;
   json["seeds"] = report.seeds;
   json["seeds_sentence"] = seedSentence(report.seeds);
+  json["reporting_seeds"] = areReportingSeeds(report.seeds);
+  json["notes"] = report.notes;
   json["bars"] = Json::array();
   for (const BarResult& result : report.bars) {
     json["bars"].push_back(barJson(result));
+  }
+  json["belief"] = Json::array();
+  for (const BeliefSummary& summary : report.belief) {
+    json["belief"].push_back(beliefJson(summary));
   }
   json["cells"] = Json::array();
   for (const SuiteCell& cell : report.cells) {
@@ -124,17 +149,23 @@ std::string reportJson(const SuiteReport& report) {
 
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
-                        std::span<const ScenarioDeclaration> catalog) {
+                        std::span<const ScenarioDeclaration> catalog,
+                        const std::vector<std::string>& notes) {
   SuiteReport report;
   report.cells = summarizeSuite(results, order);
+  report.belief = summarizeBelief(report.cells);
   report.bars = measureBars(report.cells);
   report.catalog = catalog;
+  report.notes = notes;
   std::set<std::uint64_t> seeds;
   for (const RunKey& key : order) {
     seeds.insert(key.seed);
   }
   report.seeds.assign(seeds.begin(), seeds.end());
   if (auto written = writeTextFile(folder / "summary.csv", summaryCsv(report)); !written) {
+    return written;
+  }
+  if (auto written = writeTextFile(folder / "belief.csv", beliefCsv(report)); !written) {
     return written;
   }
   if (auto written = writeTextFile(folder / "report.json", reportJson(report)); !written) {

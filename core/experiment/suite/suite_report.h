@@ -13,22 +13,26 @@
 
 namespace dewpoint::experiment {
 
-/// What the three files of a report are made from.
+/// What the files of a report are made from.
 struct SuiteReport {
   std::vector<SuiteCell> cells;
+  std::vector<BeliefSummary> belief;
   std::vector<BarResult> bars;
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, each once
+  std::vector<std::string> notes;   ///< sentences about what is missing
 };
 
-/// "1000001 to 1000020 (reporting)", or that some or all are for tuning.
-std::string seedSentence(const std::vector<std::uint64_t>& seeds);
-
 std::string summaryCsv(const SuiteReport& report);
+/// One line per grade, method and figure of belief: its median over the scenarios, and the worst of
+/// them by name.
+std::string beliefCsv(const SuiteReport& report);
 std::string reportJson(const SuiteReport& report);
-/// Writes report.html, summary.csv and report.json into the folder.
+/// Writes report.html, summary.csv, belief.csv and report.json into the folder. `notes`: sentences
+/// about what is missing, such as clips whose recordings are not there.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
-                        std::span<const ScenarioDeclaration> catalog);
+                        std::span<const ScenarioDeclaration> catalog,
+                        const std::vector<std::string>& notes = {});
 
 } // namespace dewpoint::experiment

@@ -3,15 +3,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace dewpoint::experiment {
 namespace {
 
 constexpr std::size_t kKeyFields = 4;
+/// The grades and their names, the easiest first.
+struct NamedGrade {
+  Grade grade;
+  const char* name;
+};
+constexpr std::array kGrades{NamedGrade{Grade::Ideal, "ideal"}, NamedGrade{Grade::Room, "room"},
+                             NamedGrade{Grade::Wild, "wild"}, NamedGrade{Grade::Real, "real"}};
 constexpr const char* kKeyHeader = "scenario,grade,method,seed";
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -83,16 +92,32 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
 } // namespace
 
 const char* gradeName(Grade grade) {
-  return grade == Grade::Ideal ? "ideal" : "room";
+  const auto* const found = std::ranges::find(kGrades, grade, &NamedGrade::grade);
+  return found != kGrades.end() ? found->name : "";
 }
 
 std::optional<Grade> gradeNamed(const std::string& name) {
-  for (const Grade grade : {Grade::Ideal, Grade::Room}) {
-    if (name == gradeName(grade)) {
-      return grade;
+  for (const NamedGrade& grade : kGrades) {
+    if (name == grade.name) {
+      return grade.grade;
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names) {
+  std::set<Grade> grades;
+  for (const std::string& name : names) {
+    if (name == "both") {
+      grades.insert({Grade::Ideal, Grade::Room});
+    } else if (const auto grade = gradeNamed(name)) {
+      grades.insert(*grade);
+    } else {
+      return std::nullopt;
+    }
+  }
+  return grades.empty() ? std::nullopt
+                        : std::optional(std::vector<Grade>(grades.begin(), grades.end()));
 }
 
 std::span<const SuiteColumn> suiteColumns() {
@@ -121,6 +146,15 @@ std::span<const SuiteColumn> suiteColumns() {
                   "mean normalized estimation error squared; 3 is consistent"},
       SuiteColumn{"coverage95_percent", &SuiteRow::coverage95Percent,
                   "truths inside the stated 95 % ellipsoid"},
+      SuiteColumn{"coverage50_percent", &SuiteRow::coverage50Percent,
+                  "truths inside the stated 50 % ellipsoid"},
+      SuiteColumn{"sure_and_wrong_percent", &SuiteRow::sureAndWrongPercent,
+                  "of all frames, those with P(exists) above 0.95 and the target absent or farther "
+                  "off than three stated radii (root mean square errors by the covariance)"},
+      SuiteColumn{"wrong_percent", &SuiteRow::wrongPercent,
+                  "of all frames, those with the target declared, but absent or not within 30 mm"},
+      SuiteColumn{"wrong_when_sure_percent", &SuiteRow::wrongWhenSurePercent,
+                  "the same with P(exists) above 0.95"},
       SuiteColumn{"gospa_mm", &SuiteRow::gospaMm, "mean GOSPA, cutoff 100 mm, order 2"},
       SuiteColumn{"mota", &SuiteRow::mota, "multiple object tracking accuracy, gate 100 mm"},
       SuiteColumn{"hota", &SuiteRow::hota, "higher order tracking accuracy, gate 100 mm"},
@@ -135,6 +169,12 @@ std::span<const SuiteColumn> suiteColumns() {
       SuiteColumn{"largest_step_mm", &SuiteRow::largestStepMm,
                   "largest step of the error, mean of five frames before and after, where a camera "
                   "drops out or returns"},
+      SuiteColumn{"rmse_px", &SuiteRow::rmsePx,
+                  "of real clips: RMS distance in the images from the true centers, after "
+                  "convergence; of clips of one camera over all frames"},
+      SuiteColumn{"success", &SuiteRow::success,
+                  "of clips of one camera: area under the success curve of the boxes (Wu, Lim and "
+                  "Yang 2013); lost frames and convergence count within the clip's radius there"},
       SuiteColumn{"us_per_frame", &SuiteRow::usPerFrame,
                   "processor time of the method per frame, microseconds, one thread"},
       SuiteColumn{"frames", &SuiteRow::frames, "frames of the run"},

@@ -23,9 +23,12 @@ inline constexpr double kQuickFrames = 5.0;
 /// Bins of the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// "ideal" or "room".
+/// "ideal", "room", "wild" or "real".
 const char* gradeName(Grade grade);
 std::optional<Grade> gradeNamed(const std::string& name);
+/// The grades of a list of names, each once, the easiest first; "both" stands for ideal and room.
+/// Nothing if a name is unknown or the list is empty.
+std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
 
 /// Which run of the suite.
 struct RunKey {
@@ -58,6 +61,10 @@ struct SuiteRow {
   Figure falseAlarmPercent;
   Figure nees;
   Figure coverage95Percent;
+  Figure coverage50Percent;
+  Figure sureAndWrongPercent;
+  Figure wrongPercent;
+  Figure wrongWhenSurePercent;
   Figure gospaMm;
   Figure mota;
   Figure hota;
@@ -66,6 +73,8 @@ struct SuiteRow {
   Figure blackoutRmseMm;
   Figure blackoutCoverage95Percent;
   Figure largestStepMm;
+  Figure rmsePx;
+  Figure success;
   Figure usPerFrame;
   Figure frames;
 };

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_runner.h"
 
-#include "core/experiment/baselines/baseline_methods.h"
 #include "core/experiment/baselines/smoothed_method.h"
+#include "core/experiment/suite/image_clip_run.h"
+#include "core/experiment/suite/measured_part.h"
+#include "core/experiment/suite/pixel_recorder.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
 
@@ -31,7 +33,8 @@ double threadSeconds() {
 /// One method in one run.
 struct EvaluatedTracker {
   TrackingRun run;
-  SuiteRecorder recorder;
+  SuiteRecorder recorder; ///< of the measured part
+  PixelRecorder pixels;
   bool smoothed = false; ///< all estimates are collected first
   std::vector<std::vector<SphereEstimate>> estimates;
   double seconds = 0.0;
@@ -46,7 +49,9 @@ RunDefinitionPtr definitionOf(const std::string& method, const ScenarioRun& run)
   return std::make_shared<const RunDefinition>(std::move(definition));
 }
 
-Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioRun& run) {
+/// `measured`, the measured part of the run, outlives the contestants.
+Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioRun& run,
+                                            const ScenarioRun& measured) {
   std::vector<EvaluatedTracker> contestants;
   for (const std::string& method : job.methods) {
     const bool smoothed = method == kSmoothedMethod;
@@ -55,7 +60,8 @@ Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioR
       return tl::make_unexpected(tracker.error());
     }
     contestants.push_back({TrackingRun::of(std::move(*tracker), definitionOf(method, run), 1),
-                           SuiteRecorder(run, method),
+                           SuiteRecorder(measured, method),
+                           PixelRecorder(run),
                            smoothed,
                            {},
                            0.0});
@@ -63,7 +69,16 @@ Result<std::vector<EvaluatedTracker>> enter(const SuiteJob& job, const ScenarioR
   return contestants;
 }
 
-Status advance(EvaluatedTracker& contestant, const FrameSetPtr& frames) {
+void recordFrame(EvaluatedTracker& contestant, const ScenarioRun& run, std::int64_t frame,
+                 const std::vector<SphereEstimate>& estimates) {
+  if (isMeasured(run, frame)) {
+    contestant.recorder.add(estimates);
+    contestant.pixels.add(frame, estimates);
+  }
+}
+
+Status advance(EvaluatedTracker& contestant, const ScenarioRun& run, std::int64_t frame,
+               const FrameSetPtr& frames) {
   const double begin = threadSeconds();
   const Status tracked = trackOneFrame(contestant.run, frames, {});
   contestant.seconds += threadSeconds() - begin;
@@ -71,27 +86,69 @@ Status advance(EvaluatedTracker& contestant, const FrameSetPtr& frames) {
   if (contestant.smoothed) {
     contestant.estimates.push_back(std::move(estimates));
   } else {
-    contestant.recorder.add(estimates);
+    recordFrame(contestant, run, frame, estimates);
   }
   return tracked;
 }
 
-void finish(EvaluatedTracker& contestant, double framesPerSecond) {
+void finish(EvaluatedTracker& contestant, const ScenarioRun& run) {
   const double begin = threadSeconds();
-  const auto all = smoothedEstimates(contestant.estimates, framesPerSecond);
+  const auto all = smoothedEstimates(contestant.estimates, run.framesPerSecond);
   contestant.seconds += threadSeconds() - begin;
-  for (const auto& estimates : all) {
-    contestant.recorder.add(estimates);
+  for (std::size_t frame = 0; frame < all.size(); ++frame) {
+    recordFrame(contestant, run, static_cast<std::int64_t>(frame), all[frame]);
   }
+}
+
+SuiteResult suiteResultOf(const EvaluatedTracker& contestant, const ScenarioRun& run,
+                          const std::string& method) {
+  const auto frameCount = static_cast<double>(std::max<std::int64_t>(1, run.frameCount));
+  const double usPerFrame = 1e6 * contestant.seconds / frameCount;
+  if (run.truth.samples.empty() && !run.marks.empty()) {
+    return contestant.pixels.result({run.scenario, run.grade, method, run.seed}, usPerFrame);
+  }
+  SuiteResult result = contestant.recorder.result(usPerFrame);
+  result.row.rmsePx = contestant.pixels.rmsePx();
+  return result;
+}
+
+/// The results of a job on a clip of one camera; nothing when it was stopped.
+Result<std::vector<SuiteResult>> runClipJob(const SuiteJob& job,
+                                            const std::function<bool()>& stop) {
+  const auto clip = job.scenario->clip();
+  if (!clip) {
+    return tl::make_unexpected(clip.error());
+  }
+  const auto images = imagesOf(*clip);
+  if (!images) {
+    return tl::make_unexpected(images.error());
+  }
+  std::vector<SuiteResult> results;
+  for (const std::string& method : job.methods) {
+    auto result =
+        followClip(*clip, *images, {job.scenario->name, job.grade, method, job.seed}, stop);
+    if (!result) {
+      return tl::make_unexpected(result.error());
+    }
+    if (!*result) {
+      return std::vector<SuiteResult>();
+    }
+    results.push_back(std::move(**result));
+  }
+  return results;
 }
 
 /// The results of one job, one per method; nothing when it was stopped.
 Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function<bool()>& stop) {
+  if (job.scenario->clip) {
+    return runClipJob(job, stop);
+  }
   const auto run = job.scenario->make(job.seed, job.grade);
   if (!run) {
     return tl::make_unexpected(run.error());
   }
-  auto contestants = enter(job, *run);
+  const ScenarioRun measured = measuredPart(*run);
+  auto contestants = enter(job, *run, measured);
   if (!contestants) {
     return tl::make_unexpected(contestants.error());
   }
@@ -101,20 +158,29 @@ Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function
     }
     const FrameSetPtr frames = run->frames(frame);
     for (EvaluatedTracker& contestant : *contestants) {
-      if (const auto advanced = advance(contestant, frames); !advanced) {
+      if (const auto advanced = advance(contestant, *run, frame, frames); !advanced) {
         return tl::make_unexpected(advanced.error());
       }
     }
   }
   std::vector<SuiteResult> results;
-  for (EvaluatedTracker& contestant : *contestants) {
+  for (std::size_t k = 0; k < contestants->size(); ++k) {
+    EvaluatedTracker& contestant = (*contestants)[k];
     if (contestant.smoothed) {
-      finish(contestant, run->framesPerSecond);
+      finish(contestant, *run);
     }
-    const auto frameCount = static_cast<double>(std::max<std::int64_t>(1, run->frameCount));
-    results.push_back(contestant.recorder.result(1e6 * contestant.seconds / frameCount));
+    results.push_back(suiteResultOf(contestant, *run, job.methods[k]));
   }
   return results;
+}
+
+bool isRunIn(const ScenarioDeclaration& scenario, Grade grade) {
+  return scenario.recorded == (grade == Grade::Real);
+}
+
+bool isRunBy(const ScenarioDeclaration& scenario, const std::string& method) {
+  const auto methods = scenario.clip ? imageMethods() : suiteMethods();
+  return std::ranges::find(methods, method) != methods.end();
 }
 
 /// Position in a list, its size if it is not there.
@@ -146,20 +212,24 @@ selectScenarios(std::span<const ScenarioDeclaration> catalog,
   return selected;
 }
 
-Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& names) {
-  const auto all = suiteMethods();
+std::vector<std::string> allSuiteMethods() {
+  std::vector<std::string> all = suiteMethods();
+  std::ranges::copy_if(imageMethods(), std::back_inserter(all), [&](const std::string& method) {
+    return std::ranges::find(all, method) == all.end();
+  });
+  return all;
+}
+
+Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& names,
+                                               const std::vector<std::string>& known) {
   for (const std::string& name : names) {
-    if (std::ranges::find(all, name) == all.end()) {
-      std::string known;
-      for (const std::string& method : all) {
-        known += fmt::format("{}{}", known.empty() ? "" : ", ", method);
-      }
+    if (std::ranges::find(known, name) == known.end()) {
       return failure(ErrorCode::NotFound, "", "--method",
-                     fmt::format("{}; known are {}", name, known));
+                     fmt::format("{}; known are {}", name, fmt::join(known, ", ")));
     }
   }
   std::vector<std::string> selected;
-  std::ranges::copy_if(all, std::back_inserter(selected), [&](const std::string& method) {
+  std::ranges::copy_if(known, std::back_inserter(selected), [&](const std::string& method) {
     return names.empty() || std::ranges::find(names, method) != names.end();
   });
   return selected;
@@ -169,12 +239,16 @@ std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults&
   std::vector<SuiteJob> jobs;
   for (const ScenarioDeclaration* scenario : request.scenarios) {
     for (const Grade grade : request.grades) {
+      if (!isRunIn(*scenario, grade)) {
+        continue;
+      }
       const int seeds = request.seeds.value_or(scenario->seeds);
       for (int k = 0; k < seeds; ++k) {
         SuiteJob job{scenario, grade, request.firstSeed + static_cast<std::uint64_t>(k), {}};
         std::ranges::copy_if(request.methods, std::back_inserter(job.methods),
                              [&](const std::string& method) {
-                               return !done.contains({scenario->name, grade, method, job.seed});
+                               return isRunBy(*scenario, method) &&
+                                      !done.contains({scenario->name, grade, method, job.seed});
                              });
         if (!job.methods.empty()) {
           jobs.push_back(std::move(job));
@@ -199,7 +273,7 @@ std::vector<RunKey> reportOrder(const SuiteResults& results,
   for (const auto& [key, result] : results) {
     keys.push_back(key);
   }
-  const auto methods = suiteMethods();
+  const auto methods = allSuiteMethods();
   std::ranges::stable_sort(keys, {}, [&](const RunKey& key) {
     return std::tuple(rank(catalog, key.scenario, &ScenarioDeclaration::name), key.scenario,
                       key.grade, rank(methods, key.method, std::identity{}), key.method, key.seed);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/experiment/suite/suite_store.h"
 
@@ -35,10 +37,17 @@ Result<std::vector<const ScenarioDeclaration*>>
 selectScenarios(std::span<const ScenarioDeclaration> catalog,
                 const std::vector<std::string>& names);
 
-/// The methods meant, in the order of the tables, each once; all for none. NotFound.
-Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& names);
+/// Every method that some scenario is run with, in the order of the tables, each once: those of
+/// suiteMethods(), then those of imageMethods(), which only follow clips of one camera.
+std::vector<std::string> allSuiteMethods();
 
-/// What is still to do, in order.
+/// The methods meant among those that are known, in their order, each once; all for none. NotFound.
+Result<std::vector<std::string>>
+selectMethods(const std::vector<std::string>& names,
+              const std::vector<std::string>& known = suiteMethods());
+
+/// What is still to do, in order. A scenario is run in its own grades and by the methods that can:
+/// real clips in grade `Real`, all others in the others; clips of one camera by imageMethods().
 std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done);
 std::int64_t runCount(const std::vector<SuiteJob>& jobs);
 

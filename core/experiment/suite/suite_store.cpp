@@ -94,6 +94,20 @@ Result<SuiteStore> SuiteStore::open(const std::filesystem::path& folder) {
   return store;
 }
 
+Result<SuiteResults> SuiteStore::read(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / kRuns)) {
+    return failure(ErrorCode::FileMissing, (folder / kRuns).string(), "", "");
+  }
+  SuiteStore store(folder);
+  return store.load().map([&] { return store.results_; });
+}
+
+void SuiteStore::take(const SuiteResults& results) {
+  for (const auto& [key, result] : results) {
+    results_.insert_or_assign(key, result);
+  }
+}
+
 Status SuiteStore::load() {
   const auto rows = readItems<SuiteRow>(folder_ / kRuns, rowHeader(), parseRow);
   if (!rows) {

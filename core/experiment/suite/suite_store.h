@@ -22,7 +22,13 @@ public:
   /// are of another version); NotParsed when a line in the middle is broken.
   static Result<SuiteStore> open(const std::filesystem::path& folder);
 
+  /// The results of a folder, which stays as it is. FileMissing when it has no runs.csv; Mismatch
+  /// and NotParsed as of open().
+  static Result<SuiteResults> read(const std::filesystem::path& folder);
+
   const SuiteResults& results() const { return results_; }
+  /// Adds results to results() alone; rewrite() writes them. Those of the same run replace others.
+  void take(const SuiteResults& results);
   /// Appends one result to both files and to results().
   Status append(const SuiteResult& result);
   /// Writes both files again, in this order of the runs' keys.

@@ -13,7 +13,6 @@ namespace dewpoint::experiment {
 namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 /// Resamples of the bootstrap.
 constexpr int kResamplesOfRuns = 2000;
 constexpr int kResamplesOfFrames = 300; // each sorts every frame of the cell
@@ -90,7 +89,7 @@ double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure Sui
                   double fraction) {
   const auto values = figuresOf(runs, figure);
   if (values.empty()) {
-    return kNothing;
+    return kNoFigure;
   }
   const double value = quantile(values, fraction);
   return std::isnan(value) ? values.back() : value; // between two infinite ones
@@ -102,7 +101,7 @@ double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Figure SuiteRo
   for (const double value : values) {
     sum += value;
   }
-  return values.empty() ? kNothing : sum / static_cast<double>(values.size());
+  return values.empty() ? kNoFigure : sum / static_cast<double>(values.size());
 }
 
 std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs) {
@@ -132,8 +131,8 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
       pooled.count += bin.count;
     }
   }
-  pooled.expectedError = pooled.count > 0 ? 0.0 : kNothing;
-  pooled.brier = kNothing; // needs each forecast
+  pooled.expectedError = pooled.count > 0 ? 0.0 : kNoFigure;
+  pooled.brier = kNoFigure; // needs each forecast
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const auto count = static_cast<double>(sums[k].count);
     const ReliabilityBin bin{static_cast<double>(k) / kReliabilityBins,

@@ -5,11 +5,15 @@
 #include "core/experiment/metrics/reliability.h"
 #include "core/experiment/suite/suite_store.h"
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace dewpoint::experiment {
+
+/// Stands where a figure makes no sense.
+inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 /// The runs of one method in one scenario and grade: one cell of the report's tables.
 struct SuiteCell {

@@ -23,12 +23,14 @@ std::string intervalText(const Interval& interval) {
 
 std::string requirementOf(const SuiteBar& bar) {
   const std::string unit = bar.unit.empty() ? "" : " " + bar.unit;
-  if (std::isinf(bar.low) && bar.high != 0.0) {
+  if (std::isinf(bar.low)) {
     return fmt::format("≤ {:g}{}", bar.high, unit);
   }
-  return bar.low == bar.high || bar.high == 0.0
-             ? fmt::format("{:g}{}", bar.high, unit)
-             : fmt::format("{:g}–{:g}{}", bar.low, bar.high, unit);
+  if (std::isinf(bar.high)) {
+    return fmt::format("≥ {:g}{}", bar.low, unit);
+  }
+  return bar.low == bar.high ? fmt::format("{:g}{}", bar.high, unit)
+                             : fmt::format("{:g}–{:g}{}", bar.low, bar.high, unit);
 }
 
 std::string assessmentOf(const BarResult& result) {
@@ -43,6 +45,21 @@ std::string assessmentOf(const BarResult& result) {
   return std::isinf(shortfall)
              ? std::string("<span class='chip bad'>✗ not reached</span>")
              : fmt::format("<span class='chip bad'>✗ by {}{}</span>", figureText(shortfall), unit);
+}
+
+/// The figure, and the scenario that decides it.
+std::string valueOf(const BarResult& result) {
+  return figureText(result.value) +
+         (result.scenario.empty() ? std::string()
+                                  : fmt::format("<br><small>{}</small>", escaped(result.scenario)));
+}
+
+std::string beliefCell(const OverScenarios& figure) {
+  if (std::isnan(figure.median)) {
+    return "<td>-</td>";
+  }
+  return fmt::format("<td>{}<br><small>{} in {}</small></td>", figureText(figure.median),
+                     figureText(figure.worst), escaped(figure.worstScenario));
 }
 
 std::string methodName(const std::string& method) {
@@ -84,11 +101,18 @@ const std::vector<TableColumn>& tableColumns() {
       {"in 95 %<br>while blind %", meanText<&SuiteRow::blackoutCoverage95Percent>},
       {"step<br>mm", medianText<&SuiteRow::largestStepMm>},
       {"NEES", medianText<&SuiteRow::nees>},
+      {"in 50 %<br>ellipsoid %", meanText<&SuiteRow::coverage50Percent>},
       {"in 95 %<br>ellipsoid %", meanText<&SuiteRow::coverage95Percent>},
+      {"ECE of<br>P(exists)",
+       [](const SuiteCell& c) { return figureText(pooledReliability(c.runs).expectedError); }},
+      {"sure and<br>wrong %", meanText<&SuiteRow::sureAndWrongPercent>},
+      {"declared, not<br>within 30 mm %", meanText<&SuiteRow::wrongPercent>},
       {"GOSPA<br>mm", medianText<&SuiteRow::gospaMm>},
       {"MOTA", medianText<&SuiteRow::mota>, true},
       {"HOTA", medianText<&SuiteRow::hota>, true},
       {"identity<br>switches", meanText<&SuiteRow::identitySwitches>, true},
+      {"RMSE in<br>images px", medianText<&SuiteRow::rmsePx>},
+      {"success<br>of boxes", medianText<&SuiteRow::success>},
       {"µs per<br>frame", medianText<&SuiteRow::usPerFrame>},
   };
   return columns;
@@ -109,10 +133,25 @@ std::size_t targetCount(std::span<const SuiteCell> cells) {
   return cells.front().runs.front()->trace.errorsMm.size();
 }
 
+/// The RMSE of the overview: in millimeters, or in pixels where nothing else is known.
+struct OverviewError {
+  double value = 0.0;
+  const char* unit = "";
+};
+
+/// `inPixels`: no method of the row has an error in millimeters.
+OverviewError overviewError(const SuiteCell& cell, bool inPixels) {
+  return inPixels ? OverviewError{quantileOf(cell.runs, &SuiteRow::rmsePx, 0.5), " px"}
+                  : OverviewError{cell.rmseMm.value, ""};
+}
+
 /// "-" for what was not run; the smallest RMSE of the row is marked.
 std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::string>& methods) {
-  const auto best = std::ranges::min_element(row, {}, [](const SuiteCell& cell) {
-    return std::isnan(cell.rmseMm.value) ? INFINITY : cell.rmseMm.value;
+  const bool inPixels =
+      std::ranges::all_of(row, [](const SuiteCell& cell) { return std::isnan(cell.rmseMm.value); });
+  const auto best = std::ranges::min_element(row, {}, [&](const SuiteCell& cell) {
+    const double value = overviewError(cell, inPixels).value;
+    return std::isnan(value) ? INFINITY : value;
   });
   std::string text = fmt::format("<tr><td>{}</td><td class='text soft'>{}</td>",
                                  escaped(row.front().scenario), gradeName(row.front().grade));
@@ -123,10 +162,13 @@ std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::s
       continue;
     }
     const double lost = meanOf(cell->runs, &SuiteRow::lostPercent);
-    text += fmt::format(
-        "<td{}>{}{}</td>", cell == best ? " class='best'" : "", figureText(cell->rmseMm.value),
-        lost >= kLostNotice ? fmt::format("<small>{} % lost</small>", figureText(lost))
-                            : std::string());
+    const OverviewError error = overviewError(*cell, inPixels);
+    const bool known = !std::isnan(error.value);
+    text +=
+        fmt::format("<td{}>{}{}{}</td>", cell == best && known ? " class='best'" : "",
+                    figureText(error.value), known ? error.unit : "",
+                    lost >= kLostNotice ? fmt::format("<small>{} % lost</small>", figureText(lost))
+                                        : std::string());
   }
   return text + "</tr>";
 }
@@ -158,10 +200,30 @@ std::string barTable(std::span<const BarResult> bars) {
                      "<th>must be</th><th>is</th><th>runs</th><th class='text'>verdict</th></tr>"
                      "</thead><tbody>";
   for (const BarResult& result : bars) {
-    text += fmt::format("<tr><td>{}</td><td class='text'>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-                        "<td class='text'>{}</td></tr>",
-                        result.bar->item, escaped(result.bar->sentence), requirementOf(*result.bar),
-                        figureText(result.value), result.runs, assessmentOf(result));
+    const char* const aim = result.bar->isAim ? " <span class='chip'>next version</span>" : "";
+    text +=
+        fmt::format("<tr><td>{}</td><td class='text'>{}{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                    "<td class='text'>{}</td></tr>",
+                    result.bar->item, escaped(result.bar->sentence), aim,
+                    requirementOf(*result.bar), valueOf(result), result.runs, assessmentOf(result));
+  }
+  return text + "</tbody></table></div>";
+}
+
+std::string beliefTable(std::span<const BeliefSummary> methods) {
+  std::string text = "<div class='scroll'><table><thead><tr><th>method</th><th>scenarios</th>";
+  for (const BeliefFigure& figure : beliefFigures()) {
+    text += fmt::format("<th>{}</th>", figure.head);
+  }
+  text += "</tr></thead><tbody>";
+  for (const BeliefSummary& summary : methods) {
+    text += fmt::format("<tr{}><td>{}</td><td>{}</td>",
+                        summary.method == "dewpoint" ? " class='ours'" : "",
+                        methodName(summary.method), summary.scenarios);
+    for (const OverScenarios& figure : summary.figures) {
+      text += beliefCell(figure);
+    }
+    text += "</tr>";
   }
   return text + "</tbody></table></div>";
 }

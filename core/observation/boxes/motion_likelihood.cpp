@@ -40,6 +40,10 @@ double ColorCue::logLikelihood(const unsigned char* bgr, double hue, double satu
          std::log(saturationFloor + (1.0 - saturationFloor) * saturationDensity);
 }
 
+double ColorCue::logFloor() const {
+  return std::log(hueFloor) + std::log(saturationFloor);
+}
+
 Eigen::Vector2d hueAndSaturation(const unsigned char* bgr) {
   const Hsi color = hsiFromBgr(bgr[0], bgr[1], bgr[2]);
   return {color.hueDegrees / 360.0, color.saturation};

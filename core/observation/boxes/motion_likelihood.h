@@ -23,6 +23,8 @@ struct ColorCue {
   /// log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue: its p(H) is the mean over all
   /// hues, h_B + (1 - h_B), which is 1.
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
+  /// log(h_B s_B): the least that logLikelihood() gives, for a color that does not match at all.
+  double logFloor() const;
 };
 
 /// Hue and saturation of a pixel in [0, 1] (HSI); the hue is NaN for gray.

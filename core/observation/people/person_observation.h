@@ -24,8 +24,9 @@ struct PersonCamera {
 
 /// The observation model of Mohedano et al. 2009: the product over cameras of D at the particle's
 /// projection (MS), and of the color there (MS+C). States are x y z vx vy vz (meters, m/s) and,
-/// with a color cue, h s in [0, 1]. A particle that a camera does not see has D = `floor` there,
-/// and no color.
+/// with a color cue, h s in [0, 1]. A particle outside a camera's image has the floor of each cue
+/// there, D = `floor` = p_B and h_B s_B: the paper is silent, and with no color factor leaving a
+/// view would be worth more than a wrong color within it.
 class PersonObservation {
 public:
   PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)
@@ -59,7 +60,7 @@ private:
                          double saturation) const {
     cv::Point pixel;
     if (!nearestPixel(column, row, camera.likelihood, pixel)) {
-      return std::log(floor_);
+      return std::log(floor_) + (color_ ? color_->logFloor() : 0.0);
     }
     double sum = std::log(static_cast<double>(camera.likelihood.at<float>(pixel)));
     if (color_) {

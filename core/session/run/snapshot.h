@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
+#include "core/session/frames/color_histograms.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
 #include "core/session/run/camera_motion_watch.h"
@@ -31,6 +32,8 @@ struct TargetSnapshot {
   TargetStatus status = TargetStatus::Searching;
   HoldState absence = HoldState::Gone; ///< its state while it is absent
   BoxParticles boxParticles;           ///< of a BoxEstimate
+  /// Of a BoxEstimate; null where it has no image.
+  std::shared_ptr<const ColorHistograms> histograms;
   /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
   std::vector<CameraReport> reasons;
   std::vector<CandidatePosition> proposals; ///< positions considered in this frame; may be empty
@@ -83,6 +86,9 @@ struct TrackSnapshot {
   /// Per camera CV_8UC1, 255 - k: color of target k. Empty unless wanted.
   std::vector<cv::Mat> masks;
   bool masksShowMotion = false; ///< instead; 255: it moves
+  /// Per camera how likely motion is at each pixel of its image, of methods that map it; empty
+  /// unless wanted.
+  std::vector<LikelihoodMap> motionMaps;
   std::vector<TargetSnapshot> targets;
   std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
   std::int64_t frame = -1;                      ///< the one shown

@@ -36,7 +36,8 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
                           sphere.camerasSeeing,
                           sphere.valid,
                           std::nullopt,
-                          sphere.existenceProbability};
+                          sphere.existenceProbability,
+                          bestParticleOf(sphere)};
   if (sphere.measurement) {
     sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
   }
@@ -62,6 +63,7 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   }
   const Method* const method = findMethod(project.method);
   header.hasSeen = method != nullptr && method->writesMeasurements;
+  header.hasBest = method != nullptr && method->family.tables == RunTables::Trajectory;
   return header;
 }
 

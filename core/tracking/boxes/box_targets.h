@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/random.h"
+#include "core/observation/boxes/box_histogram.h"
 #include "core/tracking/boxes/box_filter.h"
 #include "core/tracking/tracker_capabilities.h"
 
@@ -23,6 +24,7 @@ template <BoxFilter F>
 class BoxTargets final : public Tracker,
                          public TargetFollowing,
                          public BoxFollowing,
+                         public ReferenceColors,
                          public CameraExplaining,
                          public Copying {
 public:
@@ -47,6 +49,9 @@ public:
   Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
                 std::uint64_t seed) override;
   BoxParticles boxParticles(std::size_t target, int limit) const override;
+  std::vector<double> referenceHistogram(std::size_t target) const override {
+    return followed_.at(target).reference;
+  }
   std::vector<CameraReport> explain(std::size_t track) const override;
   bool canBeCopied() const override { return true; }
   std::unique_ptr<Tracker> clone() const override { return std::make_unique<BoxTargets>(*this); }
@@ -59,6 +64,7 @@ private:
     std::optional<F> filter; ///< nothing before the frame of the box
     std::int64_t startedAt = -1;
     BoxEstimate estimate;
+    std::vector<double> reference; ///< histogram of the box at its own frame
   };
 
   /// Null when the camera of the box delivered nothing.
@@ -92,7 +98,7 @@ template <BoxFilter F> void BoxTargets<F>::setTargets(const std::vector<Target>&
       followed_.push_back(std::move(*old));
       followed_.back().name = targets[k].name;
     } else {
-      followed_.push_back({targets[k].name, targets[k].box, std::nullopt, -1, {}});
+      followed_.push_back({targets[k].name, targets[k].box, std::nullopt, -1, {}, {}});
     }
   }
   for (std::size_t k = 0; k < followed_.size(); ++k) {
@@ -114,6 +120,7 @@ template <BoxFilter F> void BoxTargets<F>::restart(std::uint64_t seed) {
     one.filter.reset();
     one.startedAt = -1;
     one.estimate = {};
+    one.reference.clear();
   }
 }
 
@@ -146,6 +153,7 @@ Status BoxTargets<F>::follow(std::size_t target, const cv::Mat& bgr, const Targe
   one.box = box;
   one.filter.emplace(std::move(filter));
   one.startedAt = box.frame;
+  one.reference = boxHistogram(bgr, box.box);
   one.estimate = BoxEstimate{};
   one.estimate.box = box.box;
   one.estimate.camera = box.camera;
@@ -207,7 +215,8 @@ template <BoxFilter F> std::vector<CameraReport> BoxTargets<F>::explain(std::siz
 template <BoxFilter F> std::size_t BoxTargets<F>::memoryBytes() const {
   std::size_t bytes = sizeof(BoxTargets);
   for (const Followed& one : followed_) {
-    bytes += sizeof(Followed) + (one.filter ? one.filter->memoryBytes() : 0);
+    bytes += sizeof(Followed) + sizeof(double) * one.reference.capacity() +
+             (one.filter ? one.filter->memoryBytes() : 0);
   }
   return bytes;
 }

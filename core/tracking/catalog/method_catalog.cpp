@@ -96,8 +96,8 @@ constexpr Method kMethods[] = {
      "MS+C): keeps them apart when their clothes differ.",
      mohedanoMscParameters, makeMohedano<true>},
     {"mohedano-ms", kPeople,
-     "Several people by motion only (Mohedano et al. 2009, MS): covers whole bodies, but "
-     "confuses people who come close.",
+     "Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than "
+     "MS+C, but confuses people who come close.",
      mohedanoMsParameters, makeMohedano<false>},
 };
 

@@ -33,6 +33,9 @@ private:
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
   bool sharesMasks() const override { return false; }
+  MotionSmoothing motionSmoothing() const override {
+    return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};
+  }
 
   /// Hue and saturation that some camera with motion there sees at a place; chosen by `pick`.
   Eigen::Vector2d colorAt(const Eigen::Vector3d& place, double pick) const;

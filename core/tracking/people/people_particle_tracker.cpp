@@ -259,6 +259,11 @@ void PeopleParticleTracker::exchange(std::size_t one, std::size_t other) {
   std::swap(people_[one].age, people_[other].age);
 }
 
+/// That of the 95 % volumes: the filter itself weighs with whole bodies.
+PeopleTrackLifecycle::MotionSmoothing PeopleParticleTracker::motionSmoothing() const {
+  return {kBodyMaskSigma, kBodyMaskFloor};
+}
+
 void PeopleParticleTracker::judgeMeetings() {
   for (std::size_t one = 0; one < people_.size(); ++one) {
     for (std::size_t other = one + 1; other < people_.size(); ++other) {

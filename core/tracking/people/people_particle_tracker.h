@@ -41,6 +41,7 @@ private:
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
   bool sharesMasks() const override { return true; }
+  MotionSmoothing motionSmoothing() const override;
 
   std::vector<ScoreSums> scoresFor(std::size_t person) const;
   cv::Mat coveredByOthers(std::size_t person, std::size_t camera) const;

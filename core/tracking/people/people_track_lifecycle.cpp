@@ -266,6 +266,24 @@ void PeopleTrackLifecycle::updateVisibility() {
   }
 }
 
+std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoods() const {
+  const MotionSmoothing smoothing = motionSmoothing();
+  std::vector<LikelihoodMap> maps(cameras_.count());
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    const cv::Mat& mask = cameras_.mask(k);
+    if (mask.empty()) {
+      continue;
+    }
+    cv::Mat likelihood;
+    motionLikelihood(mask, smoothing.sigma, smoothing.floor, likelihood);
+    cv::log(likelihood, maps[k].logLikelihood);
+    maps[k].area = {{0, 0}, mask.size()};
+    maps[k].least = std::log(smoothing.floor);
+    maps[k].most = 0.0; // D = 1: motion all around
+  }
+  return maps;
+}
+
 void PeopleTrackLifecycle::terminateTracks() {
   for (std::size_t k = people_.size(); k-- > 0;) {
     if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existenceProbability <= 0.0) {

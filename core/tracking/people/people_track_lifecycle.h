@@ -20,6 +20,7 @@ class PeopleTrackLifecycle : public Tracker,
                              public BackgroundImages,
                              public ParticleCloud,
                              public PeopleFinding,
+                             public MotionMapping,
                              public PersonPlacing,
                              public Copying {
 public:
@@ -40,6 +41,7 @@ public:
   const std::vector<PersonEstimate>& people() const override { return people_; }
   const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }
   cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
+  std::vector<LikelihoodMap> motionLikelihoods() const override;
   int addPerson(const Eigen::Vector3d& center) override;
   void removePerson(int identity) override;
   bool canBeCopied() const override { return cameras_.canBeCopied(); }
@@ -48,6 +50,11 @@ public:
 protected:
   PeopleTrackLifecycle(const PeopleTrackLifecycle&) = default; ///< by clone()
 
+  /// How a motion likelihood image D is made of a mask: g and p_B of Mohedano et al. 2009.
+  struct MotionSmoothing {
+    double sigma = 4.0; ///< pixels of the mask
+    double floor = 0.2;
+  };
   /// How a camera sees a person.
   struct Sight {
     bool inView = false;
@@ -64,6 +71,7 @@ protected:
   virtual std::size_t beliefBytes() const = 0;
   /// New images are there: moves and weighs everybody, and fills in what people_ says.
   virtual void update(ThreadTeam& team) = 0;
+  virtual MotionSmoothing motionSmoothing() const { return {}; }
   /// Whether foreground that other people cover is left out when it is decided if a person is seen.
   virtual bool sharesMasks() const = 0;
 

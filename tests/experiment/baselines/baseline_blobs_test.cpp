@@ -17,6 +17,8 @@ TEST(FindBlobs, GivesCentersOfMassLargestFirst) {
   const auto blobs = findBlobs(mask);
   ASSERT_EQ(blobs.size(), 2U);
   EXPECT_EQ(blobs[0].area, 12);
+  EXPECT_EQ(blobs[0].box, cv::Rect(30, 5, 4, 3));
+  EXPECT_NEAR(blobs[0].radiusPx(), 1.954, 5e-4) << "sqrt(12 / pi)";
   EXPECT_LT((blobs[0].center - Eigen::Vector2d(31.5, 6.0)).norm(), 1e-12);
   EXPECT_EQ(blobs[1].area, 4);
   EXPECT_LT((blobs[1].center - Eigen::Vector2d(10.5, 20.5)).norm(), 1e-12);
@@ -63,37 +65,6 @@ TEST(Triangulate, StatesTheLargestResidualInPixels) {
       {{0, 0, {{1, 0, 0.01}, {-1, 0, 0}}, 100.0}, {1, 0, {{0, 1, -0.01}, {0, -1, 0}}, 100.0}});
   ASSERT_TRUE(point.has_value());
   EXPECT_NEAR(point->residualPx, 100.0 * 0.01 / std::sqrt(1.0001), 1e-9);
-}
-
-TEST(TriangulateMany, TellsTargetsApartByWhatThirdCamerasSay) {
-  // In the plane of two cameras, four crossings of two times two rays; the third camera, above,
-  // sees only the two true places.
-  const Eigen::Vector3d first(0.1, 0.0, 0.0);
-  const Eigen::Vector3d second(-0.1, 0.05, 0.0);
-  const Eigen::Vector3d a(1, 0, 0);
-  const Eigen::Vector3d b(0, 1, 0);
-  const Eigen::Vector3d c(0, 0, 1);
-  const auto places = triangulateMany({{bearing(0, 0, a, first), bearing(0, 1, a, second)},
-                                       {bearing(1, 0, b, second), bearing(1, 1, b, first)},
-                                       {bearing(2, 0, c, first), bearing(2, 1, c, second)}},
-                                      2, 2.0);
-  ASSERT_EQ(places.size(), 2U);
-  for (const auto& place : places) {
-    EXPECT_EQ(place.bearings.size(), 3U);
-    const double distance =
-        std::min((place.position - first).norm(), (place.position - second).norm());
-    EXPECT_LT(distance, 1e-9);
-  }
-  EXPECT_GT((places[0].position - places[1].position).norm(), 0.1);
-}
-
-TEST(TriangulateMany, KeepsTheGateAndTheCount) {
-  const Bearing first{0, 0, {{1, 0, 0.05}, {-1, 0, 0}}, 100.0};
-  const Bearing second{1, 0, {{0, 1, -0.05}, {0, -1, 0}}, 100.0};
-  EXPECT_TRUE(triangulateMany({{first}, {second}}, 5, 4.0).empty()) << "each is 5 px away";
-  EXPECT_EQ(triangulateMany({{first}, {second}}, 5, 6.0).size(), 1U);
-  EXPECT_TRUE(triangulateMany({{first}, {second}}, 0, 6.0).empty());
-  EXPECT_TRUE(triangulateMany({}, 1, 6.0).empty());
 }
 
 } // namespace

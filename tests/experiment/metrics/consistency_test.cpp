@@ -18,6 +18,8 @@ TEST(ChiSquare, TablesAndClosedForms) {
   EXPECT_NEAR(chiSquareQuantile(0.95, 1.0), 3.841459, 5e-7);
   EXPECT_NEAR(chiSquareQuantile(0.95, 3.0), 7.814728, 5e-7);
   EXPECT_NEAR(chiSquareQuantile(0.95, 3.0), kChiSquared95ThreeDof, 1e-11);
+  EXPECT_NEAR(chiSquareQuantile(0.50, 3.0), 2.365974, 5e-7);
+  EXPECT_NEAR(chiSquareQuantile(0.50, 3.0), kChiSquared50ThreeDof, 1e-11);
   EXPECT_NEAR(chiSquareQuantile(0.025, 30.0), 16.791, 5e-4);
   EXPECT_NEAR(chiSquareQuantile(0.975, 30.0), 46.979, 5e-4);
   EXPECT_NEAR(chiSquareQuantile(0.025, 100.0), 74.222, 5e-4);
@@ -73,6 +75,20 @@ TEST(Consistency, CorrelatedAxes) {
   EXPECT_NEAR(normalizedErrorSquared({{1.0, -1.0, 0.0}, covariance}), 2.0, 1e-15);
 }
 
+// Unit variances: squared errors 2.25 (inside both), 4 (between 2.366 and 7.815) and 9 (outside
+// both).
+TEST(Consistency, CountsBothEllipsoids) {
+  const Eigen::Vector3d unit(1.0, 1.0, 1.0);
+  const std::vector<StateError> errors{sampleOf({1.5, 0.0, 0.0}, unit),
+                                       sampleOf({0.0, 2.0, 0.0}, unit),
+                                       sampleOf({0.0, 0.0, 3.0}, unit)};
+  const Consistency result = consistency(errors);
+  EXPECT_EQ(result.inside50.count, 1);
+  EXPECT_EQ(result.inside50.total, 3);
+  EXPECT_EQ(result.inside.count, 2);
+  EXPECT_EQ(result.inside.total, 3);
+}
+
 TEST(Consistency, UnusableSamplesCountAsOutside) {
   const Eigen::Vector3d error(0.1, 0.0, 0.0);
   const double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -84,9 +100,12 @@ TEST(Consistency, UnusableSamplesCountAsOutside) {
   EXPECT_NEAR(result.nees.value, 0.01, 1e-15);
   EXPECT_EQ(result.inside.count, 1);
   EXPECT_EQ(result.inside.total, 4);
+  EXPECT_EQ(result.inside50.count, 1);
+  EXPECT_EQ(result.inside50.total, 4);
   const Consistency none = consistency({});
   EXPECT_TRUE(std::isnan(none.nees.value));
   EXPECT_TRUE(std::isnan(none.inside.value()));
+  EXPECT_TRUE(std::isnan(none.inside50.value()));
 }
 
 // Errors drawn from the stated covariance, 4,000 of them, seed 3: consistent at the 99.9 % level,
@@ -105,6 +124,7 @@ TEST(Consistency, TrueCovariancesPass) {
   EXPECT_GT(result.axisNees.minCoeff(), result.axisBounds.low);
   EXPECT_LT(result.axisNees.maxCoeff(), result.axisBounds.high);
   EXPECT_NEAR(result.inside.value(), 0.95, 0.014);
+  EXPECT_NEAR(result.inside50.value(), 0.5, 0.032) << "4 sqrt(0.5 * 0.5 / 4000)";
 }
 
 } // namespace

@@ -3,12 +3,17 @@
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/report/report_folder.h"
+#include "core/experiment/studies/barrera_figures.h"
+#include "core/experiment/studies/drift_figures.h"
 #include "core/experiment/studies/dynamics_figures.h"
 #include "core/experiment/studies/figure_experiments.h"
+#include "core/experiment/studies/motion_figures.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -96,6 +101,44 @@ TEST(BarreraStarts, TheVerdictFollowsFromAllStarts) {
   EXPECT_EQ(claimOfNone({1.0, 0.58, 0.07}), ClaimOutcome::InPart); // as measured with 100 runs
   EXPECT_EQ(claimOfNone({0.0, 0.09}), ClaimOutcome::Reproduced);
   EXPECT_EQ(claimOfNone({1.0, 0.1}), ClaimOutcome::NotReproduced);
+}
+
+TEST(BarreraFigure3, PrintsWhatWasRun) {
+  const std::string page = pageOf(&barreraFigure3, "figure3_runs"); // two runs
+  // Both medians are of the two runs of this very call, or none of them converges.
+  EXPECT_TRUE(page.find(", of 2, with this ball") != std::string::npos ||
+              page.find("none of 2 converges with this ball") != std::string::npos);
+  EXPECT_NE(page.find(", of 2, with one half as far"), std::string::npos);
+}
+
+TEST(BarreraFigure5, ALongerConeHasMoreRoom) {
+  // On the axis, at the apex: the distance after a sideways step of sigma is Rayleigh distributed,
+  // P(r < R) = 1 - exp(-R² / (2 sigma²)); with slope 1, R is the step along the axis.
+  const std::vector<double> shares = shareThatStaysInCone(1.0, 0.0, 0.03, {-0.01, 0.03, 0.06});
+  EXPECT_EQ(shares[0], 0.0);                           // behind the camera
+  EXPECT_NEAR(shares[1], 1.0 - std::exp(-0.5), 0.015); // four standard errors
+  EXPECT_NEAR(shares[2], 1.0 - std::exp(-2.0), 0.015);
+  // The paper's argument: of two equal steps, the one away from the camera keeps more in the cone.
+  const std::vector<double> steps = shareThatStaysInCone(0.08, 0.5, 0.03, {-0.03, 0.03});
+  EXPECT_GT(steps[1], steps[0]);
+}
+
+TEST(MaskQuality, CountsPiecesAndPixels) {
+  cv::Mat people = cv::Mat::zeros(60, 80, CV_8UC1);
+  people(cv::Rect(10, 10, 10, 40)).setTo(1); // 400 pixels
+  cv::Mat mask = cv::Mat::zeros(60, 80, CV_8UC1);
+  mask(cv::Rect(10, 10, 10, 10)).setTo(255); // 100 of them,
+  mask(cv::Rect(10, 30, 10, 20)).setTo(255); // 200 more in another piece,
+  mask(cv::Rect(50, 10, 10, 10)).setTo(255); // 100 of nobody,
+  mask(cv::Rect(70, 50, 4, 4)).setTo(255);   // and 16 of noise, too few for a region
+  const MaskQuality quality = maskQuality(mask, people);
+  EXPECT_EQ(quality.regions, 3);
+  EXPECT_NEAR(quality.recall, 300.0 / 400.0, 1e-12);
+  EXPECT_NEAR(quality.precision, 300.0 / 416.0, 1e-12);
+  const MaskQuality nothing = maskQuality(cv::Mat::zeros(60, 80, CV_8UC1), people);
+  EXPECT_EQ(nothing.regions, 0);
+  EXPECT_EQ(nothing.recall, 0.0);
+  EXPECT_EQ(nothing.precision, 1.0);
 }
 
 TEST(DynamicsFigure7, SaysOnceWhereTheCloudStarts) {

@@ -43,7 +43,8 @@ SphereEstimate estimateAt(const Eigen::Vector3d& place, double sigma = 0.003) {
 
 TEST(SuiteRecorder, SplitsAConstantError) {
   // 4 mm along the camera's axis and 3 mm across: 5 mm in all; normalized with 3 mm per axis it is
-  // 25 / 9, inside the 95 % ellipsoid (7.81).
+  // 25 / 9, inside the 95 % ellipsoid (7.81) but outside the 50 % one (2.37). The stated radius is
+  // sqrt(3) * 3 mm = 5.2 mm.
   const ScenarioRun run = runWith(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
@@ -59,6 +60,10 @@ TEST(SuiteRecorder, SplitsAConstantError) {
   EXPECT_NEAR(*row.lateralMm, 3.0, 1e-9);
   EXPECT_NEAR(*row.nees, 25.0 / 9.0, 1e-9);
   EXPECT_EQ(*row.coverage95Percent, 100.0);
+  EXPECT_EQ(*row.coverage50Percent, 0.0);
+  EXPECT_EQ(*row.sureAndWrongPercent, 0.0);
+  EXPECT_EQ(*row.wrongPercent, 0.0);
+  EXPECT_EQ(*row.wrongWhenSurePercent, 0.0);
   EXPECT_EQ(*row.framesToConverge, 0.0);
   EXPECT_EQ(*row.lostPercent, 0.0);
   EXPECT_EQ(*row.falseAlarmPercent, 0.0);
@@ -86,6 +91,8 @@ TEST(SuiteRecorder, CountsFromConvergenceOn) {
   EXPECT_NEAR(*result.row.rmseMm, 2.0, 1e-9);
   EXPECT_NEAR(*result.row.lostPercent, 100.0 * 5.0 / 16.0, 1e-9);
   EXPECT_NEAR(*result.row.falseAlarmPercent, 100.0 * 4.0 / 20.0, 1e-9);
+  EXPECT_NEAR(*result.row.sureAndWrongPercent, 20.0, 1e-9) << "belief counts from the start";
+  EXPECT_NEAR(*result.row.wrongPercent, 20.0, 1e-9);
   ASSERT_EQ(result.trace.errorsMm.size(), 1U);
   EXPECT_NEAR(result.trace.errorsMm[0][0], 500.0, 1e-9);
   EXPECT_TRUE(std::isnan(result.trace.errorsMm[0][19]));
@@ -101,6 +108,23 @@ TEST(SuiteRecorder, NeverConvergedIsInfinite) {
   EXPECT_TRUE(std::isinf(*row.framesToConverge));
   EXPECT_EQ(*row.lostPercent, 100.0);
   EXPECT_FALSE(row.rmseMm.has_value());
+  EXPECT_EQ(*row.sureAndWrongPercent, 0.0) << "it states nothing";
+}
+
+TEST(SuiteRecorder, TellsSureFromWrong) {
+  // Of 20 frames: 8 right, 4 wrong by 50 mm and sure, 3 as wrong with P = 0.9, 5 sure and 20 mm off
+  // at a stated radius of sqrt(3) * 3 mm = 5.2 mm, three of which are 15.6 mm.
+  const ScenarioRun run = runWith(1);
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    SphereEstimate estimate = estimateAt({k < 8 ? 0.0 : k < 15 ? 0.05 : 0.02, 0.0, 0.0});
+    estimate.existenceProbability = k >= 12 && k < 15 ? 0.9 : 1.0;
+    recorder.add({estimate});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  EXPECT_NEAR(*row.wrongPercent, 35.0, 1e-9);
+  EXPECT_NEAR(*row.wrongWhenSurePercent, 20.0, 1e-9);
+  EXPECT_NEAR(*row.sureAndWrongPercent, 45.0, 1e-9);
 }
 
 TEST(SuiteRecorder, MeasuresEvents) {
@@ -118,6 +142,26 @@ TEST(SuiteRecorder, MeasuresEvents) {
   EXPECT_NEAR(*row.blackoutRmseMm, std::sqrt(250.0), 1e-9);
   // Mean of the five frames before: (20 mm in depth + 50 mm across) / 5.
   EXPECT_NEAR(*row.largestStepMm, std::hypot(3.0 - 4.0, 10.0), 1e-9);
+}
+
+TEST(SuiteRecorder, FramesOutOfViewAreNotLost) {
+  ScenarioRun run = runWith(1);
+  using Kind = ScenarioEvent::Kind;
+  run.events = {{Kind::UnseenBegin, 6, 0}, // one camera of several: the target is still to be seen
+                {Kind::UnseenBegin, 8, -1},
+                {Kind::UnseenEnd, 12, -1},
+                {Kind::UnseenEnd, 12, 0}};
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    SphereEstimate estimate = estimateAt({0, 0, 0});
+    estimate.valid = k < 7 || k >= 14;
+    estimate.existenceProbability = estimate.valid ? 1.0 : 0.0;
+    recorder.add({estimate});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  // Of 16 frames in view the 8th, the 13th and the 14th are without an estimate.
+  EXPECT_NEAR(*row.lostPercent, 100.0 * 3.0 / 16.0, 1e-9);
+  EXPECT_EQ(*row.framesToReacquire, 2.0);
 }
 
 TEST(SuiteRecorder, LossHasToBeDeclared) {
@@ -138,6 +182,8 @@ TEST(SuiteRecorder, LossHasToBeDeclared) {
   EXPECT_NEAR(*row.falseAlarmPercent, 10.0, 1e-9);
   // 12 forecasts of 1 of which 10 came true, 8 of 0: ECE is 2 / 20.
   EXPECT_NEAR(*row.existenceEce, 0.1, 1e-9);
+  EXPECT_NEAR(*row.sureAndWrongPercent, 10.0, 1e-9) << "two frames of 20 without the target";
+  EXPECT_NEAR(*row.wrongPercent, 10.0, 1e-9);
 }
 
 TEST(SuiteRecorder, NamesOfIdenticalTargetsAreTheMethods) {
@@ -154,6 +200,7 @@ TEST(SuiteRecorder, NamesOfIdenticalTargetsAreTheMethods) {
   EXPECT_EQ(*row.identitySwitches, 2.0);
   EXPECT_NEAR(*row.lostPercent, 20.0, 1e-9);
   EXPECT_NEAR(*row.medianMm, 1.0, 1e-9);
+  EXPECT_NEAR(*row.sureAndWrongPercent, 20.0, 1e-9) << "each target counts in each frame";
 }
 
 } // namespace

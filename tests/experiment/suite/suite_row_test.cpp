@@ -46,6 +46,19 @@ TEST(SuiteRow, RefusesWhatIsNotWhole) {
   EXPECT_FALSE(parseRow("S0-slow,perfect" + text.substr(12)).has_value()) << "no such grade";
 }
 
+TEST(SuiteGrades, AreAListOfNames) {
+  using Grades = std::vector<Grade>;
+  EXPECT_EQ(gradesNamed({"both"}), (Grades{Grade::Ideal, Grade::Room}));
+  EXPECT_EQ(gradesNamed({"wild", "ideal", "wild"}), (Grades{Grade::Ideal, Grade::Wild}));
+  EXPECT_EQ(gradesNamed({"real", "both"}), (Grades{Grade::Ideal, Grade::Room, Grade::Real}));
+  EXPECT_EQ(gradesNamed({"room"}), (Grades{Grade::Room}));
+  EXPECT_FALSE(gradesNamed({"room", "bright"}).has_value());
+  EXPECT_FALSE(gradesNamed({}).has_value());
+  for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Wild, Grade::Real}) {
+    EXPECT_EQ(gradeNamed(gradeName(grade)), grade);
+  }
+}
+
 TEST(SuiteTrace, IsReadBackAsItWasWritten) {
   SuiteTrace trace;
   trace.key = {"S5-eight", Grade::Ideal, "camshift", 3};

@@ -20,7 +20,7 @@ cv::Mat pictureOf(const Scene& scene, const Camera& camera, std::int64_t frame) 
   const auto pixel = Projector(camera).project(ballPosition(scene, 0, frameTime(scene, frame)));
   cv::Mat image(camera.intrinsics.height, camera.intrinsics.width, CV_8UC3, cv::Scalar::all(90));
   cv::circle(image, cv::Point(cvRound(pixel->x()), cvRound(pixel->y())),
-             10 + static_cast<int>(scene.seed % 4),
+             24 + static_cast<int>(scene.seed % 4),
              cv::Scalar(ball.color[0], ball.color[1], ball.color[2]), cv::FILLED);
   return image;
 }
@@ -192,12 +192,58 @@ TEST(SuiteStore, GoesOnAfterATruncatedLine) {
   EXPECT_TRUE(contents(file).starts_with(rowHeader() + "\nS0-slow,ideal,barrera,1,"));
 }
 
+TEST(SuiteStore, TakesTheResultsOfOtherFolders) {
+  const test::TemporaryFolder folder;
+  const auto catalog = smallCatalog();
+  auto request = requestFor(catalog);
+  request.seeds = 1;
+  for (const std::uint64_t seed : {1U, 2U}) {
+    request.firstSeed = seed;
+    auto store = SuiteStore::open(folder / std::to_string(seed));
+    ASSERT_TRUE(store.has_value());
+    const auto sink = [&](const SuiteResult& result) { return store->append(result); };
+    ASSERT_TRUE(runSuite(planSuite(request, {}), 1, sink, kGoOn));
+  }
+  const std::string before = contents(folder / "1/runs.csv");
+  auto merged = SuiteStore::open(folder / "merged");
+  ASSERT_TRUE(merged.has_value());
+  for (const char* name : {"1", "2", "1"}) { // the same once more changes nothing
+    const auto results = SuiteStore::read(folder / name);
+    ASSERT_TRUE(results.has_value());
+    EXPECT_EQ(results->size(), 6U) << "three scenarios, two methods";
+    merged->take(*results);
+  }
+  ASSERT_TRUE(merged->rewrite(reportOrder(merged->results(), catalog)));
+  EXPECT_EQ(SuiteStore::read(folder / "merged")->size(), 12U);
+  EXPECT_EQ(contents(folder / "1/runs.csv"), before);
+  const auto missing = SuiteStore::read(folder / "nowhere");
+  ASSERT_FALSE(missing.has_value());
+  EXPECT_EQ(missing.error().code, ErrorCode::FileMissing);
+  EXPECT_FALSE(std::filesystem::exists(folder / "nowhere"));
+}
+
 TEST(SuiteStore, RefusesFilesOfAnotherVersion) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "runs.csv") << "scenario,other\n1,2\n";
   const auto store = SuiteStore::open(folder / "");
   ASSERT_FALSE(store.has_value());
   EXPECT_EQ(store.error().code, ErrorCode::Mismatch);
+}
+
+TEST(SuiteStore, RefusesRunsWithoutTheFiguresOfBelief) {
+  // Runs of an earlier version would be taken for done, and their figures missing in the report.
+  const test::TemporaryFolder folder;
+  std::string header = rowHeader();
+  const std::string added = ",coverage50_percent,sure_and_wrong_percent,wrong_percent,"
+                            "wrong_when_sure_percent";
+  ASSERT_NE(header.find(added), std::string::npos);
+  header.erase(header.find(added), added.size());
+  std::ofstream(folder / "runs.csv") << header << "\n";
+  const auto store = SuiteStore::open(folder / "");
+  ASSERT_FALSE(store.has_value());
+  EXPECT_EQ(store.error().code, ErrorCode::Mismatch);
+  EXPECT_TRUE(store.error().file.ends_with("runs.csv"));
+  EXPECT_NE(store.error().detail.find("another version"), std::string::npos);
 }
 
 TEST(SuiteStore, RefusesABrokenLineInTheMiddle) {

@@ -63,7 +63,27 @@ TEST(PersonObservation, MultipliesCamerasAndCues) {
   PersonObservation(views, 0.2, cue).addLogLikelihood(states, both);
   const double color = cue.logLikelihood(image.ptr(0, 0), 0.0, 1.0);
   EXPECT_NEAR(both[0], motion[0] + 2.0 * color, 1e-6);
-  EXPECT_NEAR(both[2], motion[2], 1e-6); // no color where a camera does not look
+  // Outside both images: the floors of the color, h_B = s_B = 0.3, as for a color that does not
+  // match at all.
+  EXPECT_NEAR(both[2], motion[2] + 2.0 * std::log(0.3 * 0.3), 1e-6);
+}
+
+TEST(PersonObservation, LeavingAViewIsNoBetterThanAWrongColorInIt) {
+  Camera camera;
+  camera.intrinsics = {100, 80, 100.0, 100.0, 50.0, 40.0};
+  camera.cameraFromWorld.translation().z() = 2.0;
+  const Projector projector(camera);
+  const cv::Mat likelihood(80, 100, CV_32FC1, cv::Scalar(0.2)); // p_B: nothing moves
+  const cv::Mat image(80, 100, CV_8UC3, cv::Scalar(0, 0, 200)); // hue 0, saturation 1
+  Eigen::ArrayXXd states = Eigen::ArrayXXd::Zero(2, 8);
+  states.col(6) = 0.5; // the opposite hue: 12 sigma_h away, and 6 sigma_s from the saturation
+  states.col(7) = 0.5;
+  states(1, 0) = 3.0; // outside the image
+  Eigen::ArrayXd logLikelihood = Eigen::ArrayXd::Zero(2);
+  PersonObservation({{&projector, likelihood, image}}, 0.2, ColorCue{})
+      .addLogLikelihood(states, logLikelihood);
+  EXPECT_NEAR(logLikelihood[0], std::log(0.2 * 0.3 * 0.3), 1e-6);
+  EXPECT_NEAR(logLikelihood[1], logLikelihood[0], 1e-6);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
+#include "core/observation/boxes/box_histogram.h"
 #include "core/tracking/boxes/histogram_tracker.h"
 #include "core/tracking/boxes/sugandi_tracker.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -10,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace dewpoint::tests {
 namespace {
@@ -101,6 +103,19 @@ TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
 }
 
 // What is drawn in 3D is drawn of estimates with a position.
+TEST_P(BoxTargetsTest, TheColorsOfTheGivenBoxAreKept) {
+  const auto tracker = made(GetParam(), {boxed("patch", 2)});
+  const auto* const colors = capability<ReferenceColors>(std::as_const(*tracker));
+  ASSERT_NE(colors, nullptr);
+  go(*tracker, 0, 1);
+  EXPECT_TRUE(colors->referenceHistogram(0).empty()); // it has no box yet
+  go(*tracker, 2, 6);
+  EXPECT_EQ(colors->referenceHistogram(0),
+            boxHistogram(MovingPatch{}.image(2), MovingPatch{}.box(2)));
+  tracker->restart(5);
+  EXPECT_TRUE(colors->referenceHistogram(0).empty());
+}
+
 TEST_P(BoxTargetsTest, NothingIsKnownInSpace) {
   auto tracker = made(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);

@@ -60,20 +60,46 @@ TEST(SugandiTracker, KeepsTheSizeOfTheBoxAndSaysHowSureItIs) {
   EXPECT_NEAR(weights.sum(), 1.0, 1e-12); // of all particles
 }
 
-TEST(SugandiTracker, MovesAsEquationFourSays) {
-  // Without any color of the target in the image all weights are equal, and the mean follows the
-  // motion alone: x_k+1 = 2 x_k - x_k-1 keeps a resting target at rest. Its standard error is
-  // 10 px / sqrt(10000) = 0.1 px.
+/// Without any color of the target in the image all weights are equal: the mean follows the motion
+/// alone.
+cv::Mat imageWithoutTheTarget(const MovingPatch& scene) {
+  return {scene.size, CV_8UC3, cv::Scalar(0, 255, 0)};
+}
+
+TEST(SugandiTracker, StaysAtRestWhenItStartsAtRest) {
+  // The mean's standard error is 10 px / sqrt(10000) = 0.1 px.
   const MovingPatch scene;
   ThreadTeam team(1);
   const auto tracker = sugandi(10000);
   ASSERT_TRUE(tracker->start(scene.image(0), scene.box(0), 5));
-  const cv::Mat other(scene.size, CV_8UC3, cv::Scalar(0, 255, 0));
-  const BoxEstimate estimate = tracker->step(other, team);
+  const BoxEstimate estimate = tracker->step(imageWithoutTheTarget(scene), team);
   EXPECT_NEAR(estimate.box.center().x(), scene.box(0).center().x(), 0.5);
   EXPECT_NEAR(estimate.box.center().y(), scene.box(0).center().y(), 0.5);
   EXPECT_NEAR(estimate.spread, 10.0 * std::sqrt(2.0), 0.5); // of a Gaussian with 10 px per axis
   EXPECT_NEAR(estimate.effectiveSampleSize, 10000.0, 1e-6);
+}
+
+TEST(SugandiTracker, MovesAsEquationFourSays) {
+  const MovingPatch scene;
+  ThreadTeam team(1);
+  const auto tracker = sugandi(10000);
+  const Eigen::Vector2d before = scene.box(0).center();
+  ASSERT_TRUE(tracker->start(scene.image(0), scene.box(0), 5));
+  // Frame 2 of the path: 10.8 px to the right and 12.2 px down, 90 sin(0.12) and
+  // 60 sin(0.204).
+  const BoxEstimate seen = tracker->step(scene.image(2), team);
+  const Eigen::Vector2d velocity = seen.box.center() - before; // px per image
+  ASSERT_GT(velocity.x(), 5.0);
+  ASSERT_GT(velocity.y(), 5.0);
+  // x_k+1 = 2 x_k - x_k-1 + w: the mean moves on by the same again. x + w would leave it where it
+  // is. The standard error is that of twice the resampled spread (a few px) and of 10 px of noise,
+  // over sqrt(10000): below 0.2 px.
+  const Eigen::Vector2d expected = seen.box.center() + velocity;
+  const BoxEstimate moved = tracker->step(imageWithoutTheTarget(scene), team);
+  EXPECT_NEAR(moved.box.center().x(), expected.x(), 1.0);
+  EXPECT_NEAR(moved.box.center().y(), expected.y(), 1.0);
+  // Var(2 x_k + w) = 4 Var(x_k) + 100 px² per axis; resampling loses a little of Var(x_k).
+  EXPECT_NEAR(moved.spread, std::sqrt(4.0 * seen.spread * seen.spread + 200.0), 1.0);
 }
 
 TEST(SugandiTracker, SameSeedSameBitsForAnyNumberOfThreads) {

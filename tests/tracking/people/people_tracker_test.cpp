@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/projector.h"
 #include "core/observation/people/body_silhouette.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/tracker_capabilities.h"
@@ -7,7 +8,9 @@
 #include <opencv2/core.hpp>
 
 #include <array>
+#include <cmath>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -164,6 +167,30 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   EXPECT_TRUE(tracker->people().empty());
 }
 
+TEST_P(PeopleMethods, MapTheLikelihoodOfMotion) {
+  const CameraRig rig = room();
+  PeopleRun run(GetParam(), {{"learning_time", 0.5}, {"image_width", 0.0}});
+  const auto* mapping = capability<MotionMapping>(std::as_const(run.tracker()));
+  ASSERT_NE(mapping, nullptr);
+  ThreadTeam team(1);
+  for (std::int64_t frame = 0; frame < 13; ++frame) { // 0.8 s: longer than it learns
+    run.step(draw(rig, frame,
+                  frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}}),
+             team);
+  }
+  const auto maps = mapping->motionLikelihoods();
+  ASSERT_EQ(maps.size(), rig.size());
+  const auto at = Projector(rig[0]).project({0.2, 0.2, 0.9});
+  ASSERT_TRUE(at);
+  const LikelihoodMap& map = maps[0];
+  EXPECT_EQ(map.area, cv::Rect(0, 0, 320, 240));
+  EXPECT_NEAR(map.least, std::log(0.2), 1e-12); // p_B
+  // D is near 1 in the middle of what moves (a body is 10 px wide, sigma at most 4 px), and p_B in
+  // a corner where nothing does.
+  EXPECT_GT(map.logLikelihood.at<float>(cvRound(at->y()), cvRound(at->x())), std::log(0.5));
+  EXPECT_NEAR(map.logLikelihood.at<float>(0, 0), std::log(0.2), 1e-6);
+}
+
 TEST_P(PeopleMethods, LiveWithoutSomeCamera) {
   const CameraRig rig = room();
   const auto tracker = trackerOf(GetParam());
@@ -198,16 +225,33 @@ TEST(PeopleMethod, KeepsTwoInTheSameClothesApart) {
   for (; frame < 10; ++frame) {
     tracker->step(draw(rig, frame, {}), team);
   }
-  for (; frame < 75; ++frame) { // they pass each other at 0.5 m
-    const double x = -1.3 + 0.04 * static_cast<double>(frame - 10);
-    tracker->step(draw(rig, frame, {{{x, -0.25}, kBlue}, {{-x, 0.25}, kBlue}}), team);
+  // They pass each other at 0.5 m, at 0.6 m/s: one along y = -0.25 from left to right, the other
+  // along y = 0.25 from right to left.
+  const auto placeOf = [](bool fromTheLeft, std::int64_t at) -> Eigen::Vector2d {
+    const double x = -1.3 + 0.04 * static_cast<double>(at - 10);
+    return fromTheLeft ? Eigen::Vector2d(x, -0.25) : Eigen::Vector2d(-x, 0.25);
+  };
+  std::map<int, bool> fromTheLeft; // by identity, as it was long before they meet
+  for (; frame < 75; ++frame) {
+    tracker->step(draw(rig, frame, {{placeOf(true, frame), kBlue}, {placeOf(false, frame), kBlue}}),
+                  team);
+    if (frame == 26) { // 1.1 s after they came, 1.4 m apart
+      ASSERT_EQ(tracker->people().size(), 2U);
+      for (const PersonEstimate& person : tracker->people()) {
+        fromTheLeft[person.identity] = person.position.x() < 0.0;
+      }
+    }
   }
+  ASSERT_EQ(fromTheLeft.size(), 2U);
   ASSERT_EQ(tracker->people().size(), 2U);
   for (const PersonEstimate& person : tracker->people()) {
-    // Whoever is on the right at the end began on the left; births were in an order of their own.
-    EXPECT_NEAR(std::abs(person.position.x()), 1.26, 0.2);
+    const auto began = fromTheLeft.find(person.identity);
+    ASSERT_NE(began, fromTheLeft.end()) << "person " << person.identity << " is a new one";
+    // A swap would put each 2.5 m away from where its own body is.
+    EXPECT_LT((person.position.head<2>() - placeOf(began->second, frame - 1)).norm(), 0.2)
+        << "person " << person.identity;
   }
-  EXPECT_LT(tracker->people()[0].position.x() * tracker->people()[1].position.x(), 0.0);
+  EXPECT_NE(fromTheLeft.begin()->second, fromTheLeft.rbegin()->second);
 }
 
 TEST(PeopleMethodNames, HaveParametersAndSentences) {

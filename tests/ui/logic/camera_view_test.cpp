@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include <cmath>
 #include <memory>
 
 namespace dewpoint::tests {
@@ -119,6 +120,50 @@ TEST_F(ShownCameraView, InAMinimizedWindowNothingIsMade) {
   // The platform's own word of both states comes later.
   ASSERT_TRUE(QTest::qWaitFor([&] { return !view_.isMinimized() && view_.isDrawn(); }, 60'000));
   EXPECT_EQ(middleOf(view_), QColor(0, 0, 200));
+}
+
+TEST_F(ShownCameraView, TheBestParticleIsMarkedOnlyWhenItIsWanted) {
+  auto snapshot = std::make_shared<TrackSnapshot>(*showing({0, 200, 0}));
+  Camera camera; // looks along +Z from the origin
+  camera.intrinsics = {80, 60, 50.0, 50.0, 39.5, 29.5};
+  snapshot->rig = std::make_shared<const CameraRig>(CameraRig{camera});
+  SphereEstimate sphere;
+  sphere.particleCount = 10;
+  sphere.mean = {5.0, 0.0, 1.0}; // 250 px beside the image
+  sphere.best = {0.0, 0.0, 1.0}; // in its middle
+  snapshot->targets.emplace_back().estimate = sphere;
+  view_.setSnapshot(snapshot);
+  ASSERT_TRUE(isDrawn(view_));
+  const QImage without = view_.grab().toImage();
+  view_.setBestShown(true);
+  const QImage marked = view_.grab().toImage();
+  EXPECT_NE(marked, without);
+  // The triangle's tip is 8 px above the middle; the corners of the image are as before.
+  EXPECT_NE(marked.copy(70, 48, 20, 20), without.copy(70, 48, 20, 20));
+  EXPECT_EQ(marked.copy(0, 0, 40, 40), without.copy(0, 0, 40, 40));
+  view_.setBestShown(false);
+  EXPECT_EQ(view_.grab().toImage(), without);
+}
+
+TEST_F(ShownCameraView, TheLikelihoodOfMotionIsDrawnOverTheWholeImage) {
+  auto mapped = std::make_shared<TrackSnapshot>(*showing({200, 200, 200}));
+  LikelihoodMap map;
+  map.area = {0, 0, 80, 60};
+  map.logLikelihood = cv::Mat(60, 80, CV_32FC1, cv::Scalar(0.0)); // D = 1 everywhere
+  map.least = std::log(0.2);
+  mapped->motionMaps = {map};
+  view_.setSnapshot(mapped);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(200, 200, 200));
+  view_.setEvidenceShown(true);
+  ASSERT_TRUE(isDrawn(view_));
+  const QColor likely = middleOf(view_); // light yellow over the gray
+  EXPECT_GT(likely.red(), likely.blue() + 20);
+  auto still = std::make_shared<TrackSnapshot>(*mapped);
+  still->motionMaps[0].logLikelihood = cv::Mat(60, 80, CV_32FC1, cv::Scalar(map.least));
+  view_.setSnapshot(still);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_LT(middleOf(view_).lightness(), likely.lightness()); // dark blue
 }
 
 // The target's mask is 255 - 0; what has no mask steps back to 35 % of 200.

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/common/exit_code.h"
+#include "app/dewpoint-cli/experiment/experiment_commands.h"
+#include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/studies/box_fingerprint.h"
+#include "core/experiment/studies/people_fingerprint.h"
+#include "core/experiment/suite/suite_fingerprint.h"
+#include "core/tracking/catalog/method_catalog.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace dewpoint::app {
+namespace {
+
+using Fingerprints = std::map<std::string, std::string>;
+
+/// Those of `known` that are wanted; all for none.
+std::vector<std::string> chosenOf(const std::vector<std::string>& known,
+                                  const std::vector<std::string>& wanted) {
+  std::vector<std::string> chosen;
+  std::ranges::copy_if(known, std::back_inserter(chosen), [&](const std::string& method) {
+    return wanted.empty() || std::ranges::find(wanted, method) != wanted.end();
+  });
+  return chosen;
+}
+
+/// Prints what `compute` says of the methods, in their order; nothing for none.
+Status printFingerprints(const std::vector<std::string>& methods,
+                         Result<Fingerprints> (*compute)(const std::vector<std::string>&)) {
+  if (methods.empty()) {
+    return {};
+  }
+  return compute(methods).map([&](const Fingerprints& found) {
+    for (const std::string& method : methods) {
+      fmt::print("{},{}\n", method, found.at(method));
+    }
+  });
+}
+
+int showFingerprints(const std::vector<std::string>& wanted) {
+  fmt::print("method,fingerprint\n");
+  const auto printed =
+      printFingerprints(chosenOf(suiteMethods(), wanted), suiteFingerprints)
+          .and_then([&] {
+            return printFingerprints(chosenOf(methodNames(TargetsFrom::Box), wanted),
+                                     boxFingerprints);
+          })
+          .and_then([&] {
+            return printFingerprints(chosenOf(methodNames(TargetsFrom::Images), wanted),
+                                     peopleFingerprints);
+          });
+  return printed ? static_cast<int>(kExitDone) : report(printed.error());
+}
+
+} // namespace
+
+void addFingerprintCommand(CLI::App& group, int& exitCode) {
+  auto* command = group.add_subcommand(
+      "fingerprint", "The state of each method: a checksum of what it computes on a few short "
+                     "fixed runs, as CSV.");
+  std::vector<std::string> known = suiteMethods();
+  for (const TargetsFrom targets : {TargetsFrom::Box, TargetsFrom::Images}) {
+    std::ranges::copy(methodNames(targets), std::back_inserter(known));
+  }
+  auto wanted = std::make_shared<std::vector<std::string>>();
+  command->add_option("--method", *wanted, "Method; all unless given")
+      ->delimiter(',')
+      ->check(CLI::IsMember(known));
+  command->callback([wanted, &exitCode] { exitCode = showFingerprints(*wanted); });
+}
+
+} // namespace dewpoint::app

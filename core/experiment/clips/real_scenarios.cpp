@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/clips/real_scenarios.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+const char* originText(TruthOrigin origin) {
+  switch (origin) {
+  case TruthOrigin::Board:
+    return "from a printed board, independent of every method";
+  case TruthOrigin::Marked:
+    return "marked by hand, independent of every method";
+  case TruthOrigin::Segmented:
+    break;
+  }
+  return "from the targets' colors, not independent";
+}
+
+const char* tunedText(TunedOn tuned) {
+  switch (tuned) {
+  case TunedOn::No:
+    return "no";
+  case TunedOn::Looked:
+    return "looked at";
+  case TunedOn::Yes:
+    break;
+  }
+  return "yes";
+}
+
+/// Why a clip is skipped; empty when its files are there.
+std::string reasonToSkip(const ClipDeclaration& clip, const ClipFolders& folders) {
+  if (folders.recordings.empty()) {
+    return "no folder of recordings is given";
+  }
+  const auto folder = folders.recordings / clip.recording;
+  if (!std::filesystem::is_directory(folder)) {
+    return fmt::format("there is no folder {}", folder.string());
+  }
+  if (clip.needsTruthFolder && !std::filesystem::is_directory(folders.truth)) {
+    return fmt::format("its truth is not there, the folder bench/clips of the sources ('{}')",
+                       folders.truth.string());
+  }
+  return {};
+}
+
+ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& folders) {
+  ScenarioDeclaration scenario;
+  scenario.name = clip.name;
+  scenario.family = clip.name.substr(0, clip.name.find('-'));
+  scenario.sentence = clipSentence(clip);
+  scenario.seeds = clip.seeds;
+  scenario.recorded = true;
+  if (clip.images) {
+    scenario.clip = [images = clip.images, folders] { return images(folders); };
+  } else {
+    scenario.make = [calibrated = clip.calibrated, folders](std::uint64_t seed,
+                                                            Grade) -> Result<ScenarioRun> {
+      const auto source = calibrated(folders);
+      if (!source) {
+        return tl::make_unexpected(source.error());
+      }
+      return clipRun(*source, seed);
+    };
+  }
+  return scenario;
+}
+
+} // namespace
+
+RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDeclaration> catalog) {
+  RealScenarios result;
+  for (const ClipDeclaration& clip : catalog) {
+    if (const std::string reason = reasonToSkip(clip, folders); reason.empty()) {
+      result.scenarios.push_back(scenarioOf(clip, folders));
+    } else {
+      result.skipped.push_back({clip.name, fmt::format("{} is skipped: {}.", clip.name, reason)});
+    }
+  }
+  return result;
+}
+
+std::string clipSentence(const ClipDeclaration& clip) {
+  return fmt::format("{} Start: {} Truth: {} ({}; ±{:g} {}). Tuned on: {} ({}).", clip.sentence,
+                     clip.start, clip.truth, originText(clip.origin), clip.truthSigma,
+                     clip.origin == TruthOrigin::Segmented || clip.images ? "px" : "mm",
+                     tunedText(clip.tunedOn), clip.tuned);
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/office_instant.h"
+
+#include <memory>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+std::vector<cv::Mat> silhouettesIn(const OfficeRenderer& renderer, std::size_t camera,
+                                   std::int64_t frame) {
+  std::vector<cv::Mat> all;
+  all.reserve(renderer.scene().people.size());
+  for (std::size_t person = 0; person < renderer.scene().people.size(); ++person) {
+    all.push_back(renderer.silhouette(camera, frame, person));
+  }
+  return all;
+}
+
+} // namespace
+
+OfficeInstant renderInstant(const OfficeRenderer& renderer, std::int64_t frame) {
+  const OfficeScene& scene = renderer.scene();
+  OfficeInstant instant;
+  instant.camerasSeeing.assign(scene.people.size(), 0);
+  FrameSet set{frame, timeStamp(scene.timeOf(frame)), {}};
+  for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+    cv::Mat who;
+    set.frames.push_back(
+        std::make_shared<const Frame>(Frame{frame, set.time, renderer.render(k, frame, &who)}));
+    for (std::size_t person = 0; person < scene.people.size(); ++person) {
+      const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kVisiblePixels;
+      instant.camerasSeeing[person] += seen ? 1 : 0;
+    }
+    instant.who.push_back(who);
+    if (frame % kSilhouetteEvery == 0) {
+      instant.silhouettes.push_back(silhouettesIn(renderer, k, frame));
+    }
+  }
+  instant.frames = std::make_shared<const FrameSet>(std::move(set));
+  return instant;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/frame.h"
+#include "core/simulation/office.h"
+
+#include <opencv2/core.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// Pixels of a person in a camera that sees it (a whole adult: 600 and more).
+inline constexpr int kVisiblePixels = 150;
+/// Frames from one instant at which silhouettes are compared to the next.
+inline constexpr std::int64_t kSilhouetteEvery = 5;
+
+/// The images of one instant of a scene with people, and who is seen in them.
+struct OfficeInstant {
+  FrameSetPtr frames;
+  std::vector<int> camerasSeeing; ///< per person: how many see at least kVisiblePixels
+  std::vector<cv::Mat> who;       ///< per camera: see paintPeople()
+  /// Per camera, then per person: whole silhouettes; empty between the instants that are compared.
+  std::vector<std::vector<cv::Mat>> silhouettes;
+
+  /// CV_8UC1: not 0 where a person is seen in a camera.
+  cv::Mat visible(std::size_t camera, std::size_t person) const {
+    return who[camera] == static_cast<int>(person + 1);
+  }
+};
+
+OfficeInstant renderInstant(const OfficeRenderer& renderer, std::int64_t frame);
+
+} // namespace dewpoint::experiment

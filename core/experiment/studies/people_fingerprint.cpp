@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/studies/people_fingerprint.h"
+
+#include "core/experiment/report/fingerprint.h"
+#include "core/experiment/studies/people_study.h"
+
+#include <algorithm>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr const char* kScenario = "crossing";
+constexpr double kShareStep = 0.001;
+constexpr double kMeterStep = 1e-4;
+constexpr double kVolumeStep = 1e-4; // m³
+
+std::string fingerprintOf(const PeopleTrial& trial) {
+  Fingerprint fingerprint;
+  fingerprint.add(trial.kept ? "kept" : "not kept");
+  fingerprint.add(trial.identitySwitches, 1.0);
+  const PersonResult& everybody = trial.everybody;
+  for (const double share :
+       {trial.mota, trial.hota, trial.longestGhost, trial.longestMissed, everybody.found,
+        everybody.silhouette.recall, everybody.silhouette.precision}) {
+    fingerprint.add(share, kShareStep);
+  }
+  fingerprint.add(trial.motp, kMeterStep);
+  fingerprint.add(trial.gospa, kMeterStep);
+  fingerprint.add(trial.hullVolume, kVolumeStep);
+  return fingerprint.text();
+}
+
+} // namespace
+
+Result<std::map<std::string, std::string>>
+peopleFingerprints(const std::vector<std::string>& methods) {
+  PeopleStudySetup setup;
+  for (const std::string& method : methods) {
+    if (std::ranges::find(setup.methods, method) == setup.methods.end()) {
+      return failure(ErrorCode::NotFound, "", "--method", method);
+    }
+  }
+  setup.scenario = kScenario;
+  setup.clothes = PeopleClothes::Similar;
+  if (!methods.empty()) {
+    setup.methods = methods;
+  }
+  simulation::ViewCache views;
+  const auto trials = studyPeople(setup, views);
+  if (!trials) {
+    return tl::make_unexpected(trials.error());
+  }
+  std::map<std::string, std::string> texts;
+  for (const PeopleTrial& trial : *trials) {
+    texts[trial.method] = fingerprintOf(trial);
+  }
+  return texts;
+}
+
+} // namespace dewpoint::experiment

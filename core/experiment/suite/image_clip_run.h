@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/experiment/scenarios/box_clips.h"
+#include "core/experiment/suite/suite_recorder.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// The methods that follow a box through the images of one camera, in the order of the tables: ours
+/// with 300 particles, then OpenCV's.
+const std::vector<std::string>& imageMethods();
+
+/// Follows a clip, whose images these are, from its first true box with the method and the seed of
+/// `key`; nothing when `stop` says so. Measured over all frames after the first: RMS distance of
+/// the centers in pixels, frames to converge and lost frames by the clip's radius, and success.
+/// NotFound for a method that imageMethods() does not have.
+Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
+                                              const std::vector<cv::Mat>& images, const RunKey& key,
+                                              const std::function<bool()>& stop);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/pixel_recorder.h"
+
+#include "core/experiment/metrics/overconfidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace dewpoint::experiment {
+namespace {
+
+constexpr double kNotInSight = std::numeric_limits<double>::infinity();
+
+/// As SuiteRecorder has it.
+bool statesPresence(const SphereEstimate& estimate) {
+  return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
+}
+
+void fillBelief(const std::vector<Forecast>& forecasts, SuiteResult& result) {
+  const Reliability table = reliability(forecasts, kReliabilityBins);
+  result.row.existenceEce = table.expectedError;
+  for (const ReliabilityBin& bin : table.bins) {
+    const auto count = static_cast<double>(bin.count);
+    const bool any = bin.count > 0;
+    result.trace.reliability.push_back({bin.count, any ? count * bin.meanProbability : 0.0,
+                                        any ? std::llround(count * bin.frequency) : 0});
+  }
+}
+
+} // namespace
+
+PixelRecorder::PixelRecorder(const ScenarioRun& run)
+    : cameras_(run.rig.begin(), run.rig.end()), gate_(run.markGate), samples_(run.targets.size()) {
+  for (const MarkedCenter& mark : run.marks) {
+    marks_[mark.frame].push_back(mark);
+  }
+}
+
+void PixelRecorder::add(std::int64_t frame, const std::vector<SphereEstimate>& estimates) {
+  const auto marks = marks_.find(frame);
+  if (marks == marks_.end()) {
+    return;
+  }
+  for (std::size_t target = 0; target < samples_.size(); ++target) {
+    const SphereEstimate estimate =
+        target < estimates.size() ? estimates[target] : SphereEstimate();
+    Sample sample;
+    sample.declared = statesPresence(estimate);
+    sample.existence = estimate.existenceProbability;
+    for (const MarkedCenter& mark : marks->second) {
+      if (mark.target == target) {
+        const auto pixel = cameras_[mark.camera].project(estimate.mean);
+        sample.distances.push_back(pixel ? (*pixel - mark.pixel).norm() : kNotInSight);
+        sample.worst = std::max(sample.worst, sample.distances.back());
+      }
+    }
+    if (!sample.distances.empty()) {
+      samples_[target].push_back(std::move(sample));
+    }
+  }
+}
+
+/// The truth at zero and the estimate as far away as its worst projection is from its mark: the
+/// metrics of events then count in pixels.
+std::vector<TargetFrame> PixelRecorder::framesOf(std::size_t target) const {
+  std::vector<TargetFrame> frames;
+  for (const Sample& sample : samples_[target]) {
+    TargetFrame frame;
+    frame.frame = static_cast<std::int64_t>(frames.size());
+    frame.truth = Eigen::Vector3d::Zero();
+    if (sample.declared) {
+      frame.estimate = Eigen::Vector3d(sample.worst, 0.0, 0.0);
+    }
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+SuiteRow::Figure PixelRecorder::rmsePx() const {
+  double sum = 0.0;
+  std::int64_t count = 0;
+  for (std::size_t target = 0; target < samples_.size(); ++target) {
+    const auto begin = framesToConverge(framesOf(target), gate_).value_or(0);
+    for (auto k = static_cast<std::size_t>(begin); k < samples_[target].size(); ++k) {
+      const Sample& sample = samples_[target][k];
+      if (sample.declared) {
+        for (const double distance : sample.distances) {
+          sum += distance * distance;
+          ++count;
+        }
+      }
+    }
+  }
+  return count > 0 ? SuiteRow::Figure(std::sqrt(sum / static_cast<double>(count))) : std::nullopt;
+}
+
+SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
+  SuiteResult result;
+  SuiteRow& row = result.row;
+  row.key = std::move(key);
+  result.trace.key = row.key;
+  Proportion lost;
+  Proportion wrong;
+  Proportion wrongWhenSure;
+  std::vector<Forecast> forecasts;
+  for (std::size_t target = 0; target < samples_.size(); ++target) {
+    const auto frames = framesOf(target);
+    const auto converged = framesToConverge(frames, gate_);
+    const double begin = converged ? static_cast<double>(*converged) : kNotInSight;
+    row.framesToConverge = std::max(row.framesToConverge.value_or(begin), begin);
+    const auto after = std::span(frames).subspan(static_cast<std::size_t>(converged.value_or(0)));
+    const Proportion part = lostFrames(after, gate_);
+    lost.count += part.count;
+    lost.total += part.total;
+    for (const Sample& sample : samples_[target]) {
+      forecasts.push_back({sample.existence, sample.worst < gate_});
+      const bool isWrong = sample.declared && sample.worst > gate_;
+      wrong.count += isWrong ? 1 : 0;
+      wrongWhenSure.count += isWrong && sample.existence > kSureProbability ? 1 : 0;
+      ++wrong.total;
+      ++wrongWhenSure.total;
+    }
+    // No length is known: "not declared" in every frame.
+    result.trace.errorsMm.emplace_back(std::max<std::size_t>(1, frames.size()),
+                                       std::numeric_limits<double>::quiet_NaN());
+  }
+  if (lost.total > 0) {
+    row.lostPercent = 100.0 * lost.value();
+  }
+  if (wrong.total > 0) {
+    row.wrongPercent = 100.0 * wrong.value();
+    row.wrongWhenSurePercent = 100.0 * wrongWhenSure.value();
+  }
+  fillBelief(forecasts, result);
+  row.rmsePx = rmsePx();
+  row.usPerFrame = usPerFrame;
+  row.frames = static_cast<double>(marks_.size());
+  return result;
+}
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dewpoint::simulation {
+
+// How finely moving bodies are sampled. Tuned; the origin of the numbers is not recorded.
+
+/// Samples per side of a pixel on a silhouette or on the border of two colors.
+inline constexpr int kEdgeSamples = 4;
+/// The most instants of one exposure.
+inline constexpr int kMostInstants = 16;
+/// Pixels that a body travels between two of them.
+inline constexpr double kPixelsPerInstant = 1.5;
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,375 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables: each a function of the results. A table without rows is not made."""
+import dataclasses
+import math
+import pathlib
+import re
+
+from results import column, distinct, finite, mean, median, quantile, seeds_of
+
+OURS = "dewpoint"
+SMOOTHED = "dewpoint-smoothed"
+QUICK_FRAMES = 5  # a start counts as quick that takes no more (kQuickFrames of the suite)
+ACCURACY, PEOPLE, FIDELITY = "docs/accuracy.md", "docs/people.md", "docs/fidelity.md"
+
+
+@dataclasses.dataclass
+class Made:
+    """A table and what it is of."""
+
+    head: list
+    rows: list
+    methods: list  # whose states it depends on; none: it holds times only
+    seeds: list
+
+
+def number(value):
+    """Three digits, as in the report of the suite."""
+    if value is None or math.isnan(value):
+        return "-"
+    if math.isinf(value):
+        return "never"
+    size = abs(value)
+    if value == round(value) and size < 1e6:
+        return f"{value:.0f}"
+    if size >= 100.0:
+        return f"{value:.0f}"
+    if size >= 10.0:
+        return f"{value:.1f}"
+    return f"{value:.2f}" if size >= 0.01 else f"{value:.1g}"
+
+
+def percent(value):
+    """Whole percents, but never 0 % or 100 % of what is not quite that."""
+    if value is None:
+        return "-"
+    if 0.0 < value < 1.0:
+        return f"{value:.1g} %" if value < 0.95 else "1 %"
+    return f"{value:.1f} %" if 99.0 < value < 100.0 else f"{value:.0f} %"
+
+
+def name(text):
+    return f"`{text}`"
+
+
+def worst(numbers):
+    return max(numbers, default=None)
+
+
+def remarks(rows):
+    """What is asked of some scenarios only."""
+    words = []
+    if rows[0]["scenario"].startswith("S4-") and "jump" not in rows[0]["scenario"]:
+        frames = column(rows, "frames_to_converge")
+        quick = sum(1 for count in frames if count <= QUICK_FRAMES)
+        words.append(f"{quick} of {len(rows)} within {QUICK_FRAMES} frames")
+    never = sum(1 for count in column(rows, "frames_to_converge") if math.isinf(count))
+    if never:
+        words.append(f"{never} of {len(rows)} never found it")
+    again = column(rows, "frames_to_reacquire")
+    if again:
+        words.append(f"found again within {number(quantile(again, 0.9))} frames (90th percentile)")
+    blind = column(rows, "blackout_rmse_mm")
+    if blind:
+        words.append(f"while blind: median {number(median(blind))} mm, "
+                     f"90th percentile {number(quantile(blind, 0.9))} mm")
+    for key, text in (("frames_to_declare_loss", "loss declared within {} frames"),
+                      ("largest_step_mm", "largest step {} mm")):
+        numbers = column(rows, key)
+        if numbers:
+            words.append(text.format(number(worst(numbers))))
+    switches = column(rows, "identity_switches")
+    if rows[0]["scenario"].startswith("S5-") and switches:
+        words.append(f"{number(worst(switches))} identity switches at most")
+    return "; ".join(words)
+
+
+# Columns of runs.csv beyond the errors: (name, head, text of the rows' numbers). Those that a program
+# does not write are left out.
+BELIEF = (
+    ("rmse_px", "RMSE in images (px)", lambda numbers: number(median(numbers))),
+    ("success", "success", lambda numbers: f"{mean(numbers):.3f}"),
+    ("lost_percent", "lost", lambda numbers: percent(mean(numbers))),
+    ("false_alarm_percent", "false alarms", lambda numbers: percent(mean(numbers))),
+    ("coverage50_percent", "in the 50 % ellipsoid", lambda numbers: percent(mean(numbers))),
+    ("coverage95_percent", "in the 95 % ellipsoid", lambda numbers: percent(mean(numbers))),
+    ("nees", "NEES", lambda numbers: number(median(numbers))),
+    ("sure_and_wrong_percent", "sure and wrong", lambda numbers: percent(mean(numbers))),
+    ("existence_ece", "ECE of P(exists)", lambda numbers: number(mean(numbers))),
+)
+
+
+def scenarios(grade):
+    """All scenarios of a grade, method dewpoint."""
+
+    def make(results):
+        rows = results.runs(grade=grade, method=OURS)
+        shown = [one for one in BELIEF if column(rows, one[0])]
+        head = ["scenario", "runs", "RMSE, median (mm)", "worst run", *[one[1] for one in shown], "also"]
+        table = []
+        for scenario in distinct(rows, "scenario"):
+            runs = results.runs(grade=grade, scenario=scenario, method=OURS)
+            errors = column(runs, "rmse_mm")
+            table.append([name(scenario), str(len(runs)), number(median(errors)), number(worst(errors)),
+                          *[text(column(runs, key)) for key, _, text in shown], remarks(runs)])
+        return Made(head, table, [OURS], seeds_of(rows))
+
+    return make
+
+
+def error_words(rows):
+    """The median error in millimeters; of clips without a truth in space, in pixels."""
+    millimeters, pixels = column(rows, "rmse_mm"), column(rows, "rmse_px")
+    return number(median(millimeters)) if millimeters or not pixels else f"{number(median(pixels))} px"
+
+
+def peers(grade):
+    """All methods side by side, on the seeds that all of them have."""
+
+    def make(results):
+        all_rows = results.runs(grade=grade)
+        methods = [method for method in distinct(all_rows, "method") if method != SMOOTHED]
+        table, used = [], []
+        for scenario in distinct(all_rows, "scenario"):
+            cells = {method: results.runs(grade=grade, scenario=scenario, method=method) for method in methods}
+            cells = {method: rows for method, rows in cells.items() if rows}
+            if len(cells) < 2:
+                continue
+            common = set.intersection(*[set(seeds_of(rows)) for rows in cells.values()])
+            line = [name(scenario), str(len(common))]
+            for method in methods:
+                rows = [row for row in cells.get(method, []) if int(row["seed"]) in common]
+                used += rows
+                line.append(f"{error_words(rows)} ({percent(mean(column(rows, 'lost_percent')))})" if rows else "-")
+            table.append(line)
+        return Made(["scenario", "runs", *map(name, methods)], table, methods, seeds_of(used))
+
+    return make
+
+
+def bound(one):
+    """What is asked: at most, or between."""
+    unit = f" {one['unit']}" if one["unit"] else ""
+    low, high = one["low"], one["high"]
+    if isinstance(low, str) or low is None:  # "-inf"
+        return f"at most {high:g}{unit}"
+    if isinstance(high, str) or high is None:
+        return f"at least {low:g}{unit}"
+    return f"{high:g}{unit}" if low == high else f"{low:g} to {high:g}{unit}"
+
+
+def requirements(results):
+    table = []
+    for one in results.requirements:
+        if not one["runs"]:
+            continue
+        measured = one["value"]
+        if isinstance(measured, str):  # "inf"
+            measured = float(measured)
+        unit = f" {one['unit']}" if one["unit"] and measured is not None and math.isfinite(measured) else ""
+        verdict = {"not reached": "**not reached**"}.get(one["verdict"], one["verdict"])
+        if one.get("next_version"):  # this version is measured against it, and may miss it
+            verdict += ", for the next version"
+        decides = f" ({name(one['scenario'])})" if one.get("scenario") else ""
+        grade = [one["grade"]] if "grade" in one else []
+        table.append([one["requirement"], *grade, bound(one), number(measured) + unit + decides, str(one["runs"]), verdict])
+    graded = ["grade"] if any("grade" in one for one in results.requirements) else []
+    rows = results.runs(method=OURS)
+    # A requirement compares with triangulation.
+    methods = [OURS] + [method for method in ("triangulation",) if results.runs(method=method)]
+    return Made(["requirement", *graded, "must be", "measured", "runs", "verdict"], table, methods, seeds_of(rows))
+
+
+def exact(value):
+    """A number of JSON, where what is not finite is a text or nothing."""
+    return float(value) if isinstance(value, str) else value
+
+
+def belief(results):
+    """Whether the method knows how sure it may be, by grade: median over the scenarios, and the worst."""
+    table = []
+    for one in results.belief:
+        if one["method"] == OURS:
+            table += [[one["grade"], figure.replace("_", " "), number(exact(found["median"])),
+                       number(exact(found["worst"])), name(found["worst_scenario"]) if found["worst_scenario"] else "-"]
+                      for figure, found in one.get("figures", {}).items()]
+    return Made(["grade", "figure", "median of the scenarios", "worst", "in"], table, [OURS],
+                seeds_of(results.runs(method=OURS)))
+
+
+def smoothed(results):
+    families = {}
+    for row in results.runs(grade="ideal", method=SMOOTHED):
+        families.setdefault(row["scenario"].split("-")[0], []).append(row["scenario"])
+    table, used = [], []
+
+    def line(title, names, bold):
+        smooth = [row for row in results.runs(grade="ideal", method=SMOOTHED) if row["scenario"] in names]
+        both = {(row["scenario"], row["seed"]) for row in smooth}
+        live = [row for row in results.runs(grade="ideal", method=OURS) if (row["scenario"], row["seed"]) in both]
+        before, after = median(column(live, "rmse_mm")), median(column(smooth, "rmse_mm"))
+        if not before or after is None or not math.isfinite(before):
+            return
+        used.extend(live)
+        share = percent(100.0 * (1.0 - after / before))
+        table.append([title, str(len(smooth)), number(before), number(after), f"**{share}**" if bold else share,
+                      *[f"{percent(mean(column(live, key)))} / {percent(mean(column(smooth, key)))}"
+                        if column(live, key) and column(smooth, key) else ""
+                        for key in ("coverage95_percent", "blackout_coverage95_percent")]])
+
+    for family, names in families.items():
+        for scenario in dict.fromkeys(names):
+            line(name(scenario), {scenario}, False)
+        line(f"**all runs of {family}**", set(names), True)
+    return Made(["scenario", "runs", "live (mm)", "smoothed (mm)", "less by", "in the 95 % ellipsoid, live / smoothed",
+                 "the same while blind"], table, [OURS, SMOOTHED], seeds_of(used))
+
+
+def people_cells(results):
+    for scenario in distinct(results.people, "scenario"):
+        for clothes in ("different", "similar"):
+            rows = [row for row in results.people if row["scenario"] == scenario and row["clothes"] == clothes]
+            if rows:
+                yield scenario, clothes, rows
+
+
+def people_identities(results):
+    methods = distinct(results.people, "method")
+    table = []
+    for scenario, clothes, rows in people_cells(results):
+        line = [name(scenario), clothes, str(len(seeds_of(rows)))]
+        for method in methods:
+            kept = [row["kept"] for row in rows if row["method"] == method]
+            line.append(f"{sum(kept):.0f}" if kept else "-")
+        table.append(line)
+    return Made(["scenario", "clothes", "seeds", *map(name, methods)], table, methods, seeds_of(results.people))
+
+
+# Columns of a people study's runs.csv: (name, head, text of the rows' numbers).
+PEOPLE_COLUMNS = (
+    ("identity_switches", "switches", lambda numbers: f"{sum(numbers):.0f}"),
+    ("mota", "MOTA", lambda numbers: f"{mean(numbers):.3f}"),
+    ("hota", "HOTA", lambda numbers: f"{mean(numbers):.3f}"),
+    ("motp_m", "position (mm)", lambda numbers: number(1000.0 * mean(numbers))),
+    ("longest_ghost_s", "longest ghost (s)", lambda numbers: f"{max(numbers):.2f}"),
+    ("longest_missed_s", "longest missed (s)", lambda numbers: f"{max(numbers):.2f}"),
+    ("found", "found", lambda numbers: percent(100.0 * mean(numbers))),
+    ("silhouette_recall", "silhouette recall", lambda numbers: f"{mean(numbers):.2f}"),
+    ("silhouette_precision", "silhouette precision", lambda numbers: f"{mean(numbers):.2f}"),
+)
+
+
+def people_quality(results):
+    shown = [one for one in PEOPLE_COLUMNS if finite(column(results.people, one[0]))]
+    table = []
+    for scenario, clothes, rows in people_cells(results) if shown else ():
+        for method in distinct(rows, "method"):
+            mine = [row for row in rows if row["method"] == method]
+            cells = [finite(column(mine, key)) for key, _, _ in shown]
+            table.append([name(scenario), clothes, name(method),
+                          *[text(numbers) if numbers else "-" for numbers, (_, _, text) in zip(cells, shown)]])
+    return Made(["scenario", "clothes", "method", *[one[1] for one in shown]], table,
+                distinct(results.people, "method"), seeds_of(results.people))
+
+
+SPEED = (
+    ("people", "`people`, whole frame", "2x"),
+    ("people/MOG2", "`people` with `background=1` (MOG2 on the reduced images)", ""),
+    ("people+hulls", "`people` and the 95 % volumes of both people", "2x"),
+    ("mohedano-msc", "`mohedano-msc` with `background=0`", ""),
+    ("mohedano-msc/MOG2", "`mohedano-msc` as it comes (MOG2, full images)", ""),
+)
+
+
+def processor(file=pathlib.Path("/proc/cpuinfo")):
+    """What this machine computes with; nothing where that is not known."""
+    names = re.findall(r"^model name\s*: (.*)$", file.read_text(), re.M) if file.is_file() else []
+    return f"{len(names)} x {names[0].strip()}" if names else ""
+
+
+def people_speed(results):
+    times = {}
+    for one in results.bench:
+        if one.get("run_type", "iteration") == "iteration" and not one.get("error_occurred"):
+            times.setdefault(one.get("run_name", one["name"]), []).append(one["cpu_time"])
+    table = []
+    for key, words, bar in SPEED:
+        if key in times and "MOG2" in times:
+            ratio = min(times["MOG2"]) / min(times[key])
+            table.append([words, f"{ratio:.1f}x faster" if ratio > 1.0 else f"{ratio:.1f}x", bar])
+    return Made([processor(), "against MOG2 alone on the same four images", "bar"], table, [], [1])
+
+
+def point(row, what):
+    return "(" + ", ".join(f"{row[f'{what}_{axis}_m']:g}" for axis in "xyz") + ")"
+
+
+def start_words(row):
+    half = [row[f"half_{axis}_m"] for axis in "xyz"]
+    if not any(half):
+        return point(row, "start")
+    return "evenly spread, " + " x ".join(f"{2.0 * size:g}" for size in half) + " m around " + point(row, "start")
+
+
+def convergence(results):
+    table = []
+    for row in results.convergence:
+        found = int(row["converged"])
+        near = [f"{int(row['within'])}"] if "within" in row else []
+        table.append([row["case"], start_words(row), point(row, "ball"), f"{found} of {int(row['runs'])}", *near,
+                      number(row["median_iterations"]),
+                      "-" if row["rmse_mm"] is None else f"{row['rmse_mm']:.1f} mm",
+                      "-" if row["depth_bias_mm"] is None else f"{row['depth_bias_mm']:+.1f} mm"])
+    head = ["case", "start", "ball", "converged", "iterations (median)", "RMSE", "bias in depth"]
+    if results.convergence and "within" in results.convergence[0]:
+        head.insert(4, "of these within 3 cm")
+    seeds = [int(row["first_seed"] + add) for row in results.convergence for add in (0, row["runs"] - 1)]
+    return Made(head, table, ["barrera"], sorted(set(seeds)))
+
+
+def starts(results):
+    found = [("evenly spread in a cube around the ball, half its edge", row["half_edge_m"], row)
+             for row in results.start_boxes]
+    found += [("(0.5, y, 0.15), at and beyond the ball, y =", row["y_m"], row) for row in results.start_points]
+    shown = [(key, title) for key, title in (("share", "converged"), ("share_within_3_cm", "and within 3 cm"))
+             if any(key in row for _, _, row in found)]
+    table = [[where, f"{size:g} m", *[percent(100.0 * row[key]) for key, _ in shown]] for where, size, row in found]
+    first, count = results.start_seeds or (0, 1)
+    return Made(["start", "", *[title for _, title in shown]], table, ["barrera"], sorted({first, first + count - 1}))
+
+
+def drift(results):
+    table = [[f"first {int(row['iterations'])}", str(int(row["runs"])), f"{row['mm_per_iteration']:.1f} mm"]
+             for row in results.drift]
+    seeds = [int(row["first_seed"] + add) for row in results.drift for add in (0, row["runs"] - 1)]
+    return Made(["iterations", "runs", "away from the camera, per iteration"], table, ["barrera"], sorted(set(seeds)))
+
+
+# (page, name, how it is made)
+TABLES = (
+    (ACCURACY, "requirements", requirements),
+    (ACCURACY, "belief", belief),
+    (ACCURACY, "room", scenarios("room")),
+    (ACCURACY, "peers-room", peers("room")),
+    (ACCURACY, "wild", scenarios("wild")),
+    (ACCURACY, "peers-wild", peers("wild")),
+    (ACCURACY, "real", scenarios("real")),
+    (ACCURACY, "peers-real", peers("real")),
+    (ACCURACY, "ideal", scenarios("ideal")),
+    (ACCURACY, "peers-ideal", peers("ideal")),
+    (ACCURACY, "smoothed", smoothed),
+    (PEOPLE, "people-identities", people_identities),
+    (PEOPLE, "people-quality", people_quality),
+    (PEOPLE, "people-speed", people_speed),
+    (FIDELITY, "convergence", convergence),
+    (FIDELITY, "starts", starts),
+    (FIDELITY, "drift", drift),
+)
+
+
+def all_made(results):
+    """(page, name, Made) of the tables that there are rows for."""
+    for page, title, make in TABLES:
+        made = make(results)
+        if made.rows:
+            yield page, title, made

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/clips/clip_table.h"
+#include "tests/capture/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace dewpoint::tests {
+namespace {
+
+TEST(ClipTable, GivesTheColumnsThatAreRequested) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "t.csv") << "# a comment\nframe,color,u,v\n3,red,1.5,-2\n\n4,blue,7,8\r\n";
+  const auto table = readClipTable(folder / "t.csv", {"v", "frame"}, "color");
+  ASSERT_TRUE(table) << sentence(table.error());
+  EXPECT_EQ(table->rows, (std::vector<std::vector<double>>{{-2.0, 3.0}, {8.0, 4.0}}));
+  EXPECT_EQ(table->words, (std::vector<std::string>{"red", "blue"}));
+}
+
+TEST(ClipTable, NamesWhatIsWrong) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(readClipTable(folder / "none.csv", {"u"}).error().code, ErrorCode::FileMissing);
+  std::ofstream(folder / "empty.csv") << "# nothing else\n";
+  EXPECT_EQ(readClipTable(folder / "empty.csv", {"u"}).error().code, ErrorCode::NotParsed);
+  std::ofstream(folder / "t.csv") << "# a comment\nu,v\n1,2\n3,x\n";
+  const auto column = readClipTable(folder / "t.csv", {"w"});
+  EXPECT_EQ(column.error().code, ErrorCode::MissingKey);
+  EXPECT_EQ(column.error().field, "w");
+  const auto cell = readClipTable(folder / "t.csv", {"u", "v"});
+  EXPECT_EQ(cell.error().code, ErrorCode::NotParsed);
+  EXPECT_EQ(cell.error().field, "line 4");
+  std::ofstream(folder / "t.csv") << "u,v\n1\n";
+  EXPECT_EQ(readClipTable(folder / "t.csv", {"v"}).error().field, "line 2") << "the row is short";
+}
+
+} // namespace
+} // namespace dewpoint::tests

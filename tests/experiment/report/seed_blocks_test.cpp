@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/report/experiment_options.h"
+#include "core/experiment/report/seed_blocks.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+TEST(SeedBlocks, EachSeedIsInOneBlock) {
+  std::uint64_t next = 0;
+  for (const SeedBlock& block : kSeedBlocks) {
+    EXPECT_EQ(block.first, next) << block.name;
+    EXPECT_GE(block.last, block.first) << block.name;
+    EXPECT_EQ(seedBlockOf(block.first).use, block.use);
+    EXPECT_EQ(seedBlockOf(block.last).use, block.use);
+    next = block.last + 1; // 0 again behind the last one
+  }
+  EXPECT_EQ(next, 0U);
+}
+
+// What people, boxes and the suite were changed on or after.
+TEST(SeedBlocks, SeedsThatWereLookedAtAreNotReported) {
+  for (const std::uint64_t seed : {1U, 30U, 5001U, 5020U}) {
+    EXPECT_EQ(seedBlockOf(seed).use, SeedUse::Tuning) << seed;
+  }
+  for (const std::uint64_t seed : {1000001U, 1002456U, 1003152U, 1004001U, 1004500U}) {
+    EXPECT_EQ(seedBlockOf(seed).use, SeedUse::Validation) << seed;
+  }
+  EXPECT_EQ(seedBlockOf(ExperimentOptions().firstSeed).use, SeedUse::Reporting);
+  EXPECT_EQ(seedBlockOf(kFirstTuningSeed).use, SeedUse::Tuning);
+}
+
+TEST(SeedBlocks, ASentenceNamesTheBlockAndWarns) {
+  EXPECT_EQ(seedSentence({}), "none");
+  EXPECT_EQ(seedSentence(kFirstReportingSeed, 20),
+            "1005001 to 1005020, 20 in all: reporting seeds, on which no method was tuned");
+  EXPECT_NE(seedSentence(1, 3).find("1 to 3, 3 in all: TUNING"), std::string::npos);
+  EXPECT_NE(seedSentence(1004001, 1).find("VALIDATION"), std::string::npos);
+  EXPECT_NE(seedSentence(7700001, 1).find("RESERVE"), std::string::npos);
+  EXPECT_NE(seedSentence({7, 1005001}).find("tuning and reporting seeds mixed"), std::string::npos);
+}
+
+TEST(SeedBlocks, OnlyTheReportingBlockIsQuoted) {
+  EXPECT_TRUE(areReportingSeeds({kFirstReportingSeed, kLastReportingSeed}));
+  EXPECT_FALSE(areReportingSeeds({}));
+  EXPECT_FALSE(areReportingSeeds({kFirstReportingSeed - 1, kFirstReportingSeed}));
+  EXPECT_FALSE(areReportingSeeds({kFirstReportingSeed, kLastReportingSeed + 1}));
+}
+
+} // namespace
+} // namespace dewpoint::tests

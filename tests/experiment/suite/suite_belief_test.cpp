@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/suite/suite_belief.h"
+#include "tests/experiment/suite/suite_results.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::tests {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+TEST(OverScenarios, GivesMedianAndWorstByName) {
+  const std::vector<ScenarioValue> values{{"a", 97.0}, {"b", 46.0}, {"c", kNothing}, {"d", 90.0}};
+  const OverScenarios covered = overScenarios(values, false);
+  EXPECT_EQ(covered.median, 90.0);
+  EXPECT_EQ(covered.worst, 46.0);
+  EXPECT_EQ(covered.worstScenario, "b");
+  const OverScenarios wrong = overScenarios(values, true);
+  EXPECT_EQ(wrong.worst, 97.0);
+  EXPECT_EQ(wrong.worstScenario, "a");
+}
+
+TEST(OverScenarios, TakesTheMiddleOfTwoAndTheFirstOfEquals) {
+  const std::vector<ScenarioValue> values{{"a", 1.0}, {"b", 4.0}, {"c", 2.0}, {"d", 4.0}};
+  EXPECT_EQ(overScenarios(values, true).median, 3.0);
+  EXPECT_EQ(overScenarios(values, true).worstScenario, "b");
+}
+
+TEST(OverScenarios, OfNothingIsNothing) {
+  const std::vector<ScenarioValue> values{{"a", kNothing}};
+  EXPECT_TRUE(std::isnan(overScenarios(values, true).median));
+  EXPECT_TRUE(std::isnan(overScenarios({}, true).worst));
+  EXPECT_TRUE(overScenarios(values, false).worstScenario.empty());
+}
+
+TEST(BeliefFigures, AreMeansOverRunsButForNeesAndCalibration) {
+  MadeResults made;
+  const double coverages[] = {80.0, 90.0, 97.0}; // mean 89
+  const double nees[] = {1.0, 30.0, 5.0};        // median 5, mean 12
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    SuiteResult result = resultOf("S0-slow", Grade::Room, "dewpoint", seed);
+    result.row.coverage95Percent = coverages[seed];
+    result.row.nees = nees[seed];
+    result.row.sureAndWrongPercent = static_cast<double>(seed); // mean 1
+    // All runs together: 30 forecasts of 0.9 of which 27, 24 and 21 of 30 came true: 0.8.
+    result.trace.reliability[9] = {30, 27.0, static_cast<std::int64_t>(27 - 3 * seed)};
+    made.add(result);
+  }
+  const auto cells = made.cells();
+  ASSERT_EQ(cells.size(), 1U);
+  const auto figure = [&](const char* name) { return beliefFigure(name).of(cells[0].runs); };
+  EXPECT_NEAR(figure("coverage95_percent"), 89.0, 1e-9);
+  EXPECT_EQ(figure("nees"), 5.0);
+  EXPECT_NEAR(figure("sure_and_wrong_percent"), 1.0, 1e-12);
+  EXPECT_NEAR(figure("existence_ece"), 0.1, 1e-9);
+  EXPECT_TRUE(std::isnan(figure("coverage50_percent"))) << "no run has it";
+}
+
+TEST(BeliefSummary, IsOneForEachGradeAndMethod) {
+  MadeResults made;
+  for (const std::string scenario : {"S0-slow", "S4-desk-cloud"}) {
+    for (const Grade grade : {Grade::Ideal, Grade::Room}) {
+      for (const std::string method : {"dewpoint", "triangulation"}) {
+        SuiteResult result = resultOf(scenario, grade, method);
+        result.row.coverage95Percent = (scenario == "S0-slow" ? 66.0 : 14.0) +
+                                       (grade == Grade::Ideal ? 30.0 : 0.0) +
+                                       (method == "dewpoint" ? 0.0 : 1.0);
+        made.add(result);
+      }
+    }
+  }
+  const auto cells = made.cells();
+  const auto summaries = summarizeBelief(cells);
+  ASSERT_EQ(summaries.size(), 4U);
+  EXPECT_EQ(summaries[0].grade, Grade::Ideal);
+  EXPECT_EQ(summaries[1].grade, Grade::Ideal);
+  const BeliefSummary& room = summaries[2];
+  EXPECT_EQ(room.grade, Grade::Room);
+  EXPECT_EQ(room.method, "dewpoint");
+  EXPECT_EQ(room.scenarios, 2U);
+  EXPECT_EQ(room.runs, 2U);
+  ASSERT_EQ(room.figures.size(), beliefFigures().size());
+  EXPECT_EQ(room.figures[1].median, 40.0) << "of 66 and 14";
+  EXPECT_EQ(room.figures[1].worst, 14.0);
+  EXPECT_EQ(room.figures[1].worstScenario, "S4-desk-cloud");
+  EXPECT_TRUE(summarizeBelief({}).empty());
+}
+
+} // namespace
+} // namespace dewpoint::tests
