@@ -35,6 +35,16 @@ inline ScenarioRun scenarioRun(const std::string& name, std::uint64_t seed = 1,
   return *std::move(run);
 }
 
+/// Expects that two runs of one seed show the same images at a frame.
+inline void expectSameBits(const std::string& name, std::int64_t frame) {
+  const FrameSetPtr one = scenarioRun(name).frames(frame);
+  const FrameSetPtr same = scenarioRun(name).frames(frame);
+  for (std::size_t camera = 0; camera < one->frames.size(); ++camera) {
+    EXPECT_EQ(cv::norm(one->frames[camera]->image, same->frames[camera]->image, cv::NORM_INF), 0.0)
+        << name;
+  }
+}
+
 /// The targets' true positions at a frame, in the order of the targets.
 inline std::vector<Eigen::Vector3d> truthAt(const ScenarioRun& run, std::int64_t frame) {
   std::vector<Eigen::Vector3d> positions;

@@ -140,13 +140,7 @@ TEST(ScenarioCrowd, AnEvenStartFavorsNeither) {
 
 TEST(ScenarioSeen, SameSeedSameBits) {
   for (const char* name : {"S17-furniture", "S18-spinning", "S19-crowd-8"}) {
-    const FrameSetPtr one = scenarioRun(name).frames(70);
-    const FrameSetPtr same = scenarioRun(name).frames(70);
-    for (std::size_t camera = 0; camera < one->frames.size(); ++camera) {
-      EXPECT_EQ(cv::norm(one->frames[camera]->image, same->frames[camera]->image, cv::NORM_INF),
-                0.0)
-          << name;
-    }
+    expectSameBits(name, 70);
   }
 }
 

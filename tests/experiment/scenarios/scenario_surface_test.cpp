@@ -113,13 +113,7 @@ TEST(ScenarioPoster, MoreThanTheBallMatches) {
 
 TEST(ScenarioSurfaces, SameSeedSameBits) {
   for (const char* name : {"S11-held", "S12-six-spots", "S13-one-camera"}) {
-    const FrameSetPtr one = scenarioRun(name).frames(100);
-    const FrameSetPtr same = scenarioRun(name).frames(100);
-    for (std::size_t camera = 0; camera < one->frames.size(); ++camera) {
-      EXPECT_EQ(cv::norm(one->frames[camera]->image, same->frames[camera]->image, cv::NORM_INF),
-                0.0)
-          << name;
-    }
+    expectSameBits(name, 100);
   }
 }
 

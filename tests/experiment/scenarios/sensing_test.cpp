@@ -4,7 +4,7 @@
 #include "core/color/match_image.h"
 #include "core/experiment/baselines/baseline_blobs.h"
 #include "core/experiment/scenarios/grade_model.h"
-#include "core/experiment/scenarios/scenario.h"
+#include "tests/experiment/scenarios/scenario_images.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -19,21 +19,6 @@ namespace dewpoint::tests {
 namespace {
 
 using namespace dewpoint::experiment::scenarios;
-
-ScenarioRun runOf(const std::string& name, Grade grade = Grade::Ideal, std::uint64_t seed = 1) {
-  const auto& catalog = scenarioCatalog();
-  const auto found = std::ranges::find(catalog, name, &ScenarioDeclaration::name);
-  if (found == catalog.end()) {
-    ADD_FAILURE() << "no scenario " << name;
-    return {};
-  }
-  auto run = found->make(seed, grade);
-  if (!run) {
-    ADD_FAILURE() << name << ": no run";
-    return {};
-  }
-  return *std::move(run);
-}
 
 RandomStream chancesOf(std::int64_t frame) {
   return {99, static_cast<std::uint32_t>(frame), 0, RandomPurpose::Start};
@@ -86,7 +71,7 @@ TEST(CameraTiming, ExposesBeforeTheStamp) {
 }
 
 TEST(CalibrationErrors, HaveTheStatedSizes) {
-  const Camera truth = runOf("S0-slow").trueRig[0];
+  const Camera truth = scenarioRun("S0-slow").trueRig[0];
   Draws draws(5, "calibration test");
   EXPECT_EQ(miscalibrated(truth, {}, draws), truth);
   const CalibrationError error{0.005, 0.002, 0.003, 0.01};
@@ -153,14 +138,14 @@ double largestStampError(const ScenarioRun& run) {
 }
 
 TEST(Grades, IdealHasNothingWrong) {
-  const ScenarioRun run = runOf("S0-slow");
+  const ScenarioRun run = scenarioRun("S0-slow");
   EXPECT_EQ(run.rig, run.trueRig);
   EXPECT_EQ(largestStampError(run), 0.0);
 }
 
 TEST(Grades, RoomHasMuchWrongAndTheSameBitsAgain) {
-  const ScenarioRun run = runOf("S0-slow", Grade::Room, 3);
-  const ScenarioRun same = runOf("S0-slow", Grade::Room, 3);
+  const ScenarioRun run = scenarioRun("S0-slow", 3, Grade::Room);
+  const ScenarioRun same = scenarioRun("S0-slow", 3, Grade::Room);
   EXPECT_EQ(run.rig, same.rig);
   ASSERT_EQ(run.rig.size(), 2U);
   for (std::size_t camera = 0; camera < run.rig.size(); ++camera) {
@@ -184,7 +169,7 @@ TEST(Grades, RoomHasMuchWrongAndTheSameBitsAgain) {
 
 TEST(ScenarioCameraModel, LeavesTimeAndCalibrationIdeal) {
   for (const std::string name : {"S14-slow", "S14-fast"}) {
-    const ScenarioRun run = runOf(name);
+    const ScenarioRun run = scenarioRun(name);
     EXPECT_EQ(run.rig, run.trueRig);
     EXPECT_EQ(largestStampError(run), 0.0);
     EXPECT_EQ(run.frames(3)->frames[0]->image.size(), cv::Size(320, 240));
@@ -192,7 +177,7 @@ TEST(ScenarioCameraModel, LeavesTimeAndCalibrationIdeal) {
 }
 
 TEST(ScenarioTiming, OneStreamFreezesForASecond) {
-  const ScenarioRun run = runOf("S15-frozen");
+  const ScenarioRun run = scenarioRun("S15-frozen");
   // It begins between frames 60 and 90 and takes 30 frames.
   std::vector<int> repeated(2, 0);
   FrameSetPtr before = run.frames(58);
@@ -212,7 +197,7 @@ TEST(ScenarioTiming, OneStreamFreezesForASecond) {
 }
 
 TEST(ScenarioTiming, SomeFramesAreDropped) {
-  const ScenarioRun run = runOf("S15-dropped");
+  const ScenarioRun run = scenarioRun("S15-dropped");
   int dropped = 0;
   for (std::int64_t frame = 0; frame < 60; ++frame) {
     for (const FramePtr& one : run.frames(frame)->frames) {
@@ -246,7 +231,7 @@ double stepsBehind(const ScenarioRun& run, std::size_t camera) {
 }
 
 TEST(ScenarioTiming, UnknownDelaysAreUpToHalfAFrame) {
-  const ScenarioRun late = runOf("S15-offsets-fast");
+  const ScenarioRun late = scenarioRun("S15-offsets-fast");
   EXPECT_EQ(largestStampError(late), 0.0) << "the delay is unknown";
   for (std::size_t camera = 0; camera < 2; ++camera) {
     // The shaded rim shifts the blob by up to 2 px, a fifth of a step of 10 px.
@@ -256,10 +241,10 @@ TEST(ScenarioTiming, UnknownDelaysAreUpToHalfAFrame) {
 }
 
 TEST(ScenarioCalibration, OnlyTheCalibrationIsWrong) {
-  const ScenarioRun wrong = runOf("S16-calibration");
+  const ScenarioRun wrong = scenarioRun("S16-calibration");
   EXPECT_NE(wrong.rig[0], wrong.trueRig[0]);
   EXPECT_EQ(largestStampError(wrong), 0.0);
-  const ScenarioRun drifting = runOf("S16-drift");
+  const ScenarioRun drifting = scenarioRun("S16-drift");
   EXPECT_EQ(drifting.rig, drifting.trueRig) << "right at the beginning";
 }
 
@@ -283,15 +268,15 @@ double clippedShare(const ScenarioRun& run, std::size_t camera) {
 TEST(ScenarioIllumination, SideLightIsCut) {
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    const ScenarioRun run = runOf("S20-side-light", Grade::Ideal, seed);
+    const ScenarioRun run = scenarioRun("S20-side-light", seed, Grade::Ideal);
     most = std::max({most, clippedShare(run, 0), clippedShare(run, 1)});
   }
   EXPECT_GT(most, 0.3) << "some camera of eight looks at the lit side";
-  EXPECT_LT(clippedShare(runOf("S0-slow"), 0), 0.1);
+  EXPECT_LT(clippedShare(scenarioRun("S0-slow"), 0), 0.1);
 }
 
 TEST(ScenarioIllumination, FlickerMakesBandsThatTravel) {
-  const ScenarioRun run = runOf("S20-flicker");
+  const ScenarioRun run = scenarioRun("S20-flicker");
   cv::Mat one;
   cv::Mat next;
   cv::reduce(run.frames(10)->frames[0]->image.reshape(1), one, 1, cv::REDUCE_AVG, CV_32F);
@@ -314,9 +299,9 @@ TEST(ScenarioIllumination, AShadowPassesAndExposureJumps) {
     }
     return means;
   };
-  const auto shadow = meansOf(runOf("S20-shadow"));
+  const auto shadow = meansOf(scenarioRun("S20-shadow"));
   EXPECT_LT(std::ranges::min(shadow), 0.99 * std::ranges::max(shadow));
-  const auto steps = meansOf(runOf("S20-exposure-steps"));
+  const auto steps = meansOf(scenarioRun("S20-exposure-steps"));
   EXPECT_LT(std::ranges::min(steps), 0.95 * std::ranges::max(steps));
   EXPECT_NEAR(steps[0], steps[2], 0.01 * steps[0]) << "no step before frame 20";
 }
