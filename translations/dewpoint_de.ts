@@ -3684,7 +3684,7 @@ bei %4, %5, %6 m</translation>
         <translation>Experimente der Artikel</translation>
     </message>
     <message>
-        <source>How many seeds: more take longer and are surer</source>
+        <source>Number of seeds. More seeds take longer and give more certain results.</source>
         <translation>Wie viele Startzahlen: Mehr dauern länger und sind sicherer</translation>
     </message>
     <message>
@@ -4237,7 +4237,7 @@ bei %4, %5, %6 m</translation>
         <translation>Farben des Rahmens</translation>
     </message>
     <message>
-        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <source>Color histograms of the bounding box: outlined bars for the reference, filled bars for the current frame. The largest of the 512 bins are shown, each in its own color.</source>
         <translation>Farbhistogramme des Rahmens: leere Balken, wie er angegeben wurde, gefüllte Balken, wie er jetzt ist. Gezeigt werden die größten von 512 Klassen, jede in ihrer Farbe.</translation>
     </message>
 </context>

@@ -3684,7 +3684,7 @@ en %4, %5, %6 m</translation>
         <translation>Experimentos de los artículos</translation>
     </message>
     <message>
-        <source>How many seeds: more take longer and are surer</source>
+        <source>Number of seeds. More seeds take longer and give more certain results.</source>
         <translation>Cuántas semillas: más tardan más y son más seguras</translation>
     </message>
     <message>
@@ -4237,7 +4237,7 @@ en %4, %5, %6 m</translation>
         <translation>Colores del recuadro</translation>
     </message>
     <message>
-        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <source>Color histograms of the bounding box: outlined bars for the reference, filled bars for the current frame. The largest of the 512 bins are shown, each in its own color.</source>
         <translation>Histogramas de color del recuadro: barras huecas, como se indicó; barras llenas, como es ahora. Se muestran las mayores de 512 clases, cada una en su color.</translation>
     </message>
 </context>

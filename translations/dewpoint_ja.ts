@@ -3683,7 +3683,7 @@ at %4, %5, %6 m</source>
         <translation>論文の実験</translation>
     </message>
     <message>
-        <source>How many seeds: more take longer and are surer</source>
+        <source>Number of seeds. More seeds take longer and give more certain results.</source>
         <translation>シードの数。多いほど時間がかかり、確かになります</translation>
     </message>
     <message>
@@ -4235,7 +4235,7 @@ at %4, %5, %6 m</source>
         <translation>枠の色</translation>
     </message>
     <message>
-        <source>Color histograms of the box: hollow bars as it was given, filled bars as it is now. The largest of 512 bins are shown, each in its color.</source>
+        <source>Color histograms of the bounding box: outlined bars for the reference, filled bars for the current frame. The largest of the 512 bins are shown, each in its own color.</source>
         <translation>枠の色ヒストグラム：中空の棒は指定時、塗りつぶした棒は現在です。512個のビンのうち大きいものを、それぞれの色で表示します。</translation>
     </message>
 </context>

@@ -154,7 +154,7 @@ void ExperimentDialog::retranslateUi() {
   setWindowTitle(tr("Experiments"));
   list_->setAccessibleName(tr("Experiments of the papers"));
   runsLabel_->setText(tr("Runs per case"));
-  runs_->setToolTip(tr("How many seeds: more take longer and are surer"));
+  runs_->setToolTip(tr("Number of seeds. More seeds take longer and give more certain results."));
   clothesLabel_->setText(tr("Clothes"));
   clothes_->setToolTip(tr("Whether the clothes of the simulated people tell them apart"));
   clothes_->setItemText(0, tr("both kinds"));

@@ -22,8 +22,9 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   onRetranslate(this, [this] {
     setAccessibleName(tr("Colors of the box"));
-    setToolTip(tr("Color histograms of the box: hollow bars as it was given, filled bars as it is "
-                  "now. The largest of 512 bins are shown, each in its color."));
+    setToolTip(
+        tr("Color histograms of the bounding box: outlined bars for the reference, filled bars for "
+           "the current frame. The largest of the 512 bins are shown, each in its own color."));
   });
 }
 
