@@ -7,8 +7,8 @@
 #include "core/color/hsi.h"
 #include "core/color/match_image.h"
 #include "core/geometry/projector.h"
-#include "core/simulation/scene_file.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_file.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/tracker.h"
 

@@ -4,8 +4,8 @@
 #include "core/base/random.h"
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/camera_motion/camera_motion_detector.h"
-#include "core/simulation/scene.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene.h"
+#include "core/simulation/scene/scene_renderer.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

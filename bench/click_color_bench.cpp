@@ -7,7 +7,7 @@
 #include "core/color/match_image.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/projector.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 #include "app/wiring/quiet_libraries.h"
 #include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/event_loop_probe.h"
 #include "ui/calibration/manual/grid_layer.h"
 #include "ui/calibration/planner/rig_planner.h"

@@ -3,7 +3,7 @@
 // Method `people`, whole frames, beside OpenCV's MOG2 alone on the same images: four cameras at
 // QVGA, two people who walk past each other in the simulated office, one thread each.
 #include "bench/ratios.h"
-#include "core/experiment/scenarios/people_scenario.h"
+#include "core/experiment/scenarios/people/people_scenario.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people/people_volume.h"
 #include "core/tracking/tracker_capabilities.h"

@@ -2,8 +2,8 @@
 #include "app/wiring/open_office.h"
 
 #include "core/capture/recording.h"
-#include "core/simulation/office_day.h"
-#include "core/simulation/view_cache.h"
+#include "core/simulation/people/office_day.h"
+#include "core/simulation/room/view_cache.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <memory>

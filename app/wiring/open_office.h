@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/session/session.h"
-#include "core/simulation/office.h"
+#include "core/simulation/people/office.h"
 
 namespace dewpoint::app {
 

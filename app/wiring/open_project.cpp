@@ -9,8 +9,8 @@
 #include "core/session/run/background_images.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/new_project.h"
-#include "core/simulation/office_day.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/people/office_day.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/trajectory/trajectory_reader.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
-#include "core/simulation/scene.h"
+#include "core/simulation/scene/scene.h"
 
 #include <filesystem>
 #include <string>

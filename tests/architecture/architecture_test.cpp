@@ -138,7 +138,7 @@ TEST(SourceRules, ArrowsUpAndAcrossFail) {
   EXPECT_EQ(complaints("core/filter/a.h", "\"core/color/color_range.h\""), 1U);
   EXPECT_EQ(complaints("core/color/a.h", "\"core/geometry/camera.h\""), 1U);
   EXPECT_EQ(complaints("core/tracking/tracker.h", "\"core/capture/frame_source.h\""), 1U);
-  EXPECT_EQ(complaints("core/session/session.h", "\"core/simulation/scene.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/session.h", "\"core/simulation/scene/scene.h\""), 1U);
   EXPECT_EQ(complaints("core/session/session.h", "\"ui/session/session_bridge.h\""), 1U);
   EXPECT_EQ(complaints("ui/cameraview/view.h", "\"core/filter/particles.h\""), 1U);
   EXPECT_EQ(complaints("ui/cameraview/view.h", "\"app/wiring/wiring.h\""), 1U);
@@ -186,10 +186,30 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"core/experiment/clips/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/clips/a.h", "\"core/experiment/suite/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"core/experiment/suite/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/simulation/surface/a.h", "\"core/simulation/room/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/simulation/room/a.h", "\"core/simulation/sensor/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/simulation/sensor/a.h", "\"core/simulation/people/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/simulation/people/a.h", "\"core/simulation/body/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/simulation/body/a.h", "\"core/simulation/scene/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/simulation/a.h", "<vector>"), 1U) << "beside the rooms";
 
   EXPECT_EQ(complaints("core/calibration/a.h", "<vector>"), 1U) << "beside the rooms";
   EXPECT_EQ(complaints("core/calibration/cellar/a.h", "<vector>"), 1U) << "no such room";
   EXPECT_EQ(complaints("core/geometry/cellar/a.h", "<vector>"), 1U) << "a floor without rooms";
+}
+
+TEST(SourceRules, RoomsInsideARoomKeepTheirOrder) {
+  const std::string scenarios = "core/experiment/scenarios/";
+  EXPECT_EQ(complaints(scenarios + "families/a.h", "\"" + scenarios + "draft/b.h\""), 0U);
+  EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"" + scenarios + "people/b.h\""), 0U);
+
+  EXPECT_EQ(complaints(scenarios + "a.h", "\"" + scenarios + "draft/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "wild/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "draft/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "targets/a.h", "\"" + scenarios + "families/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "people/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "cellar/a.h", "<vector>"), 1U) << "no such room";
 }
 
 TEST(SourceRules, RoomsOfTheWindowKeepTheirOrder) {

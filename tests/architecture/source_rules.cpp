@@ -38,7 +38,7 @@ const std::map<std::string, Names, std::less<>>& floorTable() {
 }
 
 /// The rooms of the floors of core that have some, and which other rooms of the same floor each
-/// includes; "" is the floor's own folder.
+/// includes; "" is the floor's own folder, and "a/b" is room b inside room a.
 const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTable() {
   static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
       {"observation",
@@ -65,14 +65,26 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"run", {"frames", "people"}},
         {"history", {"frames", "run"}},
         {"", {"frames", "people", "run", "history"}}}},
+      {"simulation",
+       {{"surface", {}},
+        {"room", {"surface"}},
+        {"sensor", {"room"}},
+        {"people", {"room", "sensor", "surface"}},
+        {"body", {"people", "room", "surface"}},
+        {"scene", {"body", "people", "room", "sensor", "surface"}}}},
       {"experiment",
        {{"metrics", {}},
         {"report", {}},
         {"scenarios", {}},
+        {"scenarios/wild", {"scenarios"}},
+        {"scenarios/draft", {"scenarios", "scenarios/wild"}},
+        {"scenarios/targets", {"scenarios", "scenarios/draft"}},
+        {"scenarios/families", {"scenarios", "scenarios/draft", "scenarios/targets"}},
+        {"scenarios/people", {"scenarios"}},
         {"clips", {"scenarios"}},
         {"baselines", {"scenarios"}},
         {"suite", {"baselines", "metrics", "report", "scenarios"}},
-        {"studies", {"baselines", "metrics", "report", "scenarios"}}}},
+        {"studies", {"baselines", "metrics", "report", "scenarios", "scenarios/people"}}}},
   };
   return kTable;
 }
@@ -161,6 +173,16 @@ std::vector<std::string> split(std::string_view path) {
   return parts;
 }
 
+/// The room of core/<floor>/<room>/<file>, which may be a room inside a room; "" for a file in the
+/// floor's own folder.
+std::string roomInCore(const std::vector<std::string>& parts) {
+  std::string room;
+  for (std::size_t part = 2; part + 1 < parts.size(); ++part) {
+    room += (room.empty() ? "" : "/") + parts[part];
+  }
+  return room;
+}
+
 Names reachable(const std::string& floor) {
   Names found;
   std::vector<std::string> open = {floor};
@@ -206,7 +228,7 @@ std::string coreArrow(const std::string& floor, const std::string& room,
   if (target[1] != floor || !roomTable().contains(floor)) {
     return {};
   }
-  const std::string other = target.size() > 3 ? target[2] : "";
+  const std::string other = roomInCore(target);
   const auto& rooms = roomTable().at(floor);
   const bool known = rooms.contains(room) && rooms.contains(other);
   return known && (room == other || rooms.at(room).contains(other))
@@ -308,10 +330,10 @@ std::string objection(const std::string& top, const std::string& folder, const s
 
 /// core/<floor>/<file>, or core/<floor>/<room>/<file> on a floor that has rooms.
 bool isPlaceInCore(const std::vector<std::string>& parts) {
-  if (parts.size() < 3 || parts.size() > 4 || !floorTable().contains(parts[1])) {
+  if (parts.size() < 3 || !floorTable().contains(parts[1])) {
     return false;
   }
-  const std::string room = parts.size() > 3 ? parts[2] : "";
+  const std::string room = roomInCore(parts);
   const auto rooms = roomTable().find(parts[1]);
   return rooms == roomTable().end() ? room.empty() : rooms->second.contains(room);
 }
@@ -364,7 +386,8 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
                     std::to_string(kLineLimit));
   }
   const std::string folder = parts.size() > 2 ? parts[1] : "";
-  const std::string room = parts.size() > 3 ? parts[2] : "";
+  const std::string room =
+      parts[0] == "core" ? roomInCore(parts) : (parts.size() > 3 ? parts[2] : "");
   const bool precompiled = parts.size() == 2 && parts[1] == "precompiled.h";
   if (parts[0] == "core" && !precompiled && !isPlaceInCore(parts)) {
     found.push_back(path + ": not in a room of core");

@@ -3,7 +3,7 @@
 #include "core/capture/frame_writer.h"
 #include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <gtest/gtest.h>

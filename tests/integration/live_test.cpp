@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two network cameras on this machine's loopback, tracked live by the same session as the window's.
 #include "app/wiring/open_project.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"
 
 #include <gtest/gtest.h>

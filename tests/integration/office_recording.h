@@ -3,9 +3,9 @@
 
 #include "core/capture/frame_source.h"
 #include "core/session/session.h"
-#include "core/simulation/office.h"
-#include "core/simulation/office_day.h"
-#include "core/simulation/view_cache.h"
+#include "core/simulation/people/office.h"
+#include "core/simulation/people/office_day.h"
+#include "core/simulation/room/view_cache.h"
 
 #include <map>
 #include <memory>

@@ -5,7 +5,7 @@
 #include "core/capture/frame_writer.h"
 #include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
 

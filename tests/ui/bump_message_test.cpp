@@ -2,7 +2,7 @@
 // A camera is turned during a run: the window says so, and one click puts it right.
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/capture/recording.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
 #include "ui/text/camera_motion_text.h"

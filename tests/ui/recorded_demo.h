@@ -3,7 +3,7 @@
 
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 
 #include <filesystem>
 

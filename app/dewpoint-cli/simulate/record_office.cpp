@@ -8,7 +8,7 @@
 #include "core/capture/frame_writer.h"
 #include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
-#include "core/simulation/office.h"
+#include "core/simulation/people/office.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <fmt/format.h>

@@ -8,8 +8,8 @@
 #include "core/capture/frame_writer.h"
 #include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
-#include "core/simulation/office_day.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/people/office_day.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 
 #include "core/base/text_file.h"
 #include "core/geometry/sphere_image.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>

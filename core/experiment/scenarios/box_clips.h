@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/geometry/image_box.h"
-#include "core/simulation/scene.h"
+#include "core/simulation/scene/scene.h"
 
 #include <opencv2/core/mat.hpp>
 

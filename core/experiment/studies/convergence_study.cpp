@@ -3,7 +3,7 @@
 
 #include "core/base/statistics.h"
 #include "core/session/run/frame_loop.h"
-#include "core/simulation/scene_renderer.h"
+#include "core/simulation/scene/scene_renderer.h"
 #include "core/tracking/barrera/barrera_parameters.h"
 
 #include <algorithm>

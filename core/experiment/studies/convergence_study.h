@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/experiment/report/seed_blocks.h"
 #include "core/session/run/tracking_run.h"
-#include "core/simulation/scene.h"
+#include "core/simulation/scene/scene.h"
 
 #include <Eigen/Core>
 

@@ -4,11 +4,11 @@
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/report/seed_blocks.h"
-#include "core/experiment/scenarios/people_scenario.h"
+#include "core/experiment/scenarios/people/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
-#include "core/simulation/view_cache.h"
+#include "core/simulation/room/view_cache.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/tracker_capabilities.h"
 

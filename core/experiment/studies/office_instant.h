@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/capture/frame.h"
-#include "core/simulation/office.h"
+#include "core/simulation/people/office.h"
 
 #include <opencv2/core.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "core/capture/frame.h"
 #include "core/experiment/metrics/track_frame.h"
-#include "core/experiment/scenarios/people_scenario.h"
+#include "core/experiment/scenarios/people/people_scenario.h"
 #include "core/tracking/tracker_capabilities.h"
 
 #include <opencv2/core/mat.hpp>

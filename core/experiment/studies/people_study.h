@@ -3,10 +3,10 @@
 
 #include "core/experiment/metrics/track_frame.h"
 #include "core/experiment/report/seed_blocks.h"
-#include "core/experiment/scenarios/people_scenario.h"
+#include "core/experiment/scenarios/people/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
 #include "core/experiment/studies/person_tally.h"
-#include "core/simulation/view_cache.h"
+#include "core/simulation/room/view_cache.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <cstdint>

@@ -3,12 +3,12 @@
 
 #include "core/base/angle.h"
 #include "core/calibration/wand/wand_gauge.h"
+#include "core/experiment/scenarios/draft/scenario_draft.h"
 #include "core/experiment/scenarios/random_draws.h"
-#include "core/experiment/scenarios/scenario_draft.h"
 #include "core/setup/wand_views.h"
-#include "core/simulation/rigs.h"
-#include "core/simulation/stage.h"
-#include "core/simulation/view_cache.h"
+#include "core/simulation/room/view_cache.h"
+#include "core/simulation/scene/rigs.h"
+#include "core/simulation/scene/stage.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"
 #include "core/geometry/projector.h"
-#include "core/simulation/scene.h"
+#include "core/simulation/scene/scene.h"
 #include "tests/capture/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/draft/camera_timing.h"
+
+#include <algorithm>
+
+namespace dewpoint::experiment::scenarios {
+
+std::optional<Delivery> delivered(const CameraTiming& timing, std::int64_t frame,
+                                  const RandomStream& chances) {
+  Delivery delivery{frame, timing.jitter * chances.normal4(2)[0]};
+  if (frame <= 0) {
+    return delivery;
+  }
+  if (chances.uniform(0) < timing.dropShare) {
+    return std::nullopt;
+  }
+  if (frame >= timing.freezeBegin && frame < timing.freezeEnd) {
+    delivery.shown = std::max<std::int64_t>(0, timing.freezeBegin - 1);
+  } else if (chances.uniform(1) < timing.doubleShare) {
+    delivery.shown = frame - 1;
+  }
+  return delivery;
+}
+
+double exposureTime(const CameraTiming& timing, double stamp) {
+  return stamp - timing.delay - timing.clockDrift * stamp;
+}
+
+} // namespace dewpoint::experiment::scenarios

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/draft/grade_model.h"
+
+#include "core/experiment/scenarios/random_draws.h"
+#include "core/simulation/room/light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::experiment::scenarios {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// The ranges of `room` are those that a user's webcams are within; where no source is named they
+// are chosen. Exposure, readout, delay, blur and JPEG: issue "A suite as hard as life".
+constexpr GradeModel kRoom{
+    .name = "room",
+    .psfSigmaPx = {0.5, 2.0},
+    .fullWell = {1000.0, 6000.0},
+    .readElectrons = {2.0, 6.0},
+    .contrast = {0.88, 1.12},
+    .sharpening = {0.2, 1.0},
+    .sharpeningSigma = {0.8, 1.5},
+    .jpegQuality = {40.0, 90.0},
+    .vignette = {0.1, 0.35},
+    .sideFalloff = 0.12,
+    .exposureSeconds = {0.010, 0.033},
+    .levelStops = {-0.3, 0.3},
+    .firstStops = {-0.3, 0.3},
+    .whiteBalanceStops = {-0.12, 0.12},
+    .huntingStops = {0.0, 0.2},
+    .huntingPeriod = {2.0, 6.0},
+    .loopSpeed = {0.05, 0.25},
+    .loopLag = {1.0, 4.0},
+    .sideLamp = {0.0, 0.6},
+    .coloredLamp = {0.0, 0.2},
+    .coloredKelvin = {2700.0, 9000.0},
+    .shadowDepth = {0.3, 0.9},
+    .shadowHalfWidth = {0.05, 0.3},
+    .shadowSpeed = {0.1, 0.5},
+    .flickerDepth = {0.0, 0.15},
+    .readoutSeconds = {0.015, 0.030},
+    .delayFrames = {0.0, 0.5},
+    .jitterSeconds = {0.0, 0.003},
+    .dropShare = {0.0, 0.02},
+    .doubleShare = {0.0, 0.02},
+    // 1 to 2 pixels at the desk, with one error after the other.
+    .calibration = {0.005, 0.002, 0.2 * kDegree, 0.01},
+    .driftRadians = {0.0, 0.001},
+    .driftSettleSeconds = {2.0, 20.0},
+};
+
+constexpr GradeModel kWild{
+    .name = "wild",
+    .psfSigmaPx = {0.7, 3.0},
+    .fullWell = {300.0, 3000.0},
+    .readElectrons = {3.0, 10.0},
+    .contrast = {0.75, 1.3},
+    .sharpening = {0.0, 2.0},
+    .sharpeningSigma = {0.8, 2.0},
+    .jpegQuality = {25.0, 80.0},
+    .vignette = {0.1, 0.5},
+    .sideFalloff = 0.25,
+    .exposureSeconds = {0.010, 0.033},
+    .levelStops = {-0.7, 0.7},
+    .firstStops = {-1.0, 1.0},
+    .whiteBalanceStops = {-0.25, 0.25},
+    .huntingStops = {0.0, 0.5},
+    .huntingPeriod = {1.0, 5.0},
+    .loopSpeed = {0.05, 0.3},
+    .loopLag = {1.0, 4.0},
+    .sideLamp = {0.0, 1.0},
+    .coloredLamp = {0.0, 0.4},
+    .coloredKelvin = {2200.0, 12000.0},
+    .shadowDepth = {0.5, 1.0},
+    .shadowHalfWidth = {0.05, 0.4},
+    .shadowSpeed = {0.1, 1.0},
+    .flickerDepth = {0.0, 0.35},
+    .readoutSeconds = {0.015, 0.033},
+    .delayFrames = {0.0, 0.5},
+    .jitterSeconds = {0.0, 0.006},
+    .dropShare = {0.0, 0.08},
+    .doubleShare = {0.0, 0.08},
+    .calibration = {0.01, 0.004, 0.4 * kDegree, 0.02},
+    .driftRadians = {0.0, 0.003},
+    .driftSettleSeconds = {1.0, 10.0},
+};
+
+/// k1 and k2 of lenses that keep the image monotonous to its corners; the third is that of all
+/// cameras of the grade `room` before 2026-11.
+constexpr std::array<std::array<double, 2>, 4> kLenses{
+    {{0.0, 0.0}, {-0.08, 0.01}, {-0.15, 0.04}, {-0.25, 0.09}}};
+
+double draw(const Range& range, Draws& draws) {
+  return draws.uniform(range.low, range.high);
+}
+
+simulation::AutomaticGain drawAutomatic(const GradeModel& model, Draws& draws) {
+  simulation::AutomaticGain automatic;
+  automatic.exposure.speed = draw(model.loopSpeed, draws);
+  automatic.exposure.lagFrames = static_cast<int>(std::lround(draw(model.loopLag, draws)));
+  automatic.whiteBalance.speed = 0.5 * draw(model.loopSpeed, draws); // slower than the exposure
+  automatic.whiteBalance.lagFrames = automatic.exposure.lagFrames;
+  automatic.levelStops = draw(model.levelStops, draws);
+  automatic.firstStops = draw(model.firstStops, draws);
+  automatic.huntingStops = draw(model.huntingStops, draws);
+  automatic.huntingPeriod = draw(model.huntingPeriod, draws);
+  automatic.huntingPhase = draws.uniform(0.0, kFullTurn);
+  automatic.whiteBalanceStops[0] = draw(model.whiteBalanceStops, draws);
+  automatic.whiteBalanceStops[1] = draw(model.whiteBalanceStops, draws);
+  return automatic;
+}
+
+CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, Draws& draws) {
+  CameraTiming timing;
+  timing.delay = draw(model.delayFrames, draws) / context.framesPerSecond;
+  timing.jitter = draw(model.jitterSeconds, draws);
+  timing.dropShare = draw(model.dropShare, draws);
+  timing.doubleShare = draw(model.doubleShare, draws);
+  return timing;
+}
+
+/// A point beside the middle, `away` meters off horizontally and `up` above it.
+simulation::Vector3f beside(const FaultContext& context, double away, double up, Draws& draws) {
+  const double angle = draws.uniform(0.0, kFullTurn);
+  const Eigen::Vector3d offset{away * std::cos(angle), away * std::sin(angle), up};
+  return (context.middle + offset).cast<float>();
+}
+
+simulation::Illumination drawIllumination(const GradeModel& model, const FaultContext& context,
+                                          Draws& draws) {
+  constexpr double kAway = 1.5; // of lamps, meters
+  simulation::Illumination light;
+  const simulation::Vector3f side = beside(context, kAway, draws.uniform(0.1, 0.6), draws);
+  const auto white = static_cast<float>(draw(model.sideLamp, draws));
+  light.further.push_back({side, simulation::Vector3f::Constant(white)});
+  const simulation::Vector3f above = beside(context, kAway, draws.uniform(0.8, 1.8), draws);
+  const double strength = draw(model.coloredLamp, draws);
+  const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredKelvin, draws));
+  light.further.push_back({above, (strength * tint).cast<float>()});
+  simulation::MovingShadow shadow;
+  const double heading = draws.uniform(0.0, kFullTurn);
+  const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};
+  shadow.direction = direction.cast<float>();
+  shadow.speed = draw(model.shadowSpeed, draws);
+  // It passes where the target begins at some time of the run.
+  shadow.start = direction.dot(context.middle) - shadow.speed * draws.uniform(0.0, context.seconds);
+  shadow.halfWidth = static_cast<float>(draw(model.shadowHalfWidth, draws));
+  shadow.depth = static_cast<float>(draw(model.shadowDepth, draws));
+  light.shadow = shadow;
+  return light;
+}
+
+} // namespace
+
+const GradeModel& gradeModel(Grade grade) {
+  static const GradeModel kIdeal = [] {
+    GradeModel ideal;
+    ideal.name = "ideal";
+    return ideal;
+  }();
+  if (grade == Grade::Room) {
+    return kRoom;
+  }
+  if (grade == Grade::Wild) {
+    return kWild;
+  }
+  return kIdeal;
+}
+
+simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& context,
+                                   Draws& draws) {
+  simulation::SensorModel sensor;
+  sensor.psfSigmaPx = draw(model.psfSigmaPx, draws);
+  sensor.noise = {draw(model.fullWell, draws), draw(model.readElectrons, draws)};
+  sensor.contrast = draw(model.contrast, draws);
+  sensor.sharpening = {draw(model.sharpening, draws), draw(model.sharpeningSigma, draws)};
+  sensor.jpegQuality = static_cast<int>(std::lround(draw(model.jpegQuality, draws)));
+  const double exposure = draw(model.exposureSeconds, draws);
+  sensor.shutter = {std::max(exposure, context.exposureSeconds), draw(model.readoutSeconds, draws)};
+  const double angle = draw(model.driftRadians, draws);
+  sensor.drift.rotation = angle * draws.direction();
+  sensor.drift.settleSeconds = draw(model.driftSettleSeconds, draws);
+  return sensor;
+}
+
+SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, Draws& draws) {
+  SensingFaults faults;
+  faults.illumination = drawIllumination(model, context, draws);
+  simulation::Flicker flicker;
+  flicker.frequency = draws.coin() ? 100.0 : 120.0; // twice that of the mains
+  flicker.depth = draw(model.flickerDepth, draws);
+  flicker.phase = draws.uniform(0.0, kFullTurn);
+  for (std::size_t camera = 0; camera < context.cameras; ++camera) {
+    CameraFaults& own = faults.cameras.emplace_back();
+    own.sensor = drawSensor(model, context, draws);
+    own.sensor.flicker = flicker;
+    own.automatic = drawAutomatic(model, draws);
+    own.unevenLight.vignette = draw(model.vignette, draws);
+    own.unevenLight.right = draws.uniform(-model.sideFalloff, model.sideFalloff);
+    own.unevenLight.down = draws.uniform(-model.sideFalloff, model.sideFalloff);
+    own.timing = drawTiming(model, context, draws);
+    own.calibration = model.calibration;
+  }
+  return faults;
+}
+
+void drawLenses(Grade grade, CameraRig& rig, Draws& draws) {
+  if (grade == Grade::Ideal) {
+    return;
+  }
+  for (Camera& camera : rig) {
+    const auto lens =
+        static_cast<std::size_t>(draws.whole(0, static_cast<int>(kLenses.size()) - 1));
+    camera.distortion[0] = kLenses.at(lens)[0];
+    camera.distortion[1] = kLenses.at(lens)[1];
+  }
+}
+
+} // namespace dewpoint::experiment::scenarios

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/draft/scenario_draft.h"
+
+#include "core/experiment/scenarios/draft/grade_model.h"
+#include "core/experiment/scenarios/draft/target_truth.h"
+#include "core/experiment/scenarios/wild/wild_rig.h"
+#include "core/experiment/scenarios/wild/wild_room.h"
+#include "core/simulation/scene/scene.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::experiment::scenarios {
+namespace {
+
+/// Keeps the noise's seed apart from the draws'.
+constexpr std::uint32_t kNoisePart = 0x5EED;
+
+/// The extents are those of the samples, in their order.
+Trajectory truthOf(const ScenarioDraft& draft, std::vector<TargetExtent>& extents) {
+  Trajectory truth;
+  truth.header.entries = {{"scenario", draft.name}, {"seed", fmt::format("{}", draft.seed)}};
+  for (const Camera& camera : draft.rig) {
+    truth.header.cameras.push_back({camera.name, camera.center(), camera.opticalAxis()});
+  }
+  for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
+    for (const std::size_t target : draft.targets) {
+      const simulation::StageBody& body = draft.stage.bodies[target];
+      TrajectorySample sample;
+      sample.time = draft.timeOf(frame);
+      sample.frame = frame;
+      sample.target = body.name;
+      const TargetTruth now = targetTruth(body, sample.time);
+      sample.position = now.position;
+      extents.push_back(now.extent);
+      sample.cameras = static_cast<int>(draft.rig.size());
+      sample.valid = body.presentAt(sample.time);
+      truth.samples.push_back(std::move(sample));
+    }
+  }
+  return truth;
+}
+
+/// The number of the newest frame that a camera has taken by `time`; negative: none yet.
+std::int64_t newestFrame(const CameraClock& clock, double time) {
+  constexpr double kRounding = 1e-6; // of a frame: taken exactly at `time` counts
+  return static_cast<std::int64_t>(
+      std::floor((time - clock.offset) * clock.framesPerSecond + kRounding));
+}
+
+/// The frame that a camera contributes to set `frame`; null when there is none.
+FramePtr frameOf(const ScenarioDraft& draft, std::size_t camera, std::int64_t frame) {
+  if (draft.lost && draft.lost(camera, frame)) {
+    return nullptr;
+  }
+  CameraClock clock{draft.framesPerSecond, 0.0};
+  std::int64_t own = frame;
+  if (!draft.clocks.empty()) {
+    clock = draft.clocks.at(camera);
+    own = newestFrame(clock, draft.timeOf(frame));
+    if (own < 0 || (frame > 0 && own == newestFrame(clock, draft.timeOf(frame - 1)))) {
+      return nullptr;
+    }
+  }
+  const CameraTiming timing = draft.timings.empty() ? CameraTiming{} : draft.timings.at(camera);
+  const RandomStream chances(draft.stage.seed, static_cast<std::uint32_t>(own),
+                             static_cast<std::uint32_t>(camera), RandomPurpose::Start);
+  const auto delivery = delivered(timing, own, chances);
+  if (!delivery) {
+    return nullptr;
+  }
+  const auto stampOf = [&](std::int64_t number) {
+    return clock.offset + static_cast<double>(number) / clock.framesPerSecond;
+  };
+  const double taken = exposureTime(timing, stampOf(delivery->shown));
+  return std::make_shared<const Frame>(
+      Frame{own, timeStamp(stampOf(own) + delivery->stampError),
+            simulation::renderStage(draft.stage, camera, taken, delivery->shown)});
+}
+
+FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame) {
+  FrameSet set{frame, timeStamp(draft.timeOf(frame)), {}};
+  for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
+    set.frames.push_back(frameOf(draft, camera, frame));
+  }
+  return std::make_shared<const FrameSet>(std::move(set));
+}
+
+/// What the grade and the scenario do to images, time stamps and calibration.
+SensingFaults faultsOf(const ScenarioDraft& draft) {
+  SensingFaults faults = noFaults(draft);
+  if (draft.grade != Grade::Ideal) {
+    const GradeModel& model = gradeModel(draft.grade);
+    Draws draws(draft.seed, draft.name + " " + model.name);
+    FaultContext context;
+    context.cameras = draft.rig.size();
+    context.seconds = draft.timeOf(draft.frameCount);
+    context.framesPerSecond = draft.framesPerSecond;
+    context.exposureSeconds = draft.stage.exposureSeconds;
+    context.middle = draft.stage.bodies[draft.targets.front()].path(0.0);
+    faults = drawFaults(model, context, draws);
+    faults.illumination.lamp = draft.stage.illumination.lamp;
+  }
+  if (draft.adjustFaults) {
+    draft.adjustFaults(faults);
+  }
+  return faults;
+}
+
+ScenarioRun runOf(ScenarioDraft draft) {
+  ScenarioRun run;
+  run.scenario = draft.name;
+  run.grade = draft.grade;
+  run.seed = draft.seed;
+  run.trueRig = draft.rig;
+  run.rig = draft.rig;
+  // What is ideal stays as it was drawn, to the bit.
+  if (draft.grade != Grade::Ideal || draft.adjustFaults) {
+    Draws errors(draft.seed, draft.name + " calibration");
+    run.rig = applyFaults(faultsOf(draft), draft, errors);
+  }
+  for (const std::size_t target : draft.targets) {
+    const simulation::StageBody& body = draft.stage.bodies[target];
+    run.targets.push_back(pinkTarget(body.name, draft.radiusKnown ? body.radius : 0.0));
+  }
+  run.startCenter = draft.startCenter;
+  run.startHalf = draft.startHalf;
+  run.framesPerSecond = draft.framesPerSecond;
+  run.frameCount = draft.frameCount;
+  run.truth = truthOf(draft, run.extents);
+  run.events = draft.events;
+  run.equalCandidates = draft.equalCandidates;
+  const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
+  run.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };
+  if (shared->teach) {
+    shared->teach(*shared, run);
+  }
+  return run;
+}
+
+/// A draft with its cameras and the room at rest, before the scenario's own part.
+ScenarioDraft usualDraft(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
+                         std::uint64_t seed, Grade grade) {
+  ScenarioDraft draft{recipe.name, grade, seed, Draws(seed, recipe.name), recipe.rig};
+  Draws lenses(seed, recipe.name + " lenses");
+  drawLenses(grade, draft.rig, lenses);
+  draft.room = std::make_shared<const simulation::Room>(recipe.furnishing);
+  for (const Camera& camera : draft.rig) {
+    draft.stage.views.push_back(cache.view(camera, recipe.furnishing));
+  }
+  return draft;
+}
+
+/// The same with cameras, furniture and people of its own.
+ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int attempt) {
+  ScenarioDraft draft{recipe.name, Grade::Wild, seed, Draws(seed, recipe.name), {}};
+  Draws draws(seed, fmt::format("{} wild {}", recipe.name, attempt));
+  const WildRig wild = drawRig(recipe.rig, recipe.furnishing, attempt, draws);
+  draft.rig = wild.rig;
+  draft.pathScale = wild.pathScale;
+  draft.radiusScale = wild.radiusScale;
+  drawLenses(Grade::Wild, draft.rig, draws);
+  const simulation::RoomDesign design = drawRoom(recipe.furnishing, draft.rig, draws);
+  const auto room = std::make_shared<const simulation::Room>(recipe.furnishing, design);
+  // Not from the cache: no other run has these views.
+  for (const Camera& camera : draft.rig) {
+    draft.stage.views.push_back(std::make_shared<const simulation::CameraView>(camera, *room));
+  }
+  draft.room = room;
+  draft.stage.illumination.lamp = room->lamp();
+  draft.stage.floorHeight = floorOf(recipe.furnishing);
+  return draft;
+}
+
+/// Makes the balls as small as the grade wants them: what was placed for larger ones stays clear.
+void shrinkBalls(ScenarioDraft& draft) {
+  for (simulation::StageBody& body : draft.stage.bodies) {
+    if (!body.box) {
+      body.radius *= draft.radiusScale;
+    }
+  }
+}
+
+Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& cache,
+                          std::uint64_t seed, Grade grade) {
+  const bool wild = grade == Grade::Wild;
+  for (int attempt = 0; attempt < (wild ? kMostRigs : 1); ++attempt) {
+    ScenarioDraft draft =
+        wild ? wildDraft(recipe, seed, attempt) : usualDraft(recipe, cache, seed, grade);
+    draft.stage.seed = derivedSeed(seed, hashOf(recipe.name) ^ kNoisePart);
+    if (!recipe.complete(draft)) {
+      continue;
+    }
+    if (wild) {
+      shrinkBalls(draft);
+      Draws people(seed, recipe.name + " people");
+      const double seconds = draft.timeOf(draft.frameCount);
+      draft.stage.people = drawPeople(recipe.furnishing, seconds, people);
+    }
+    return runOf(std::move(draft));
+  }
+  return failure(ErrorCode::NotFound, "", recipe.name,
+                 fmt::format("no place was found for what must be seen (seed {})", seed));
+}
+
+} // namespace
+
+ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::ViewCache> cache) {
+  ScenarioDeclaration declaration;
+  declaration.name = recipe.name;
+  declaration.family = recipe.name.substr(0, recipe.name.find('-'));
+  declaration.sentence = recipe.sentence;
+  declaration.make = [recipe = std::move(recipe), cache = std::move(cache)](std::uint64_t seed,
+                                                                            Grade grade) {
+    return runOf(recipe, *cache, seed, grade);
+  };
+  return declaration;
+}
+
+Target pinkTarget(const std::string& name, double radius) {
+  const SceneBall pink;
+  return {name, radius,
+          ColorRange{pink.hueMin, pink.hueMax, pink.saturationMin, pink.saturationMax,
+                     pink.intensityMin, pink.intensityMax}};
+}
+
+void addTarget(ScenarioDraft& draft, simulation::Path path, double radius) {
+  draft.targets.push_back(draft.stage.bodies.size());
+  simulation::StageBody& body = draft.stage.bodies.emplace_back();
+  body.name = fmt::format("ball {}", draft.targets.size());
+  body.radius = radius;
+  body.path = std::move(path);
+}
+
+void startNearTruth(ScenarioDraft& draft) {
+  constexpr double kOff = 0.05;
+  constexpr double kHalf = 0.1;
+  const Eigen::Vector3d off =
+      draft.draws.inBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
+  draft.startCenter = targetTruth(draft.stage.bodies[draft.targets.front()], 0.0).position + off;
+  draft.startHalf = Eigen::Vector3d::Constant(kHalf);
+}
+
+void startAroundAll(ScenarioDraft& draft) {
+  constexpr double kAround = 0.05;
+  Eigen::AlignedBox3d box;
+  for (const std::size_t target : draft.targets) {
+    box.extend(draft.stage.bodies[target].path(0.0));
+  }
+  draft.startCenter = box.center();
+  draft.startHalf = 0.5 * box.sizes() + Eigen::Vector3d::Constant(kAround);
+}
+
+} // namespace dewpoint::experiment::scenarios

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/draft/scenario_places.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::experiment::scenarios {
+
+Eigen::Vector3d RoundPath::operator()(double time) const {
+  const double angle = 2.0 * std::numbers::pi * time / period;
+  return center + Eigen::Vector3d(extent.x() * std::sin(angle + phase.x()),
+                                  extent.y() * std::sin(2.0 * angle + phase.y()),
+                                  extent.z() * std::sin(3.0 * angle + phase.z()));
+}
+
+bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& center,
+                  double radius) {
+  constexpr int kPoints = 12;
+  constexpr double kMargin = 1.1; // of the radius: a little of what is around it is seen as well
+  const Eigen::Vector3d eye = view.center.cast<double>();
+  const Eigen::Vector3d way = center - eye;
+  const double distance = way.norm();
+  if (distance < 2.0 * radius) {
+    return false;
+  }
+  const Eigen::Vector3d u = way.unitOrthogonal();
+  const Eigen::Vector3d v = way.cross(u) / distance;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPoints;
+    const double aside = i == kPoints ? 0.0 : kMargin * radius;
+    const auto pixel =
+        view.projector.project(center + aside * (std::cos(angle) * u + std::sin(angle) * v));
+    if (!pixel) {
+      return false;
+    }
+    const auto column = static_cast<int>(std::lround(pixel->x()));
+    const auto row = static_cast<int>(std::lround(pixel->y()));
+    if (column < 0 || row < 0 || column >= view.width || row >= view.height) {
+      return false;
+    }
+    // What lies beside a ball on the desk may be a little nearer than its middle.
+    if (view.distances[view.index(column, row)] < distance - 0.5 * radius) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius) {
+  for (const auto& view : stage.views) {
+    if (!fullyVisible(*view, center, radius)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius) {
+  for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
+    if (!fullyVisible(draft.stage, path(draft.timeOf(frame)), radius)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool apart(const simulation::CameraView& view, const Eigen::Vector3d& one, double oneRadius,
+           const Eigen::Vector3d& other, double otherRadius, double gap) {
+  const Eigen::Vector3d eye = view.center.cast<double>();
+  const Eigen::Vector3d toOne = one - eye;
+  const Eigen::Vector3d toOther = other - eye;
+  if (toOne.norm() <= oneRadius || toOther.norm() <= otherRadius) {
+    return false;
+  }
+  const double between = std::atan2(toOne.cross(toOther).norm(), toOne.dot(toOther));
+  return between >
+         std::asin(oneRadius / toOne.norm()) + std::asin(otherRadius / toOther.norm()) + gap;
+}
+
+std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius) {
+  Draws& draws = draft.draws;
+  for (int i = 0; i < kMostDraws; ++i) {
+    RoundPath path;
+    path.center = draws.inBox({0.46, 0.46, 0.12}, {0.56, 0.58, 0.18});
+    path.extent = draft.pathScale * draws.uniform(0.8, 1.1) * Eigen::Vector3d{0.11, 0.08, 0.05};
+    path.phase =
+        draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
+    path.period = fast ? 1.2 : 6.0;
+    if (staysVisible(draft, path, radius)) {
+      return path;
+    }
+  }
+  return std::nullopt;
+}
+
+bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast) {
+  draft.frameCount = frames;
+  const auto path = drawDeskPath(draft, fast);
+  if (!path) {
+    return false;
+  }
+  addTarget(draft, *path);
+  startNearTruth(draft);
+  return true;
+}
+
+} // namespace dewpoint::experiment::scenarios

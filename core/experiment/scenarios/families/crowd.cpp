@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// S19: the target among identical balls that fly freely, touch and cover each other.
+#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/targets/crowd_motion.h"
+#include "core/simulation/scene/rigs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace dewpoint::experiment::scenarios {
+namespace {
+
+/// Centers at the start are farther apart than this, meters.
+constexpr double kApartAtStart = 2.2 * kBallRadius;
+/// Speeds at the start, m/s.
+constexpr double kSlowestFlight = 0.1;
+constexpr double kFastestFlight = 0.3;
+/// Half size of the box in which the search starts, and how far its center is off, meters.
+constexpr double kStartHalf = 0.05;
+constexpr double kStartOff = 0.02;
+
+/// Where the balls' centers fly: every camera of the ring sees all of it.
+Eigen::AlignedBox3d crowdRegion() {
+  return {Eigen::Vector3d(0.32, 0.32, 0.06), Eigen::Vector3d(0.68, 0.68, 0.28)};
+}
+
+Eigen::Vector3d drawPosition(Draws& draws) {
+  return draws.inBox(crowdRegion().min(), crowdRegion().max());
+}
+
+bool isApart(const CrowdStart& crowd, const Eigen::Vector3d& position) {
+  return std::ranges::all_of(crowd.positions, [&](const Eigen::Vector3d& other) {
+    return (other - position).norm() > kApartAtStart;
+  });
+}
+
+void addFlyer(CrowdStart& crowd, const Eigen::Vector3d& position, Draws& draws) {
+  crowd.positions.push_back(position);
+  const double speed = draws.uniform(kSlowestFlight, kFastestFlight);
+  crowd.velocities.push_back(speed * draws.direction());
+}
+
+/// The first body is the target, the others are its like.
+void addBodies(ScenarioDraft& draft, const CrowdStart& crowd) {
+  const auto motion = std::make_shared<const CrowdMotion>(crowd, crowdRegion(), kBallRadius,
+                                                          draft.timeOf(draft.frameCount) +
+                                                              draft.stage.exposureSeconds);
+  addTarget(draft, pathOf(motion, 0));
+  for (std::size_t ball = 1; ball < crowd.positions.size(); ++ball) {
+    simulation::StageBody& body = draft.stage.bodies.emplace_back();
+    body.name = fmt::format("distractor {}", ball);
+    body.radius = kBallRadius;
+    body.path = pathOf(motion, ball);
+  }
+}
+
+/// Only the target is in the box where the search starts, with all of its body.
+bool crowd(ScenarioDraft& draft, std::size_t distractors) {
+  draft.frameCount = kUsualFrames;
+  Draws& draws = draft.draws;
+  CrowdStart balls;
+  addFlyer(balls, drawPosition(draws), draws);
+  const Eigen::Vector3d off =
+      draws.inBox(Eigen::Vector3d::Constant(-kStartOff), Eigen::Vector3d::Constant(kStartOff));
+  draft.startCenter = balls.positions.front() + off;
+  draft.startHalf = Eigen::Vector3d::Constant(kStartHalf);
+  const Eigen::Vector3d around = draft.startHalf + Eigen::Vector3d::Constant(kBallRadius);
+  const Eigen::AlignedBox3d kept(draft.startCenter - around, draft.startCenter + around);
+  for (int i = 0; i < kMostDraws && balls.positions.size() <= distractors; ++i) {
+    const Eigen::Vector3d position = drawPosition(draws);
+    if (isApart(balls, position) && !kept.contains(position)) {
+      addFlyer(balls, position, draws);
+    }
+  }
+  if (balls.positions.size() <= distractors) {
+    return false;
+  }
+  addBodies(draft, balls);
+  return true;
+}
+
+/// Two balls, and a search that starts in the middle between them: nothing tells which is meant.
+bool evenStart(ScenarioDraft& draft) {
+  /// Around the two balls' centers, meters.
+  constexpr double kAround = 0.05;
+  draft.frameCount = kUsualFrames;
+  Draws& draws = draft.draws;
+  CrowdStart balls;
+  addFlyer(balls, drawPosition(draws), draws);
+  while (balls.positions.size() < 2) {
+    const Eigen::Vector3d position = drawPosition(draws);
+    if (isApart(balls, position)) {
+      addFlyer(balls, position, draws);
+    }
+  }
+  addBodies(draft, balls);
+  const Eigen::Vector3d& one = balls.positions[0];
+  const Eigen::Vector3d& other = balls.positions[1];
+  draft.startCenter = 0.5 * (one + other);
+  draft.startHalf = 0.5 * (one - other).cwiseAbs() + Eigen::Vector3d::Constant(kAround);
+  draft.equalCandidates = 2;
+  return true;
+}
+
+} // namespace
+
+std::vector<ScenarioRecipe> crowdScenarios() {
+  const auto recipe = [](std::size_t distractors, int cameras) {
+    ScenarioRecipe result{
+        fmt::format("S19-crowd-{}{}", distractors, cameras == 4 ? "-four-cameras" : ""),
+        fmt::format("{} identical balls fly freely with the target, touch and cover each other; {} "
+                    "cameras.",
+                    distractors, cameras),
+        deskRing(cameras)};
+    result.complete = [distractors](ScenarioDraft& draft) { return crowd(draft, distractors); };
+    return result;
+  };
+  ScenarioRecipe even{"S19-even-start",
+                      "Two identical balls; the search starts in the middle between them, so that "
+                      "each is the target with a probability of one half.",
+                      deskRing(2)};
+  even.complete = evenStart;
+  return {recipe(5, 2), recipe(8, 2), recipe(12, 2), recipe(8, 4), even};
+}
+
+} // namespace dewpoint::experiment::scenarios

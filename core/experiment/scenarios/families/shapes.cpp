@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// S21: targets that are no balls. The truth is the centroid of what has the target's color.
+#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/targets/patterned_ball.h"
+#include "core/simulation/body/part_shapes.h"
+#include "core/simulation/body/shaped_objects.h"
+#include "core/simulation/scene/rigs.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace dewpoint::experiment::scenarios {
+namespace {
+
+using simulation::MovingPart;
+using simulation::Vector3f;
+
+/// Pink as all balls, BGR in full light.
+const Vector3f kPink{145.0F, 85.0F, 245.0F};
+
+/// What is checked around a mouse, meters: a ball as large as the mouse would go below the desk,
+/// which would then hide it. The images' borders are farther off than the difference.
+constexpr double kMouseBound = 0.024;
+
+/// An object in its own axes at a time.
+using ObjectAt = std::function<std::vector<MovingPart>(double)>;
+
+/// How an object of a desk scene moves.
+struct Handling {
+  double bound = 0.1;       ///< radius of a ball around it that stays whole in all images, meters
+  bool upright = false;     ///< rotates about the vertical only
+  bool onDesk = false;      ///< slides on the desk
+  double halfHeight = 0.02; ///< of what slides, meters
+};
+
+ObjectAt always(std::vector<MovingPart> parts) {
+  return [parts = std::move(parts)](double) { return parts; };
+}
+
+/// The glove opens and closes every 1.5 s.
+std::vector<MovingPart> openingGlove(double time) {
+  constexpr double kGripPeriod = 1.5;
+  return simulation::glovedHand(0.5 - 0.5 * std::cos(kFullTurn * time / kGripPeriod), kPink);
+}
+
+RoundPath drawWay(Draws& draws, const Handling& handling) {
+  RoundPath path;
+  path.center = draws.inBox({0.42, 0.42, 0.22}, {0.58, 0.58, 0.32});
+  path.extent = draws.uniform(0.7, 1.0) * Eigen::Vector3d{0.12, 0.1, 0.05};
+  path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+  path.period = 6.0;
+  if (handling.onDesk) {
+    path.center.z() = handling.halfHeight;
+    path.extent.z() = 0.0;
+  }
+  return path;
+}
+
+bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handling) {
+  draft.frameCount = kUsualFrames;
+  Draws& draws = draft.draws;
+  for (int i = 0; i < kMostDraws; ++i) {
+    const RoundPath path = drawWay(draws, handling);
+    if (!staysVisible(draft, path, handling.bound)) {
+      continue;
+    }
+    Spin spin = drawSpin(draws, 0.05, 0.25);
+    Eigen::AngleAxisd begin(draws.uniform(0.0, kFullTurn), draws.direction());
+    if (handling.upright) {
+      spin.axis = Eigen::Vector3d::UnitZ();
+      begin.axis() = Eigen::Vector3d::UnitZ();
+    }
+    addTarget(draft, path);
+    draft.stage.bodies.back().parts = [object, spin,
+                                       start = begin.toRotationMatrix()](double time) {
+      const Eigen::Matrix3d rotation = spin.axesAt(time).transpose().cast<double>() * start;
+      std::vector<MovingPart> parts = object(time);
+      for (MovingPart& part : parts) {
+        part = moved(std::move(part), rotation, Eigen::Vector3d::Zero());
+      }
+      return parts;
+    };
+    draft.radiusKnown = false;
+    startNearTruth(draft);
+    return true;
+  }
+  return false;
+}
+
+/// Somebody in a pink shirt who walks through the hall.
+bool walking(ScenarioDraft& draft) {
+  constexpr double kChest = 1.2; // meters above the floor, in the middle of the shirt
+  constexpr double kBound = 0.4; // radius of a ball around the shirt, meters
+  draft.frameCount = kUsualFrames;
+  Draws& draws = draft.draws;
+  simulation::Walker walker;
+  walker.clothes.shirt = kPink;
+  walker.height = draws.uniform(1.6, 1.9);
+  const double chest = kChest * walker.height / 1.75;
+  for (int i = 0; i < kMostDraws; ++i) {
+    walker.way.clear();
+    for (const double time : {-1.0, 1.5, 4.0, 7.0}) {
+      const Eigen::Vector3d position = draws.inBox({-1.2, -1.0, 0.0}, {1.2, 1.4, 0.0});
+      walker.way.push_back({time, position.head<2>()});
+    }
+    const simulation::Path path = [walker, chest](double time) -> Eigen::Vector3d {
+      const Eigen::Vector2d foot = walker.position(time);
+      return {foot.x(), foot.y(), chest};
+    };
+    if (!staysVisible(draft, path, kBound)) {
+      continue;
+    }
+    addTarget(draft, path);
+    draft.stage.bodies.back().parts = [walker, path](double time) {
+      std::vector<MovingPart> parts = simulation::shirtOnPerson(walker, time);
+      for (MovingPart& part : parts) {
+        part.center -= path(time).cast<float>();
+      }
+      return parts;
+    };
+    draft.radiusKnown = false;
+    startNearTruth(draft);
+    return true;
+  }
+  return false;
+}
+
+} // namespace
+
+std::vector<ScenarioRecipe> shapeScenarios() {
+  const auto recipe = [](const char* name, const char* sentence, const ObjectAt& object,
+                         const Handling& handling) {
+    ScenarioRecipe result{name, sentence, simulation::deskRing(2)};
+    result.complete = [object, handling](ScenarioDraft& draft) {
+      return handled(draft, object, handling);
+    };
+    return result;
+  };
+  ScenarioRecipe shirt{"S21-shirt", "The shirt of a walking person.", simulation::hallRig(2),
+                       simulation::Furnishing::Hall};
+  shirt.complete = walking;
+  return {recipe("S21-cap", "A peaked cap on a head that turns.",
+                 always(simulation::capOnHead(kPink)), {0.18, true}),
+          recipe("S21-hand", "A gloved hand that opens and closes.", openingGlove, {0.15}),
+          recipe("S21-sleeve", "The sleeve of a forearm with a bare hand.",
+                 always(simulation::sleevedArm(kPink)), {0.14}),
+          recipe("S21-cone", "A cone that tumbles.", always(simulation::cone(kPink)), {0.11}),
+          recipe("S21-stick", "A stick that tumbles.", always(simulation::stick(kPink)), {0.15}),
+          recipe("S21-mouse", "A computer mouse on the desk.",
+                 always(simulation::computerMouse(kPink)), {kMouseBound, true, true, 0.02}),
+          shirt};
+}
+
+} // namespace dewpoint::experiment::scenarios

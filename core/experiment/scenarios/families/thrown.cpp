@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// S18: balls that are thrown and caught, that bounce on the desk, and that spin.
+#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/targets/patterned_ball.h"
+#include "core/experiment/scenarios/targets/piecewise_path.h"
+#include "core/simulation/scene/scene.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+namespace dewpoint::experiment::scenarios {
+namespace {
+
+/// Rest before the first throw or fall, seconds.
+constexpr double kFirstRest = 0.5;
+
+using Append = std::function<void(PiecewisePath&)>;
+
+/// True if the ball is whole in all images from one time to another.
+bool staysVisibleFrom(const ScenarioDraft& draft, const PiecewisePath& path, double begin) {
+  const auto first = static_cast<std::int64_t>(std::floor(begin * draft.framesPerSecond));
+  for (std::int64_t frame = first; frame < draft.frameCount; ++frame) {
+    const double time = draft.timeOf(frame);
+    if (time > path.end()) {
+      return true;
+    }
+    if (!fullyVisible(draft.stage, path(time), kBallRadius)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Appends pieces until the run is full; each is drawn again until it can be seen.
+std::optional<PiecewisePath> drawPath(ScenarioDraft& draft, const Eigen::Vector3d& low,
+                                      const Eigen::Vector3d& high, const Append& append) {
+  PiecewisePath path(draft.draws.inBox(low, high));
+  path.rest(kFirstRest);
+  int draws = 0;
+  while (path.end() < draft.timeOf(draft.frameCount)) {
+    if (++draws > kMostDraws || !fullyVisible(draft.stage, path(0.0), kBallRadius)) {
+      return std::nullopt;
+    }
+    PiecewisePath longer = path;
+    append(longer);
+    if (staysVisibleFrom(draft, longer, path.end())) {
+      path = longer;
+    }
+  }
+  return path;
+}
+
+/// From hand to hand: throws of 0.24 to 0.32 s, which rise by 7 to 13 cm in free flight.
+std::optional<PiecewisePath> drawThrows(ScenarioDraft& draft) {
+  const Eigen::Vector3d low{0.42, 0.42, 0.06};
+  const Eigen::Vector3d high{0.6, 0.58, 0.1};
+  return drawPath(draft, low, high, [&](PiecewisePath& path) {
+    addThrow(path, draft.draws.inBox(low, high), draft.draws.uniform(0.24, 0.32));
+    path.rest(draft.draws.uniform(0.15, 0.4));
+  });
+}
+
+/// Dropped, bouncing until it lies, and lifted again.
+std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
+  constexpr double kLift = 0.6;  // seconds
+  constexpr double kPush = 0.15; // m/s along the desk, at most
+  Draws& draws = draft.draws;
+  const Bounce bounce{kBallRadius, draws.uniform(0.6, 0.85)};
+  const Eigen::Vector3d low{0.42, 0.42, kBallRadius + 0.1};
+  const Eigen::Vector3d high{0.6, 0.58, kBallRadius + 0.17};
+  return drawPath(draft, low, high, [&](PiecewisePath& path) {
+    const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+    const double speed = draws.uniform(0.0, kPush);
+    path.setVelocity({speed * std::cos(angle), speed * std::sin(angle), 0.0});
+    addBounces(path, bounce);
+    path.rest(0.3);
+    addCarry(path, draws.inBox(low, high), kLift);
+    path.rest(0.2);
+  });
+}
+
+using DrawPath = std::optional<PiecewisePath> (*)(ScenarioDraft&);
+
+bool along(ScenarioDraft& draft, DrawPath drawPath) {
+  draft.frameCount = kUsualFrames;
+  for (int layout = 0; layout < kMostLayouts; ++layout) {
+    if (const auto path = drawPath(draft)) {
+      addTarget(draft, *path);
+      startNearTruth(draft);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Thrown with a spin of 2 to 5 rounds per second, which a hand does not stop.
+bool spinning(ScenarioDraft& draft) {
+  if (!along(draft, drawThrows)) {
+    return false;
+  }
+  const Spin spin = drawSpin(draft.draws, 2.0, 5.0);
+  const BallPattern pattern = draft.draws.coin() ? BallPattern::TwoPatches : BallPattern::Seams;
+  paintBall(draft.stage.bodies.back(), pattern, spin, draft.draws);
+  return true;
+}
+
+} // namespace
+
+std::vector<ScenarioRecipe> thrownScenarios() {
+  ScenarioRecipe thrown{"S18-thrown", "A ball is thrown from hand to hand (not seen) and caught.",
+                        demoRig()};
+  thrown.complete = [](ScenarioDraft& draft) { return along(draft, drawThrows); };
+  ScenarioRecipe bouncing{"S18-bouncing", "A ball falls on the desk, bounces, lies, is lifted.",
+                          demoRig()};
+  bouncing.complete = [](ScenarioDraft& draft) { return along(draft, drawBounces); };
+  ScenarioRecipe spins{
+      "S18-spinning", "The throws with a ball that has two patches or seams and spins.", demoRig()};
+  spins.complete = spinning;
+  return {thrown, bouncing, spins};
+}
+
+} // namespace dewpoint::experiment::scenarios

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/scenarios/people/people_scenario.h"
+#include "core/experiment/scenarios/random_draws.h"
+
+#include <vector>
+
+namespace dewpoint::experiment {
+
+/// Draws heights of 1.62 to 1.88 m and plain clothes for all.
+void dress(std::vector<simulation::Walker>& people, PeopleClothes clothes, Draws& draws);
+
+/// Draws clothes of the colors of the office instead: of its walls, floor, wood and partition. With
+/// PeopleClothes::Similar all wear the same.
+void dressLikeTheRoom(PeopleScenario& scenario, PeopleClothes clothes, Draws& draws);
+
+/// Draws a pattern of two colors for each shirt; with PeopleClothes::Similar the same for all.
+void dressInPatterns(PeopleScenario& scenario, PeopleClothes clothes, Draws& draws);
+
+} // namespace dewpoint::experiment

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/people/people_ways.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::experiment {
+
+using Eigen::Vector2d;
+using simulation::Walker;
+using simulation::Waypoint;
+
+Vector2d headingVector(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+bool isWalkable(const Vector2d& position) {
+  const double x = position.x();
+  const double y = position.y();
+  const bool desks = std::abs(x) > 1.6 && std::abs(y - std::copysign(0.9, x)) < 1.15;
+  const bool partition = x < -0.9 && y < -1.1;
+  return std::abs(x) < 2.6 && std::abs(y) < 2.6 && !desks && !partition;
+}
+
+bool isWalkable(const Walker& walker) {
+  return std::ranges::all_of(walker.way,
+                             [](const Waypoint& point) { return isWalkable(point.position); });
+}
+
+Walker numberedWalker(int number) {
+  Walker walker;
+  walker.name = fmt::format("person {}", number);
+  walker.from = kAppear;
+  return walker;
+}
+
+void crossWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
+  constexpr double kHalf = 2.1; // seconds from the beginning to the nearest point
+  const double nearest = kAppear + kHalf;
+  const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
+  const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+  const double turn = draws.uniform(1.2, std::numbers::pi);
+  const std::array<Vector2d, 2> velocity{draws.uniform(0.85, 1.1) * headingVector(angle),
+                                         draws.uniform(0.85, 1.1) * headingVector(angle + turn)};
+  const Vector2d along = (velocity[1] - velocity[0]).normalized();
+  const Vector2d gap =
+      draws.uniform(gapRange.least, gapRange.most) * Vector2d(-along.y(), along.x());
+  for (int k = 0; k < 2; ++k) {
+    Walker walker = numberedWalker(k + 1);
+    const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
+    const Vector2d& pace = velocity.at(static_cast<std::size_t>(k));
+    walker.way = {{kAppear, position - kHalf * pace}, {nearest + kHalf, position + kHalf * pace}};
+    scenario.scene.people.push_back(walker);
+  }
+  scenario.before = nearest - 0.9;
+  scenario.after = nearest + kHalf;
+}
+
+void meetWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
+  const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
+  const Vector2d line = headingVector(draws.uniform(0.0, 2.0 * std::numbers::pi));
+  const double gap = draws.uniform(gapRange.least, gapRange.most);
+  const double stay = draws.uniform(1.0, 2.0);
+  const double reach = draws.uniform(1.6, 1.9);
+  const double arrive = kAppear + reach / draws.uniform(0.9, 1.1);
+  for (int k = 0; k < 2; ++k) {
+    Walker walker = numberedWalker(k + 1);
+    const Vector2d way = (k == 0 ? -1.0 : 1.0) * line;
+    // Not quite the way they came.
+    const double aside = draws.uniform(-0.4, 0.4);
+    const Vector2d back = reach * (way + aside * Vector2d(-way.y(), way.x()));
+    walker.way = {{kAppear, middle + reach * way},
+                  {arrive, middle + 0.5 * gap * way},
+                  {arrive + stay, middle + 0.5 * gap * way},
+                  {arrive + stay + reach, middle + back}};
+    scenario.scene.people.push_back(walker);
+  }
+  scenario.before = arrive - 0.7;
+  scenario.after = arrive + stay + reach;
+}
+
+void accompanyWays(PeopleScenario& scenario, Draws& draws) {
+  const Vector2d middle(draws.uniform(-0.3, 0.3), draws.uniform(-0.3, 0.3));
+  const Vector2d along = headingVector(draws.uniform(0.0, 2.0 * std::numbers::pi));
+  const Vector2d aside(-along.y(), along.x());
+  const double gap = draws.uniform(0.5, 0.62);
+  const double pace = draws.uniform(0.75, 0.95);
+  const double together = 1.3; // meters before and after the middle
+  const double join = kAppear + 1.2;
+  const double part = join + 2.0 * together / pace;
+  for (int k = 0; k < 2; ++k) {
+    Walker walker = numberedWalker(k + 1);
+    const double side = k == 0 ? -1.0 : 1.0;
+    const Vector2d near = 0.5 * side * gap * aside;
+    const Vector2d far = draws.uniform(0.9, 1.2) * side * aside;
+    walker.way = {{kAppear, middle - (together + 0.5) * along + far},
+                  {join, middle - together * along + near},
+                  {part, middle + together * along + near},
+                  {part + 1.3, middle + (together + 0.5) * along + far}};
+    scenario.scene.people.push_back(walker);
+  }
+  scenario.before = join - 0.6;
+  scenario.after = part + 1.3;
+}
+
+void apartWays(PeopleScenario& scenario, Draws& draws) {
+  for (int k = 0; k < 2; ++k) {
+    Walker walker = numberedWalker(k + 1);
+    const double side = k == 0 ? -1.0 : 1.0;
+    walker.way = {{kAppear, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
+                  {kAppear + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
+    scenario.scene.people.push_back(walker);
+  }
+  scenario.before = kAppear + 1.0;
+  scenario.after = kAppear + 4.0;
+}
+
+void visitWays(PeopleScenario& scenario, Draws& draws) {
+  // Outside and inside of the four doors.
+  static const std::array<std::array<Vector2d, 2>, 4> kDoors{
+      {{Vector2d(-4.2, 1.3), Vector2d(-2.2, 0.8)},
+       {Vector2d(4.2, -1.3), Vector2d(2.2, -0.8)},
+       {Vector2d(0.05, 4.2), Vector2d(0.1, 2.2)},
+       {Vector2d(0.6, -4.2), Vector2d(0.5, -2.2)}}};
+  double start = kAppear;
+  std::size_t door = static_cast<std::size_t>(draws.uniform(0.0, 4.0));
+  for (int k = 0; k < 3; ++k) {
+    Walker walker = numberedWalker(k + 1);
+    walker.from = -1.0;
+    const auto& in = kDoors.at(door % 4);
+    const auto& out = kDoors.at((door + 1 + static_cast<std::size_t>(draws.uniform(0.0, 3.0))) % 4);
+    const double pace = draws.uniform(0.9, 1.2);
+    const Vector2d inside(draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9));
+    double time = start;
+    walker.way.push_back({time, in[0]});
+    for (const Vector2d& position : {in[1], inside, out[1], out[0]}) {
+      time += (position - walker.way.back().position).norm() / pace;
+      walker.way.push_back({time, position});
+    }
+    scenario.after = std::max(scenario.after, time + 1.5);
+    scenario.scene.people.push_back(walker);
+    start += draws.uniform(2.0, 3.0);
+    door += 1;
+  }
+  scenario.before = 0.0;
+}
+
+} // namespace dewpoint::experiment

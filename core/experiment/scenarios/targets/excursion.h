@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/experiment/scenarios/draft/scenario_places.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace dewpoint::experiment::scenarios {
+
+/// A round path that is left for a while: from second `begin` on the ball moves aside within
+/// `reach` seconds, stays aside for `hold` seconds, and comes back within `reach` seconds.
+struct Excursion {
+  RoundPath base;
+  Eigen::Vector3d out = Eigen::Vector3d::Zero(); ///< how far aside it is when it gets there, meters
+  Eigen::Vector3d back = Eigen::Vector3d::Zero(); ///< and when it sets out to come back
+  double begin = 1.5;
+  double reach = 0.7;
+  double hold = 1.2;
+
+  double holdBegin() const { return begin + reach; }
+  double holdEnd() const { return begin + reach + hold; }
+  double end() const { return begin + 2.0 * reach + hold; }
+  Eigen::Vector3d operator()(double time) const;
+};
+
+/// How much of a ball an image shows, as far as its borders and what is at rest in the room go.
+enum class Showing { Nothing, Part, Whole };
+Showing showingOf(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius);
+
+/// Adds the events UnseenBegin and UnseenEnd of each camera with `isSeen(camera, frame)`, and those
+/// of all cameras together (camera -1) where none sees the target.
+void addUnseenEvents(ScenarioDraft& draft,
+                     const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen);
+
+} // namespace dewpoint::experiment::scenarios

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/wild/wild_rig.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::experiment::scenarios {
+namespace {
+
+constexpr double kSmallestTarget = 4.0; ///< pixels across
+constexpr double kLargestTarget = 0.5;  ///< of the smaller side of the image
+/// The least radius, of the usual one: a marble instead of a tennis ball.
+constexpr double kLeastRadius = 0.4;
+/// The least focal length, of the usual one: 91 degrees across instead of 49.
+constexpr double kLeastFocal = 0.45;
+/// The least resolution, of the usual one.
+constexpr double kLeastResolution = 0.5;
+/// Cameras are within this of the middle of the room, meters, and above the ground.
+constexpr double kWithin = 1.75;
+constexpr double kLeastHeight = 0.06;
+
+/// What the cameras of a rig look at, and what they look for.
+struct RigVolume {
+  Eigen::Vector3d middle;
+  Eigen::Vector2d room;  ///< middle of the walls
+  double radius = 0.035; ///< usual radius of the targets
+  double size = 1.0;     ///< of all distances, relative to a desk
+};
+
+RigVolume volumeOf(simulation::Furnishing furnishing) {
+  if (furnishing == simulation::Furnishing::Hall) {
+    return {{0.0, 0.0, 0.9}, {0.0, 0.0}, 0.10, 4.0};
+  }
+  return {{0.5, 0.5, 0.15}, {0.4, 0.4}, 0.035, 1.0};
+}
+
+/// Pixels across of a target in the middle.
+double targetPixels(const Camera& camera, const RigVolume& volume) {
+  return 2.0 * volume.radius * camera.intrinsics.focalX / (camera.center() - volume.middle).norm();
+}
+
+Camera movedCamera(Camera camera, const RigVolume& volume, Draws& draws) {
+  constexpr double kAround = 0.3;
+  constexpr double kRoll = 0.15;
+  constexpr double kAim = 0.02;    // meters at a desk
+  constexpr double kHeight = 0.05; // meters at a desk
+  const Eigen::AngleAxisd around(draws.uniform(-kAround, kAround), Eigen::Vector3d::UnitZ());
+  const double scale = draws.uniform(0.85, 1.15);
+  Eigen::Vector3d center = volume.middle + scale * (around * (camera.center() - volume.middle));
+  center.z() += volume.size * draws.uniform(-kHeight, kHeight);
+  // Not in a wall: those of all rooms are farther.
+  const double reach = volume.size > 1.0 ? 2.15 : kWithin;
+  for (int axis = 0; axis < 2; ++axis) {
+    center[axis] = std::clamp(center[axis], volume.room[axis] - reach, volume.room[axis] + reach);
+  }
+  center.z() = std::max(center.z(), kLeastHeight);
+  const Eigen::Vector3d aim = Eigen::Vector3d::Constant(volume.size * kAim);
+  const Eigen::Vector3d target = volume.middle + draws.inBox(-aim, aim);
+  camera.cameraFromWorld =
+      lookAt(center, target, Eigen::Vector3d::UnitZ(), draws.uniform(-kRoll, kRoll));
+  return camera;
+}
+
+/// The same lens on a sensor with `scale` as many pixels each way, then a longer lens.
+void setSize(Intrinsics& k, double resolution, double focal) {
+  const auto even = [](double pixels) { return 2 * static_cast<int>(std::lround(0.5 * pixels)); };
+  const int width = even(resolution * k.width);
+  const double scale = static_cast<double>(width) / k.width;
+  k.height = even(resolution * k.height);
+  k.width = width;
+  k.focalX *= scale * focal;
+  k.focalY *= scale * focal;
+  k.centerX = (k.width - 1) / 2.0;
+  k.centerY = (k.height - 1) / 2.0;
+}
+
+} // namespace
+
+WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt,
+                Draws& draws) {
+  const RigVolume volume = volumeOf(furnishing);
+  WildRig result;
+  for (const Camera& camera : rig) {
+    result.rig.push_back(movedCamera(camera, volume, draws));
+  }
+  const Intrinsics& first = rig.front().intrinsics;
+  const double largest = kLargestTarget * std::min(first.width, first.height);
+  const double wanted = std::exp(draws.uniform(std::log(kSmallestTarget), std::log(largest)));
+  double factor = wanted / targetPixels(result.rig.front(), volume);
+  double resolution = 1.0;
+  if (factor < 1.0) {
+    result.radiusScale = std::max(kLeastRadius, factor);
+    const double rest = factor / result.radiusScale;
+    factor = std::max(kLeastFocal, rest);
+    resolution = std::clamp(rest / factor, kLeastResolution, 1.0);
+  } else {
+    factor = std::pow(factor, 1.0 - static_cast<double>(attempt) / (kMostRigs - 1));
+    result.pathScale = 0.8 / factor;
+  }
+  for (Camera& camera : result.rig) {
+    // No two cameras of a room have quite the same lens.
+    setSize(camera.intrinsics, resolution, factor * draws.uniform(0.9, 1.1));
+  }
+  return result;
+}
+
+} // namespace dewpoint::experiment::scenarios

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/body/moving_part.h"
+#include "core/simulation/room/camera_view.h"
+#include "core/simulation/room/illumination.h"
+
+#include <opencv2/core.hpp>
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace dewpoint::simulation {
+
+/// A moving object at one instant: a ball, a box of any orientation, or a body of parts. World
+/// frame, meters.
+struct Body {
+  bool box = false;
+  Vector3f center;
+  float radius = 0.0F;                                ///< of the ball, or around the box
+  Vector3f color;                                     ///< BGR in full light, [0, 255]
+  Vector3f halfSize{0.0F, 0.0F, 0.0F};                ///< of the box, along its own axes
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< of the box; rows: its axes in the world
+  bool present = true;                                ///< false: not in the scene just now
+  const LightField* light = nullptr;                  ///< null: the room's lamp alone lights it
+  /// Of a body of parts, which is drawn from them alone; as many at every instant. Such a body
+  /// casts the shadow of a ball of their volume around `center`.
+  std::vector<MovingPart> parts{};
+};
+
+/// All bodies at an instant, seconds; the same number in the same order at every instant.
+using BodiesAt = std::function<std::vector<Body>(double)>;
+
+/// When the shutter is open: centered on `time`, for `seconds`; and for which rows of the image,
+/// [firstRow, endRow), cut by the image.
+struct Exposure {
+  double time = 0.0;
+  double seconds = 0.0;
+  int firstRow = 0;
+  int endRow = std::numeric_limits<int>::max();
+};
+
+/// Draws bodies, their soft shadows on z = 0 and their motion blur into `image` (CV_32FC3), which
+/// shows the room at rest as `view` sees it. Presence is that at the center of the exposure.
+void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
+                 cv::Mat& image);
+
+} // namespace dewpoint::simulation

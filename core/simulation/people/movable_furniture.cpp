@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/people/movable_furniture.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace dewpoint::simulation {
+namespace {
+
+BodyPart boxPart(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color) {
+  BodyPart part;
+  part.center = center;
+  part.halfSize = halfSize;
+  part.color = color;
+  part.shape = PartShape::Box;
+  part.ofBody = false;
+  return part;
+}
+
+} // namespace
+
+FurniturePosition MovableFurniture::at(double time) const {
+  const auto after = std::ranges::upper_bound(way, time, {}, &FurniturePosition::time);
+  if (after == way.begin()) {
+    return way.front();
+  }
+  if (after == way.end()) {
+    return way.back();
+  }
+  const FurniturePosition& before = *(after - 1);
+  const double part = (time - before.time) / (after->time - before.time);
+  return {time, before.position + part * (after->position - before.position),
+          before.yaw + part * (after->yaw - before.yaw)};
+}
+
+std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double time) {
+  const FurniturePosition stands = furniture.at(time);
+  const Eigen::Matrix3f worldFromOwn =
+      Eigen::AngleAxisf(static_cast<float>(stands.yaw), Vector3f::UnitZ()).toRotationMatrix();
+  const Vector3f foot{static_cast<float>(stands.position.x()),
+                      static_cast<float>(stands.position.y()), 0.0F};
+  std::vector<BodyPart> parts = furniture.parts;
+  for (BodyPart& part : parts) {
+    part.center = foot + worldFromOwn * part.center;
+    part.axes = part.axes * worldFromOwn.transpose();
+  }
+  return parts;
+}
+
+MovableFurniture makeStool(double height) {
+  constexpr float kHalfSeat = 0.17F; // meters, as all sizes here; our choice
+  constexpr float kHalfThick = 0.02F;
+  constexpr float kHalfFoot = 0.035F;
+  const auto top = static_cast<float>(height);
+  const float foot = 0.5F * (top - 2.0F * kHalfThick);
+  const Vector3f cushion = rgb(64, 66, 74);
+  const Vector3f steel = rgb(150, 152, 156);
+  MovableFurniture stool;
+  stool.parts = {
+      boxPart({0.0F, 0.0F, top - kHalfThick}, {kHalfSeat, kHalfSeat, kHalfThick}, cushion),
+      boxPart({0.0F, 0.0F, foot}, {kHalfFoot, kHalfFoot, foot}, steel)};
+  stool.reach = 0.25;
+  return stool;
+}
+
+MovableFurniture makeCabinet(const Vector3f& halfSize, const Vector3f& color) {
+  MovableFurniture cabinet;
+  cabinet.parts = {boxPart({0.0F, 0.0F, halfSize.z()}, halfSize, color)};
+  cabinet.reach = halfSize.head<2>().cast<double>().norm();
+  return cabinet;
+}
+
+} // namespace dewpoint::simulation

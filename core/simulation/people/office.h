@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/simulation/people/movable_furniture.h"
+#include "core/simulation/people/walker.h"
+#include "core/simulation/room/view_cache.h"
+
+#include <opencv2/core.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace dewpoint::simulation {
+
+/// Four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m high,
+/// looking at its middle.
+CameraRig officeRig();
+
+/// People in the simulated office: shadows, furniture that hides them in part, clothes that may
+/// look like the room (so that their masks fall apart).
+struct OfficeScene {
+  CameraRig cameras = officeRig();
+  std::vector<simulation::Walker> people;
+  std::vector<MovableFurniture> furniture; ///< beside what always stands there
+  double framesPerSecond = 15.0;
+  std::int64_t frameCount = 150;
+  std::uint64_t seed = 1;  ///< of the sensor noise
+  double noiseSigma = 3.0; ///< gray levels
+
+  double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
+};
+
+/// Renders an office scene.
+class OfficeRenderer {
+public:
+  /// The views of the empty office come from `views`, so that many scenes share them.
+  OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
+
+  const OfficeScene& scene() const { return scene_; }
+  /// CV_8UC3, BGR: a pure function of its arguments. `who`: as paintPeople().
+  cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
+  /// The whole silhouette of a person, whether or not something hides it: CV_8UC1, 255 on the body,
+  /// without a load; all 0 while the person is not there. What is visible of it: `who` of render().
+  cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
+  /// The office without anybody, as it is at time 0, without noise: CV_8UC3.
+  cv::Mat emptyRoom(std::size_t camera) const;
+  /// Whether the person is there, and inside the office's walls.
+  bool inside(std::size_t person, double time) const;
+  /// Point of the floor below the person and half as high as the top of its head: the center of the
+  /// body, meters.
+  Eigen::Vector3d middle(std::size_t person, double time) const;
+
+private:
+  OfficeScene scene_;
+  std::vector<std::shared_ptr<const simulation::CameraView>> views_;
+};
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/people/walker.h"
+#include "core/simulation/room/camera_view.h"
+
+#include <opencv2/core.hpp>
+
+#include <vector>
+
+namespace dewpoint::simulation {
+
+/// Draws people into `image` (CV_32FC3), which shows the room at rest as `view` sees it: what
+/// stands before them hides them, they hide each other, and they cast soft shadows of `lamp` on the
+/// floor (z = 0). `people`: the parts of each of them; furniture is drawn like a person, of parts
+/// that are of no body. `who`, unless null, becomes CV_8UC1: 0 for the room, loads and furniture,
+/// else 1 + the index of the person whose body is seen.
+void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+                 const Vector3f& lamp, cv::Mat& image, cv::Mat* who = nullptr);
+
+/// The whole silhouette of a body as `view` sees it when nothing stands before it: CV_8UC1, 255 on
+/// the body, else 0. Loads and furniture are left out.
+cv::Mat wholeSilhouette(const CameraView& view, const std::vector<BodyPart>& parts);
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/room/furniture.h"
+
+namespace dewpoint::simulation {
+
+/// Furnishing::Hall: a living room, its middle free.
+void furnishHall(Furniture& room);
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/room/camera_view.h"
+
+#include <Eigen/Core>
+#include <opencv2/core/types.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace dewpoint::simulation {
+
+/// A ball that hides a round lamp from what lies on the floor or desk (world z = 0). Meters, world.
+struct ShadowCaster {
+  Eigen::Vector3f center;
+  float radius = 0.0F;
+  Eigen::Vector3f lamp; ///< center of the lamp
+  float lampRadius = 0.0F;
+  float leastBlur = 0.0F; ///< half width of the edge, however near the ball
+  float highest = 0.0F;   ///< points above are not on the floor
+};
+
+/// Calls `shade(row, column, pixel, covered, blur)` for the pixels of `area` that lie on the floor
+/// below the ball: `covered` is the share of the lamp that an edge of half width `blur` leaves
+/// hidden there, 0 to 1, smooth; `pixel` is view.index(column, row).
+template <class Shade>
+void forEachShadedPixel(const CameraView& view, const cv::Rect& area, const ShadowCaster& caster,
+                        const Shade& shade) {
+  for (int row = area.y; row < area.y + area.height; ++row) {
+    for (int column = area.x; column < area.x + area.width; ++column) {
+      const std::size_t pixel = view.index(column, row);
+      const float distance = view.distances[pixel];
+      if (!(distance < 100.0F)) {
+        continue;
+      }
+      const Eigen::Vector3f point = view.center + distance * view.directions[pixel];
+      const Eigen::Vector3f way = caster.lamp - point;
+      const float length = way.norm();
+      const float along = (caster.center - point).dot(way) / length;
+      if (point.z() > caster.highest || along <= 0.0F) {
+        continue;
+      }
+      const float aside = ((caster.center - point) - along / length * way).norm();
+      const float blur = std::max(caster.leastBlur, caster.lampRadius * along / length);
+      const float t = std::clamp((aside - caster.radius + blur) / (2.0F * blur), 0.0F, 1.0F);
+      shade(row, column, pixel, 1.0F - t * t * (3.0F - 2.0F * t), blur);
+    }
+  }
+}
+
+} // namespace dewpoint::simulation

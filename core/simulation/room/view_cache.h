@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/room/camera_view.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace dewpoint::simulation {
+
+/// The views of cameras on rooms at rest, each rendered once: many seeds of a scenario share one
+/// background. May be asked by several threads; a view is not changed once it is there.
+class ViewCache {
+public:
+  std::shared_ptr<const CameraView> view(const Camera& camera, Furnishing furnishing);
+
+private:
+  struct Entry {
+    std::once_flag once;
+    std::shared_ptr<const CameraView> view;
+  };
+  std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<Entry>> entries_;
+};
+
+} // namespace dewpoint::simulation

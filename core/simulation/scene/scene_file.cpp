@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/scene/scene_file.h"
+
+#include "core/base/angle.h"
+#include "core/base/table_reader.h"
+#include "core/geometry/camera_name.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace dewpoint::simulation {
+namespace {
+
+constexpr std::array<std::pair<Motion, const char*>, 4> kMotionNames{{{Motion::Still, "still"},
+                                                                      {Motion::Smooth, "smooth"},
+                                                                      {Motion::Fast, "fast"},
+                                                                      {Motion::Jump, "jump"}}};
+/// Larger pictures than this are a typing error, and would fill the memory.
+constexpr std::int64_t kMaxSide = 8192;
+
+/// HSI hue (degrees) and saturation of a BGR color (Gonzalez & Woods).
+std::array<double, 2> hueAndSaturation(const Eigen::Vector3d& bgr) {
+  const double b = bgr[0];
+  const double g = bgr[1];
+  const double r = bgr[2];
+  const double cosine =
+      0.5 * ((r - g) + (r - b)) / std::max(1e-9, std::sqrt((r - g) * (r - g) + (r - b) * (g - b)));
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree;
+  return {b <= g ? angle : 360.0 - angle, 1.0 - 3.0 * bgr.minCoeff() / std::max(1e-9, bgr.sum())};
+}
+
+/// A ball of another color than the default's needs other ranges: the same margins around it.
+void rangesFromColor(SceneBall& ball) {
+  const auto [hue, saturation] = hueAndSaturation(ball.color);
+  ball.hueMin = std::fmod(hue + 344.0, 360.0);
+  ball.hueMax = std::fmod(hue + 16.0, 360.0);
+  ball.saturationMin = std::max(0.0, saturation - 0.2);
+  ball.saturationMax = std::min(1.0, saturation + 0.2);
+}
+
+void readRange(TableReader& reader, const char* key, double& low, double& high, double limit) {
+  std::array<double, 2> range{low, high};
+  if (reader.numbers(key, range.data(), 2, 0.0, limit)) {
+    low = range[0];
+    high = range[1];
+  }
+}
+
+Result<SceneBall> readBall(const toml::table& table, const std::string& file, std::size_t index) {
+  TableReader reader(table, file, fmt::format("ball {}.", index + 1));
+  SceneBall ball;
+  reader.text("name", ball.name);
+  reader.number("radius", ball.radius, 0.001, 10.0);
+  Eigen::Vector3d rgb = ball.color.reverse();
+  if (reader.numbers("color", rgb.data(), 3, 0.0, 255.0)) {
+    ball.color = rgb.reverse();
+    rangesFromColor(ball);
+  }
+  std::string motion = "smooth";
+  reader.text("motion", motion);
+  const auto* known =
+      std::ranges::find_if(kMotionNames, [&](const auto& entry) { return motion == entry.second; });
+  if (known == kMotionNames.end()) {
+    reader.fail(ErrorCode::BadValue, "motion",
+                fmt::format("\"{}\" is not one of still, smooth, fast, jump", motion));
+  } else {
+    ball.motion = known->first;
+  }
+  reader.numbers("position", ball.position.data(), 3);
+  reader.numbers("extent", ball.extent.data(), 3);
+  reader.number("period", ball.period, 1e-3, 1e6);
+  reader.number("still_seconds", ball.stillSeconds, 0.0, 1e6);
+  readRange(reader, "hue", ball.hueMin, ball.hueMax, 360.0);
+  readRange(reader, "saturation", ball.saturationMin, ball.saturationMax, 1.0);
+  readRange(reader, "intensity", ball.intensityMin, ball.intensityMax, 1.0);
+  if (auto error = reader.finish()) {
+    return tl::make_unexpected(std::move(*error));
+  }
+  return ball;
+}
+
+Result<SceneLight> readLight(const toml::table& table, const std::string& file, std::size_t index) {
+  TableReader reader(table, file, fmt::format("light {}.", index + 1));
+  SceneLight light;
+  reader.number("time", light.time, 0.0, 1e9);
+  reader.number("brightness", light.brightness, 0.01, 100.0);
+  reader.number("kelvin", light.kelvin, 1000.0, 40000.0);
+  if (auto error = reader.finish()) {
+    return tl::make_unexpected(std::move(*error));
+  }
+  return light;
+}
+
+/// The pose: `position` with either `rotation` (the camera's axes in the world, row by row) or
+/// `target` and, if wanted, `roll` in degrees.
+void readPose(TableReader& reader, Camera& camera) {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  reader.require("position");
+  reader.numbers("position", position.data(), 3);
+  Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation;
+  Eigen::Vector3d target;
+  double roll = 0.0;
+  reader.number("roll", roll, -360.0, 360.0);
+  const bool aimed = reader.numbers("target", target.data(), 3);
+  if (reader.numbers("rotation", rotation.data(), 9)) {
+    if (aimed || reader.has("roll")) {
+      reader.fail(ErrorCode::BadValue, "rotation", "exclude each other: rotation, target and roll");
+    } else if (!rotation.isUnitary(1e-6) || rotation.determinant() < 0.0) {
+      reader.fail(ErrorCode::BadValue, "rotation", "not a rotation matrix");
+    }
+    camera.cameraFromWorld.linear() = rotation;
+    camera.cameraFromWorld.translation() = -(rotation * position);
+  } else if (aimed && (target - position).norm() > 1e-9) {
+    // A camera that looks straight up or down has no "up" of the world in its image: take Y.
+    const bool steep = (target - position).head<2>().norm() < 1e-6;
+    camera.cameraFromWorld =
+        lookAt(position, target, steep ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ(),
+               roll * kDegree);
+  } else {
+    reader.fail(aimed ? ErrorCode::BadValue : ErrorCode::MissingKey, "target",
+                aimed ? "is the position itself" : "or rotation");
+  }
+}
+
+Result<Camera> readCamera(const toml::table& table, const std::string& file, std::size_t index) {
+  TableReader reader(table, file, fmt::format("camera {}.", index + 1));
+  Camera camera;
+  camera.name = defaultCameraName(index);
+  Intrinsics& lens = camera.intrinsics;
+  reader.text("name", camera.name);
+  for (const char* key : {"width", "height", "focal"}) {
+    reader.require(key);
+  }
+  reader.integer("width", lens.width, 1, kMaxSide);
+  reader.integer("height", lens.height, 1, kMaxSide);
+  std::array<double, 2> focal{};
+  if (reader.numbers("focal", focal.data(), 2, 1e-3, 1e6)) {
+    lens.focalX = focal[0];
+    lens.focalY = focal[1];
+  }
+  std::array<double, 2> center{(lens.width - 1) / 2.0, (lens.height - 1) / 2.0};
+  reader.numbers("center", center.data(), 2);
+  lens.centerX = center[0];
+  lens.centerY = center[1];
+  reader.numbers("distortion", camera.distortion.data(), camera.distortion.size());
+  bool fisheye = false;
+  reader.boolean("fisheye", fisheye);
+  camera.lens = fisheye ? LensModel::Fisheye : LensModel::Pinhole;
+  readPose(reader, camera);
+  if (auto error = reader.finish()) {
+    return tl::make_unexpected(std::move(*error));
+  }
+  return camera;
+}
+
+/// Reads every table of `tables` with `read` into `items`, unless there are none.
+template <class Item, class Read>
+Status readAll(const std::vector<const toml::table*>& tables, const std::string& file,
+               std::vector<Item>& items, Read read) {
+  if (tables.empty()) {
+    return {};
+  }
+  items.clear();
+  for (const toml::table* table : tables) {
+    auto item = read(*table, file, items.size());
+    if (!item) {
+      return tl::make_unexpected(std::move(item.error()));
+    }
+    items.push_back(std::move(*item));
+  }
+  return {};
+}
+
+Result<Scene> readScene(const toml::table& table, const std::string& file) {
+  TableReader reader(table, file, "");
+  Scene scene = demoScene();
+  reader.text("name", scene.name);
+  reader.number("frames_per_second", scene.framesPerSecond, 1e-3, 1e5);
+  reader.integer("frame_count", scene.frameCount, 1, 100'000'000);
+  reader.integer("seed", scene.seed, std::numeric_limits<std::int64_t>::min(),
+                 std::numeric_limits<std::int64_t>::max());
+  reader.integer("look_alikes", scene.distractors, 0, kMaxDistractors);
+  reader.boolean("occluder", scene.occluder);
+  reader.boolean("clutter", scene.clutter);
+  reader.number("noise_sigma", scene.noiseSigma, 0.0, 100.0);
+  reader.number("exposure_seconds", scene.exposureSeconds, 0.0, 10.0);
+  const auto balls = reader.tables("ball");
+  const auto cameras = reader.tables("camera");
+  const auto lights = reader.tables("light");
+  if (auto error = reader.finish()) {
+    return tl::make_unexpected(std::move(*error));
+  }
+  Status status = readAll(balls, file, scene.balls, readBall);
+  if (status) {
+    status = readAll(cameras, file, scene.cameras, readCamera);
+  }
+  if (status) {
+    status = readAll(lights, file, scene.lights, readLight);
+    std::ranges::stable_sort(scene.lights, {}, &SceneLight::time);
+  }
+  if (!status) {
+    return tl::make_unexpected(std::move(status.error()));
+  }
+  return scene;
+}
+
+template <class Vector> toml::array arrayOf(const Vector& values) {
+  toml::array array;
+  for (const double value : values) {
+    array.push_back(value);
+  }
+  return array;
+}
+
+toml::table ballTable(const SceneBall& ball) {
+  const auto* motion = std::ranges::find_if(
+      kMotionNames, [&](const auto& entry) { return ball.motion == entry.first; });
+  return toml::table{
+      {"name", ball.name},
+      {"radius", ball.radius},
+      {"color", toml::array{ball.color[2], ball.color[1], ball.color[0]}},
+      {"motion", motion->second},
+      {"position", arrayOf(ball.position)},
+      {"extent", arrayOf(ball.extent)},
+      {"period", ball.period},
+      {"still_seconds", ball.stillSeconds},
+      {"hue", toml::array{ball.hueMin, ball.hueMax}},
+      {"saturation", toml::array{ball.saturationMin, ball.saturationMax}},
+      {"intensity", toml::array{ball.intensityMin, ball.intensityMax}},
+  };
+}
+
+toml::table cameraTable(const Camera& camera) {
+  const Intrinsics& lens = camera.intrinsics;
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation = camera.cameraFromWorld.linear();
+  return toml::table{
+      {"name", camera.name},
+      {"width", lens.width},
+      {"height", lens.height},
+      {"focal", toml::array{lens.focalX, lens.focalY}},
+      {"center", toml::array{lens.centerX, lens.centerY}},
+      {"distortion", arrayOf(camera.distortion)},
+      {"fisheye", camera.lens == LensModel::Fisheye},
+      {"position", arrayOf(camera.center())},
+      {"rotation", arrayOf(rotation.reshaped<Eigen::RowMajor>())},
+  };
+}
+
+} // namespace
+
+Result<Scene> parseScene(const std::string& text, const std::string& file) {
+  return parseToml(text, file).and_then([&](const toml::table& table) {
+    return readScene(table, file);
+  });
+}
+
+std::string sceneToml(const Scene& scene) {
+  toml::array balls;
+  for (const SceneBall& ball : scene.balls) {
+    balls.push_back(ballTable(ball));
+  }
+  toml::array cameras;
+  for (const Camera& camera : scene.cameras) {
+    cameras.push_back(cameraTable(camera));
+  }
+  toml::array lights;
+  for (const SceneLight& light : scene.lights) {
+    lights.push_back(toml::table{
+        {"time", light.time}, {"brightness", light.brightness}, {"kelvin", light.kelvin}});
+  }
+  toml::table table{
+      {"name", scene.name},
+      {"frames_per_second", scene.framesPerSecond},
+      {"frame_count", scene.frameCount},
+      {"seed", static_cast<std::int64_t>(scene.seed)},
+      {"look_alikes", scene.distractors},
+      {"occluder", scene.occluder},
+      {"clutter", scene.clutter},
+      {"noise_sigma", scene.noiseSigma},
+      {"exposure_seconds", scene.exposureSeconds},
+      {"ball", balls},
+      {"camera", cameras},
+  };
+  if (!lights.empty()) {
+    table.insert("light", lights);
+  }
+  std::ostringstream stream;
+  stream << table << '\n';
+  return stream.str();
+}
+
+} // namespace dewpoint::simulation

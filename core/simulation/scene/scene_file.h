@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/simulation/scene/scene.h"
+
+#include <string>
+
+namespace dewpoint::simulation {
+
+/// Parses scene TOML text. Absent keys keep the values of demoScene(); unknown keys, wrong types
+/// and senseless values are errors that name `file` and the key.
+Result<Scene> parseScene(const std::string& text, const std::string& file);
+
+/// The scene as TOML text, every key written; parseScene() reads the same scene from it.
+std::string sceneToml(const Scene& scene);
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/scene/scene.h"
+
+#include <opencv2/core.hpp>
+
+#include <cstdint>
+#include <memory>
+
+namespace dewpoint::simulation {
+
+/// Renders the images of a scene by ray casting. What does not move is rendered once per camera,
+/// at construction; a frame then costs little more than its moving parts and its noise.
+class SceneRenderer {
+public:
+  explicit SceneRenderer(Scene scene);
+  ~SceneRenderer();
+  SceneRenderer(const SceneRenderer&) = delete;
+  SceneRenderer& operator=(const SceneRenderer&) = delete;
+  SceneRenderer(SceneRenderer&&) noexcept;
+  SceneRenderer& operator=(SceneRenderer&&) noexcept;
+
+  /// The image of one camera at one frame: CV_8UC3, BGR. A pure function of (scene, camera, frame),
+  /// so it may be called from several threads and in any order.
+  cv::Mat render(int camera, std::int64_t frame) const;
+
+  const Scene& scene() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+} // namespace dewpoint::simulation

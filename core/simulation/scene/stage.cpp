@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/scene/stage.h"
+
+#include "core/simulation/people/people_painter.h"
+#include "core/simulation/sensor/sensor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::simulation {
+namespace {
+
+/// Puts the parts of a body of parts into the world, around the body's center.
+void addParts(const StageBody& body, double time, Body& result) {
+  result.parts = body.partsAt(time);
+  for (MovingPart& part : result.parts) {
+    part.center += result.center;
+  }
+}
+
+/// The bodies as a camera that has rotated by `rotation` about `eye` sees them. (So small a
+/// rotation moves where a body is; how it is turned does not change visibly.)
+std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3d& eye,
+                           const Eigen::Matrix3d& rotation, const LightField* light) {
+  const bool rotated = rotation != Eigen::Matrix3d::Identity();
+  std::vector<Body> bodies;
+  bodies.reserve(stage.bodies.size());
+  for (const StageBody& body : stage.bodies) {
+    const Eigen::Vector3d center = body.path(time);
+    bodies.push_back({body.box,
+                      (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
+                      static_cast<float>(body.bound()), body.color.cast<float>(),
+                      body.halfSize.cast<float>(), body.axes.cast<float>(), body.presentAt(time)});
+    bodies.back().light = light;
+    addParts(body, time, bodies.back());
+  }
+  return bodies;
+}
+
+std::shared_ptr<const CameraView> viewAt(const Stage& stage, std::size_t camera, double time) {
+  for (const MovedCamera& move : stage.moves) {
+    if (move.camera == camera && time >= move.since) {
+      return move.view;
+    }
+  }
+  return stage.views.at(camera);
+}
+
+const RelitView* relitOf(const Stage& stage, const CameraView& view) {
+  const auto found = std::ranges::find_if(
+      stage.relit, [&](const RelitView& relitView) { return relitView.view.get() == &view; });
+  return found != stage.relit.end() ? &*found : nullptr;
+}
+
+/// The people of the stage at a time, by their parts.
+std::vector<std::vector<BodyPart>> peopleAt(const Stage& stage, double time) {
+  std::vector<std::vector<BodyPart>> people;
+  for (const Walker& walker : stage.people) {
+    if (!walker.presentAt(time)) {
+      continue;
+    }
+    people.push_back(bodyParts(walker, time));
+    for (BodyPart& part : people.back()) {
+      part.center.z() += stage.floorHeight;
+    }
+  }
+  return people;
+}
+
+/// The room as a camera that has rotated sees it, without the bodies.
+cv::Mat roomAt(const Stage& stage, const CameraView& view, double time,
+               const Eigen::Matrix3d& rotation) {
+  const RelitView* other = relitOf(stage, view);
+  cv::Mat image = other != nullptr ? backgroundAt(view, other->background, stage.illumination, time)
+                                   : view.background.clone();
+  paintPeople(view, peopleAt(stage, time), stage.illumination.lamp, image);
+  return rotation == Eigen::Matrix3d::Identity() ? image : rotatedImage(view, image, rotation);
+}
+
+/// The light at the sensor, before noise.
+cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const SensorModel& sensor) {
+  const auto shown = viewAt(stage, camera, time);
+  const CameraView& view = *shown;
+  const Light light = stage.light ? stage.light(camera, time) : Light{};
+  if (light.dark) {
+    return cv::Mat::zeros(view.height, view.width, CV_32FC3);
+  }
+  const Eigen::Matrix3d rotation = rotationAt(sensor.drift, time);
+  cv::Mat image = roomAt(stage, view, time, rotation);
+  const LightField field{&stage.illumination, time};
+  const LightField* own = stage.illumination.plain() ? nullptr : &field;
+  const Eigen::Vector3d eye = view.center.cast<double>();
+  const auto bodies = [&](double instant) { return bodiesAt(stage, instant, eye, rotation, own); };
+  for (const RowBand& band : rowBands(sensor.shutter, view.height)) {
+    paintBodies(view, bodies,
+                {time + band.time, sensor.shutter.exposureSeconds, band.begin, band.end}, image);
+  }
+  if (light.gain != Eigen::Vector3d::Ones()) {
+    const cv::Scalar gain(light.gain[0], light.gain[1], light.gain[2], 0.0);
+    cv::multiply(image, gain, image);
+  }
+  if (!stage.unevenness.empty()) {
+    cv::multiply(image, stage.unevenness.at(camera), image);
+  }
+  return image;
+}
+
+/// How much lighter other light makes a background on average, per channel (BGR).
+Eigen::Vector3d meanGain(const CameraView& view, const RelitBackground& background) {
+  const cv::Scalar before = cv::mean(view.background);
+  const cv::Scalar after = cv::mean(background.ambient) + cv::mean(background.direct);
+  Eigen::Vector3d gain;
+  for (int channel = 0; channel < 3; ++channel) {
+    gain[channel] = after[channel] / std::max(1.0, before[channel]);
+  }
+  return gain;
+}
+
+} // namespace
+
+void prepareLight(Stage& stage) {
+  stage.relit.clear();
+  if (stage.illumination.plain()) {
+    return;
+  }
+  const auto add = [&](const std::shared_ptr<const CameraView>& view) {
+    RelitBackground background = relit(*view, stage.illumination);
+    const Eigen::Vector3d gain = meanGain(*view, background);
+    stage.relit.push_back({view, std::move(background), gain});
+  };
+  std::ranges::for_each(stage.views, add);
+  std::ranges::for_each(stage.moves, add, &MovedCamera::view);
+}
+
+Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time) {
+  /// Stops of linear light per stop of gray level: the inverse of the tone curve's power.
+  constexpr double kStopsPerLevelStop = 1.0 / 0.45;
+  const Light light = stage.light ? stage.light(camera, time) : Light{};
+  if (light.dark) {
+    return Eigen::Vector3d::Constant(kDarkStops);
+  }
+  Eigen::Vector3d gain = light.gain;
+  if (const RelitView* other = relitOf(stage, *viewAt(stage, camera, time))) {
+    gain = gain.cwiseProduct(other->meanGain);
+  }
+  return kStopsPerLevelStop * gain.array().max(1e-3).log2().matrix();
+}
+
+std::vector<MovingPart> StageBody::partsAt(double time) const {
+  if (!parts) {
+    return {};
+  }
+  std::vector<MovingPart> result = parts(time);
+  if (radius != partsRadius) {
+    const auto scale = static_cast<float>(radius / partsRadius);
+    for (MovingPart& part : result) {
+      part.center *= scale;
+      part.size *= scale;
+    }
+  }
+  return result;
+}
+
+cv::Mat renderStage(const Stage& stage, std::size_t camera, double time, std::int64_t frame) {
+  const RandomStream noise(stage.seed, static_cast<std::uint32_t>(frame),
+                           static_cast<std::uint32_t>(camera), RandomPurpose::Simulation);
+  SensorModel ideal;
+  ideal.shutter.exposureSeconds = stage.exposureSeconds;
+  ideal.jpegQuality = stage.jpegQuality;
+  const SensorModel& sensor = stage.sensors.empty() ? ideal : stage.sensors.at(camera);
+  return sensorImage(exposed(stage, camera, time, sensor), sensor, time, stage.noiseSigma, noise);
+}
+
+} // namespace dewpoint::simulation

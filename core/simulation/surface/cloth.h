@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/surface/solid.h"
+
+namespace dewpoint::simulation {
+
+/// What is on a piece of cloth.
+enum class ClothPattern {
+  Plain,   ///< one color
+  Stripes, ///< bands of two colors across the length of a part
+  Checks,  ///< fields of two colors in all directions
+  Blotches ///< irregular spots of a second color
+};
+
+/// A color, or two of them in a pattern; BGR in full light, [0, 255].
+struct Cloth {
+  ClothPattern pattern = ClothPattern::Plain;
+  Vector3f second{0.0F, 0.0F, 0.0F}; ///< the other color; the first one is that of the part
+  float width = 0.06F;               ///< of a band, field or spot, meters
+};
+
+/// The color of a part whose first color is `first`, at a point in the part's own axes, meters:
+/// `first` itself where the cloth is plain.
+Vector3f clothColor(const Cloth& cloth, const Vector3f& first, const Vector3f& position);
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/surface/solid.h"
+
+#include <cstdint>
+
+namespace dewpoint::simulation {
+
+/// A well-mixed word from three integers.
+std::uint32_t hashed(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+
+/// Value noise in [-1, 1]: smooth between random values at the points of the integer grid.
+float valueNoise(const Vector3f& position);
+
+/// The color of a patterned surface at a point in the solid's own frame, meters; BGR.
+Vector3f texture(Pattern pattern, const Vector3f& color, const Vector3f& position);
+
+} // namespace dewpoint::simulation

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cameras, furniture and people of grade `wild`.
+#include "core/experiment/scenarios/scenario.h"
+#include "core/experiment/scenarios/wild/wild_rig.h"
+#include "core/experiment/scenarios/wild/wild_room.h"
+#include "core/simulation/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dewpoint::tests {
+namespace {
+
+using namespace dewpoint::experiment::scenarios;
+using simulation::Furnishing;
+
+double targetPixels(const WildRig& wild) {
+  const Camera& camera = wild.rig.front();
+  const double distance = (camera.center() - Eigen::Vector3d(0.5, 0.5, 0.15)).norm();
+  return 2.0 * 0.035 * wild.radiusScale * camera.intrinsics.focalX / distance;
+}
+
+TEST(WildRig, ShowsTargetsFromFourPixelsToHalfTheImage) {
+  double smallest = 1e9;
+  double largest = 0.0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Draws draws(seed, "wild rig test");
+    const WildRig wild = drawRig(simulation::demoRig(), Furnishing::ClutteredDesk, 0, draws);
+    const double pixels = targetPixels(wild);
+    smallest = std::min(smallest, pixels);
+    largest = std::max(largest, pixels);
+    EXPECT_LE(wild.radiusScale, 1.0);
+    EXPECT_LE(wild.pathScale, 1.0);
+    for (const Camera& camera : wild.rig) {
+      EXPECT_GE(camera.center().z(), 0.06 - 1e-9); // as the pose gives it back
+      EXPECT_GE(std::min(camera.intrinsics.width, camera.intrinsics.height), 120);
+      const double across = camera.intrinsics.width / camera.intrinsics.focalX;
+      EXPECT_LT(across, 2.4) << "a lens of 100 degrees at most";
+      EXPECT_NEAR(camera.intrinsics.centerX, 0.5 * (camera.intrinsics.width - 1), 1e-12);
+    }
+  }
+  // 4 to 120 pixels evenly in the logarithm, and lenses that differ by 10 %.
+  EXPECT_GT(smallest, 3.3);
+  EXPECT_LT(smallest, 6.0);
+  EXPECT_GT(largest, 80.0);
+  EXPECT_LT(largest, 133.0);
+}
+
+TEST(WildRig, LaterAttemptsHaveTheUsualSizeAtMost) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    Draws draws(seed, "wild rig test");
+    const WildRig wild =
+        drawRig(simulation::demoRig(), Furnishing::ClutteredDesk, kMostRigs - 1, draws);
+    // 350 pixels, and lenses that differ by 10 %.
+    EXPECT_LE(wild.rig.front().intrinsics.focalX, 350.0 * 1.1 + 1e-9);
+  }
+}
+
+TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
+  const CameraRig rig = simulation::demoRig();
+  std::size_t objects = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Draws draws(seed, "wild room test");
+    const simulation::RoomDesign design = drawRoom(Furnishing::ClutteredDesk, rig, draws);
+    ASSERT_TRUE(design.walls);
+    ASSERT_TRUE(design.lamp);
+    EXPECT_GT(design.lamp->z(), 1.2F);
+    EXPECT_LT(design.lamp->z(), 2.0F) << "below the ceiling, z = 2.05";
+    for (const simulation::Solid& solid : design.further.solids()) {
+      ++objects;
+      const auto apart = [&](double x, double y) {
+        return std::hypot(solid.center.x() - x, solid.center.y() - y);
+      };
+      EXPECT_GT(apart(0.47, 0.47), 0.19);
+      for (const Camera& camera : rig) {
+        EXPECT_GT(apart(camera.center().x(), camera.center().y()), 0.19);
+      }
+    }
+    Draws again(seed, "wild room test");
+    EXPECT_EQ(drawRoom(Furnishing::ClutteredDesk, rig, again).further.solids().size(),
+              design.further.solids().size());
+  }
+  EXPECT_GT(objects, 20U * 7U);
+}
+
+TEST(WildRoom, PeopleWalkBehindTheVolume) {
+  std::size_t people = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Draws draws(seed, "people test");
+    for (const simulation::Walker& walker : drawPeople(Furnishing::Desk, 6.0, draws)) {
+      ++people;
+      for (const double time : {0.0, 3.0, 6.0}) {
+        const Eigen::Vector2d position = walker.position(time);
+        EXPECT_NEAR(position.maxCoeff(), std::max(1.75, position.minCoeff()), 0.16);
+        EXPECT_GT(position.minCoeff(), -1.1);
+      }
+    }
+    EXPECT_TRUE(drawPeople(Furnishing::Hall, 6.0, draws).empty());
+  }
+  EXPECT_GT(people, 10U);
+  EXPECT_EQ(floorOf(Furnishing::ClutteredDesk), -0.75F);
+}
+
+TEST(WildGrade, GivesEverySeedItsOwnCameras) {
+  const auto scenario = std::ranges::find(scenarioCatalog(), "S0-slow", &ScenarioDeclaration::name);
+  const auto one = scenario->make(1, Grade::Wild);
+  const auto other = scenario->make(2, Grade::Wild);
+  ASSERT_TRUE(one);
+  ASSERT_TRUE(other);
+  ASSERT_EQ(one->trueRig.size(), 2U);
+  EXPECT_NE(one->trueRig[0].center(), other->trueRig[0].center());
+  EXPECT_NE(one->rig[0], one->trueRig[0]);
+  const FramePtr first = one->frames(0)->frames[1];
+  ASSERT_NE(first, nullptr) << "frame 0 always comes";
+  EXPECT_EQ(first->image.cols, one->trueRig[1].intrinsics.width);
+  EXPECT_EQ(first->image.rows, one->trueRig[1].intrinsics.height);
+}
+
+} // namespace
+} // namespace dewpoint::tests
