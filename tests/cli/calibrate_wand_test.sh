@@ -40,6 +40,8 @@ expectExit $kUsage calibrate wand demo --stick a b --length 0.5 --distance 1 2 1
 expectSentence --length --distance
 expectExit $kUsage calibrate wand demo --diameter --stick a b --length 0.5
 expectSentence --length --diameter
+expectExit $kUsage calibrate wand demo --diameter --distance 1 2 0.5
+expectSentence --distance --diameter
 expectExit $kUsage calibrate wand demo --apply
 expectSentence --apply
 expectExit $kBadInput calibrate wand demo --frames 60:200 --floor 99

@@ -91,7 +91,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   before.setShownPlots({});
   before.setPlotsOverTime(true);
   QTemporaryDir folder;
-  before.setLastFolderOf(folder.filePath(QStringLiteral("project.toml")));
+  before.setLastFolder(folder.path());
   QSettings().sync();
   const Preferences after;
   QCOMPARE(after.theme(), Theme::Light);
@@ -103,7 +103,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   QCOMPARE(after.shownPlots(), std::optional(QStringList())); // none is a choice, too
   QVERIFY(after.plotsOverTime());
   QCOMPARE(after.lastFolder(), folder.path());
-  before.setLastFolderOf(QStringLiteral("/"));
+  before.setLastFolder(QStringLiteral("/"));
   QCOMPARE(after.lastFolder(), QStringLiteral("/"));
 }
 

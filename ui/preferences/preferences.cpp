@@ -83,9 +83,8 @@ QString Preferences::lastFolder() const {
   return read(kLastFolder).toString();
 }
 
-void Preferences::setLastFolderOf(const QString& chosen) {
-  const QFileInfo info(chosen);
-  write(kLastFolder, info.isDir() ? info.absoluteFilePath() : info.absolutePath());
+void Preferences::setLastFolder(const QString& folder) {
+  write(kLastFolder, folder);
 }
 
 int Preferences::filterThreads() const {

@@ -49,8 +49,7 @@ public:
 
   /// The folder in which a file was chosen last; empty: none yet.
   QString lastFolder() const;
-  /// Remembers the folder of a file, or a folder.
-  void setLastFolderOf(const QString& chosen);
+  void setLastFolder(const QString& folder);
 
   /// How many threads the filter uses from the next run on; 0: as core/session chooses
   /// (base::filterThreads). Results are the same with any number.

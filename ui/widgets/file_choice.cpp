@@ -5,16 +5,19 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 
 namespace dewpoint::ui {
 
 namespace {
 
-QString remembered(const QString& chosen) {
-  if (!chosen.isEmpty()) {
-    Preferences().setLastFolderOf(chosen);
+/// The next dialog begins in the folder of the file. Dialogs return absolute paths: no disk is
+/// asked.
+QString remembered(const QString& file) {
+  if (!file.isEmpty()) {
+    Preferences().setLastFolder(QFileInfo(file).path());
   }
-  return chosen;
+  return file;
 }
 
 } // namespace
@@ -32,7 +35,12 @@ QStringList askForFiles(QWidget* parent, const QString& title, const QString& fi
 }
 
 QString askForFolder(QWidget* parent, const QString& title) {
-  return remembered(QFileDialog::getExistingDirectory(parent, title, Preferences().lastFolder()));
+  const QString folder =
+      QFileDialog::getExistingDirectory(parent, title, Preferences().lastFolder());
+  if (!folder.isEmpty()) {
+    Preferences().setLastFolder(folder);
+  }
+  return folder;
 }
 
 QString askForFileToSave(QWidget* parent, const QString& title, const QString& proposed,

@@ -221,13 +221,14 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                     "Find how late each camera is against the first; --apply keeps it");
   command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
   command->add_flag("--k1", wand.findDistortion, "Find the first lens coefficient");
-  command
-      ->add_option("--distance", options->distance,
-                   "T1 T2 METRES: the ball was held at two places this far apart")
-      ->expected(3)
-      ->excludes(length);
+  auto* distance = command
+                       ->add_option("--distance", options->distance,
+                                    "T1 T2 METERS: the ball was held at two places this far apart")
+                       ->expected(3)
+                       ->excludes(length);
   command->add_flag("--diameter", wand.fromDiameter, "Size from the ball's diameter")
-      ->excludes(length);
+      ->excludes(length)
+      ->excludes(distance);
   command->add_option("--floor", wand.floorTimes, "Seconds at which the ball lay on the floor");
   command->add_option("--drop", options->drop, "FROM UNTIL, seconds: the ball fell freely")
       ->expected(2);
