@@ -59,6 +59,24 @@ TEST(BeliefFigures, AreMeansOverRunsButForNeesAndCalibration) {
   EXPECT_TRUE(std::isnan(figure("coverage50_percent"))) << "no run has it";
 }
 
+TEST(BeliefFigures, OfTiesAreOfTheScenariosThatHaveThem) {
+  MadeResults made;
+  made.add(resultOf("S0-slow", Grade::Room, "dewpoint"));
+  SuiteResult even = resultOf("S19-even-start", Grade::Room, "dewpoint");
+  even.row.sureOfTiePercent = 12.0;
+  made.add(even);
+  const auto cells = made.cells();
+  const auto summaries = summarizeBelief(cells);
+  ASSERT_EQ(summaries.size(), 1U);
+  const auto figures = beliefFigures();
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    if (std::string(figures[k].name) == "sure_of_tie_percent") {
+      EXPECT_EQ(summaries[0].figures[k].median, 12.0);
+      EXPECT_EQ(summaries[0].figures[k].worstScenario, "S19-even-start");
+    }
+  }
+}
+
 TEST(BeliefSummary, IsOneForEachGradeAndMethod) {
   MadeResults made;
   for (const std::string scenario : {"S0-slow", "S4-desk-cloud"}) {
