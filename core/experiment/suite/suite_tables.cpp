@@ -163,9 +163,9 @@ std::string rowHead(const SuiteCell& cell) {
                      gradeName(cell.grade));
 }
 
-/// A table with a row for each scenario and grade; `rowText` gets its cells and the methods.
-template <class RowText>
-std::string scenarioByMethod(std::span<const SuiteCell> cells, const RowText& rowText) {
+/// A table with a row for each scenario and grade; `rowOf` gets its cells and the methods.
+template <class RowOf>
+std::string scenarioByMethod(std::span<const SuiteCell> cells, const RowOf& rowOf) {
   const auto methods = methodsOf(cells);
   std::string text = "<div class='scroll'><table><thead><tr><th>scenario</th><th "
                      "class='text'>grade</th>";
@@ -175,7 +175,7 @@ std::string scenarioByMethod(std::span<const SuiteCell> cells, const RowText& ro
   text += "</tr></thead><tbody>";
   while (!cells.empty()) {
     const auto row = firstRow(cells);
-    text += rowText(row, methods);
+    text += rowOf(row, methods);
     cells = cells.subspan(row.size());
   }
   return text + "</tbody></table></div>";

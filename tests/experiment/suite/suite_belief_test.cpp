@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -69,12 +70,14 @@ TEST(BeliefFigures, OfTiesAreOfTheScenariosThatHaveThem) {
   const auto summaries = summarizeBelief(cells);
   ASSERT_EQ(summaries.size(), 1U);
   const auto figures = beliefFigures();
-  for (std::size_t k = 0; k < figures.size(); ++k) {
-    if (std::string(figures[k].name) == "sure_of_tie_percent") {
-      EXPECT_EQ(summaries[0].figures[k].median, 12.0);
-      EXPECT_EQ(summaries[0].figures[k].worstScenario, "S19-even-start");
-    }
-  }
+  const auto tie = std::ranges::find_if(figures, [](const BeliefFigure& figure) {
+    return std::string(figure.name) == "sure_of_tie_percent";
+  });
+  ASSERT_NE(tie, figures.end());
+  const OverScenarios& found =
+      summaries[0].figures[static_cast<std::size_t>(tie - figures.begin())];
+  EXPECT_EQ(found.median, 12.0) << "the other scenario has no tie";
+  EXPECT_EQ(found.worstScenario, "S19-even-start");
 }
 
 TEST(BeliefSummary, IsOneForEachGradeAndMethod) {
