@@ -3,7 +3,7 @@
 . "$(dirname "$0")/common.sh"
 
 expectExit 0 suite --help
-expectText out.txt --list --scenario --method --grade --seeds --first-seed --threads --out --merge
+expectText out.txt --list --scenario --method --grade --seeds --first-seed --threads --out --merge --part
 expectExit 0 suite --list
 expectText out.txt S0-slow triangulation-kalman camshift barrera
 
@@ -12,7 +12,7 @@ readonly -a few=(--scenario S0-slow --grade ideal --first-seed 1 --method triang
 rows() { sed 's/,[^,]*,\([^,]*\)$/,\1/' "$1"; }
 
 expectExit 0 suite "${few[@]}" --seeds 2 --threads 2 --out both
-for file in report.html runs.csv summary.csv belief.csv report.json traces.csv; do
+for file in report.html runs.csv summary.csv belief.csv report.json traces.csv skipped.csv; do
   [[ -s both/$file ]] || fail "$file is missing"
 done
 [[ $(wc -l <both/runs.csv) == 5 ]] || fail "a header and four rows expected: $(cat both/runs.csv)"
@@ -44,6 +44,27 @@ expectExit $kBadInput suite --merge first nowhere --out merged
 expectSentence nowhere
 [[ ! -e nowhere ]] || fail "a folder that is not there was made"
 expectExit $kUsage suite --merge first --seeds 2 --out merged
+
+# A run that its scenario cannot make is skipped, once and for all; the others are run. Nothing at all
+# of a scenario is an error, but not of a part.
+readonly none='is skipped: no position.'
+mkdir one two
+printf 'scenario,grade,seed,reason\nS0-slow,ideal,1,"no position"\n' | tee one/skipped.csv >two/skipped.csv
+expectExit $kBadInput suite "${few[@]}" --seeds 1 --out one
+expectText err.txt "S0-slow, grade ideal, seed 1 $none" 'S0-slow, grade ideal: every run was skipped'
+expectExit 0 suite "${few[@]}" --seeds 1 --part --out one
+expectText err.txt "S0-slow, grade ideal, seed 1 $none"
+[[ $(wc -l <one/runs.csv) == 1 ]] || fail "a skipped run was run: $(cat one/runs.csv)"
+expectExit 0 suite "${few[@]}" --seeds 2 --out two
+expectText err.txt "S0-slow, grade ideal, seed 1 $none" 'skipped: 1.'
+[[ $(wc -l <two/runs.csv) == 3 ]] || fail "two rows of seed 2 expected: $(cat two/runs.csv)"
+expectText two/report.html 'Skipped runs: 1.' 'seed 1 is skipped'
+expectText two/report.json '"reason": "no position"'
+expectExit 0 suite --merge one second --out gaps
+expectText err.txt "seed 1 $none"
+cmp one/skipped.csv gaps/skipped.csv || fail "the merged folder has other skipped runs"
+expectExit $kBadInput suite --merge one --out alone
+expectText err.txt 'S0-slow, grade ideal: every run was skipped'
 
 expectExit $kUsage suite --out o --scenario S99
 expectSentence S99 --list

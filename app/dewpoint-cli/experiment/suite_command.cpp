@@ -31,6 +31,7 @@ struct SuiteOptions {
   std::optional<int> seeds;
   std::uint64_t firstSeed = kFirstReportingSeed;
   int threads = 1;
+  bool part = false; ///< of a suite that --merge puts together
   std::string folder;
   std::vector<std::string> merged; ///< folders of which one is made
   ClipFolders clips{{}, "bench/clips"};
@@ -148,7 +149,13 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
     progress.show(++finished);
     return store.append(result);
   };
-  auto status = runSuite(jobs, threads, sink, [] { return interruptionRequested(); });
+  const auto skip = [&](const SuiteJob& job, const SkippedRun& run) {
+    finished += static_cast<std::int64_t>(job.methods.size());
+    progress.show(finished);
+    return store.append(run);
+  };
+  auto status = runSuite(
+      jobs, threads, sink, [] { return interruptionRequested(); }, skip);
   progress.finish();
   return status;
 }
@@ -157,8 +164,10 @@ Status runJobs(const std::vector<SuiteJob>& jobs, int threads, SuiteStore& store
 Status writeReport(SuiteStore& store, const std::string& folder, const SuiteCatalog& catalog,
                    const std::vector<std::string>& notes) {
   const auto order = reportOrder(store.results(), catalog.scenarios);
-  return store.rewrite(order).and_then(
-      [&] { return writeSuiteReport(folder, store.results(), order, catalog.scenarios, notes); });
+  return store.rewrite(order).and_then([&] {
+    return writeSuiteReport(folder, store.results(), order, catalog.scenarios, notes,
+                            store.skipped());
+  });
 }
 
 /// The sentences of the clips that are not there and have no runs, of results with real clips.
@@ -178,28 +187,59 @@ std::vector<std::string> skippedOf(const SuiteResults& results, const SuiteCatal
   return sentences;
 }
 
+/// Says what the folder holds and which runs are skipped. The exit code: a scenario of which not
+/// one run could be made is an error, unless the folder is a part of a suite.
+int conclude(const SuiteStore& store, const std::string& folder, bool isPart) {
+  fmt::print("{} runs in {}; see report.html there.\n", store.results().size(), folder);
+  for (const SkippedRun& run : store.skipped()) {
+    fmt::print(stderr, "dewpoint-cli: {}\n", skippedSentence(run));
+  }
+  if (!store.skipped().empty()) {
+    fmt::print(stderr,
+               "dewpoint-cli: Runs that were skipped: {}. No result contains them; see "
+               "skipped.csv.\n",
+               store.skipped().size());
+  }
+  std::set<RunKey> done;
+  for (const auto& [key, result] : store.results()) {
+    done.insert(key);
+  }
+  const auto nothing = withoutAnyRun(store.skipped(), done);
+  for (const ScenarioGrade& scenario : nothing) {
+    fmt::print(stderr, "dewpoint-cli: {}, grade {}: every run was skipped; nothing was measured.\n",
+               scenario.scenario, gradeName(scenario.grade));
+  }
+  return nothing.empty() || isPart ? kExitDone : kExitBadInput;
+}
+
 /// Makes the folder hold the runs of others, too.
 int mergeSuites(const SuiteOptions& options) {
   SuiteResults all;
+  SkippedRuns skipped;
   for (const std::string& folder : options.merged) {
     const auto results = SuiteStore::read(folder);
     if (!results) {
       return report(results.error());
     }
     all.insert(results->begin(), results->end());
+    const auto skippedThere = SuiteStore::readSkipped(folder);
+    if (!skippedThere) {
+      return report(skippedThere.error());
+    }
+    skipped.insert(skippedThere->begin(), skippedThere->end());
   }
   auto store = SuiteStore::open(options.folder);
   if (!store) {
     return report(store.error());
   }
   store->take(all);
+  store->take(skipped);
   const SuiteCatalog catalog = catalogOf(options);
   const auto notes = skippedOf(store->results(), catalog);
   if (const auto written = writeReport(*store, options.folder, catalog, notes); !written) {
     return report(written.error());
   }
-  fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
-  return kExitDone;
+  return conclude(*store, options.folder, options.part);
 }
 
 int runSuiteCommand(const SuiteOptions& options) {
@@ -218,7 +258,7 @@ int runSuiteCommand(const SuiteOptions& options) {
     return report(store.error());
   }
   catchInterruption();
-  const auto jobs = planSuite(*request, store->results());
+  const auto jobs = planSuite(*request, store->results(), store->skipped());
   const auto run = runJobs(jobs, options.threads, *store);
   const auto written = writeReport(*store, options.folder, catalog, skipped);
   if (!run) {
@@ -227,14 +267,14 @@ int runSuiteCommand(const SuiteOptions& options) {
   if (!written) {
     return report(written.error());
   }
-  const std::int64_t left = runCount(planSuite(*request, store->results()));
-  fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
+  const std::int64_t left = runCount(planSuite(*request, store->results(), store->skipped()));
   if (left > 0) {
+    fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
     fmt::print(stderr, "dewpoint-cli: interrupted with {} runs to do; the same command goes on.\n",
                left);
     return kExitInterrupted;
   }
-  return kExitDone;
+  return conclude(*store, options.folder, options.part);
 }
 
 } // namespace
@@ -272,6 +312,9 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
   command->add_option("--threads", options->threads, "Runs at the same time")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  command->add_flag("--part", options->part,
+                    "The folder is a part of a suite that --merge puts together: it may have "
+                    "scenarios of which every run was skipped");
   command->add_option("--out", options->folder, "Folder to write, or to go on with");
   command
       ->add_option("--merge", options->merged,

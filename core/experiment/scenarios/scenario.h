@@ -97,6 +97,9 @@ struct ScenarioDeclaration {
   std::string family;   ///< "S4"
   std::string sentence; ///< what happens in it
   int seeds = 20;       ///< runs of a report unless requested otherwise
+  /// Undetermined when chance has drawn no run for this seed and grade, such as no position at
+  /// which everything is seen that must be: the suite then skips this run. Any other error stops
+  /// it.
   std::function<Result<ScenarioRun>(std::uint64_t seed, Grade grade)> make;
   bool recorded = false; ///< a real clip: of grade `Real` only; all others are of every other grade
   /// Of a recorded scenario, instead of `make`: the images of one camera with the true boxes, for

@@ -14,6 +14,14 @@ namespace {
 constexpr const char* kOurs = "dewpoint";
 constexpr const char* kOther = "triangulation";
 
+/// The families of the first version's requirements. What is asked of all runs of grade `ideal`
+/// was set for these; the families after them are judged by the figures of belief (aimBars()).
+const std::vector<std::string>& firstFamilies() {
+  static const std::vector<std::string> kFamilies{"S0", "S1", "S2", "S3", "S4", "S5",
+                                                  "S6", "S7", "S8", "S9", "S10"};
+  return kFamilies;
+}
+
 /// At most `high`.
 SuiteBar most(int item, std::string sentence, std::string unit, double high,
               std::vector<std::string> scenarios, BarMeasure measure) {
@@ -94,16 +102,12 @@ std::vector<SuiteBar> honestyBars() {
   return {
       most(5, "Vanished: frames until the loss is declared, worst run", "frames", 3.0,
            {"S3-vanish"}, worstRun(&SuiteRow::framesToDeclareLoss)),
-      most(5, "False alarms per frame, mean of all runs", "", 1e-3, {},
+      most(5, "False alarms per frame, mean of all runs of S0 to S10", "", 1e-3, firstFamilies(),
            meanOfRuns(&SuiteRow::falseAlarmPercent, 0.01)),
-      most(5, "Expected calibration error of P(exists), all runs", "", 0.05, {}, pooledEceOfRuns),
-      {5,
-       "Truth inside the stated 95 % ellipsoid, mean of all runs",
-       "%",
-       92.0,
-       98.0,
-       {},
-       meanOfRuns(&SuiteRow::coverage95Percent)},
+      most(5, "Expected calibration error of P(exists), all runs of S0 to S10", "", 0.05,
+           firstFamilies(), pooledEceOfRuns),
+      {5, "Truth inside the stated 95 % ellipsoid, mean of all runs of S0 to S10", "%", 92.0, 98.0,
+       firstFamilies(), meanOfRuns(&SuiteRow::coverage95Percent)},
   };
 }
 

@@ -69,6 +69,10 @@ std::span<const BeliefFigure> beliefFigures() {
       BeliefFigure{"wrong_when_sure_percent", "the same with<br>P &gt; 0.95 %",
                    "the same with P(exists) above 0.95",
                    meanFigure<&SuiteRow::wrongWhenSurePercent>, true},
+      BeliefFigure{"sure_of_tie_percent", "sure of<br>a tie %",
+                   "where N objects are the target equally well: frames with the target declared "
+                   "and P(exists) above 1 / N + 0.05, mean over the runs",
+                   meanFigure<&SuiteRow::sureOfTiePercent>, true},
   };
   return kFigures;
 }

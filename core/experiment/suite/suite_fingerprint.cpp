@@ -40,6 +40,7 @@ ScenarioRun begunOf(ScenarioRun run, std::int64_t frames) {
   run.frameCount = std::min(run.frameCount, frames);
   std::erase_if(run.truth.samples,
                 [&](const TrajectorySample& sample) { return sample.frame >= run.frameCount; });
+  run.extents.clear(); // one per sample; no fingerprint depends on them
   std::erase_if(run.events,
                 [&](const ScenarioEvent& event) { return event.frame >= run.frameCount; });
   return run;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_page.h"
 
+#include "core/experiment/metrics/extent_errors.h"
 #include "core/experiment/report/report_style.h"
 #include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/suite/suite_figures.h"
@@ -63,13 +64,28 @@ std::string head(const SuiteReport& report) {
                                             seeds, kFirstReportingSeed, kLastReportingSeed));
 }
 
-/// What the report lacks, and why: clips whose recordings are not there.
+/// Runs that their scenarios could not make.
+std::string skippedRuns(const SuiteReport& report) {
+  if (report.skipped.empty()) {
+    return {};
+  }
+  std::string text =
+      fmt::format("<details class='note'><summary>Skipped runs: {}. Chance has drawn nothing for "
+                  "these seeds that fits the scenario; no result contains them.</summary><ul>",
+                  report.skipped.size());
+  for (const SkippedRun& run : report.skipped) {
+    text += fmt::format("<li>{}</li>", escaped(skippedSentence(run)));
+  }
+  return text + "</ul></details>";
+}
+
+/// What the report lacks, and why: clips whose recordings are not there, and skipped runs.
 std::string notesOf(const SuiteReport& report) {
   std::string text;
   for (const std::string& note : report.notes) {
     text += fmt::format("<p class='note'>{}</p>", escaped(note));
   }
-  return text;
+  return text + skippedRuns(report);
 }
 
 std::string tile(const char* style, std::ptrdiff_t count, const char* words) {
@@ -133,7 +149,9 @@ std::string belief(const SuiteReport& report) {
       "<h2 id='belief'>Does it know how sure it may be?</h2><p>Each figure is taken for every "
       "scenario; shown are the median over the scenarios and, in gray, the worst of them by name. "
       "A method that is right has 50 and 95 % of the truths in its ellipsoids and a NEES of 3; "
-      "methods without a P(exists) state 1 for all that they declare.</p>";
+      "methods without a P(exists) state 1 for all that they declare. Sure of a tie has scenarios "
+      "only "
+      "in which several objects are the target equally well.</p>";
   const std::span<const BeliefSummary> all(report.belief);
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin;
@@ -154,6 +172,22 @@ std::string overview(const SuiteReport& report) {
          "trace of the frames is lost, that is said beside it: a small error of few frames is "
          "no success.</p>" +
          overviewTable(report.cells);
+}
+
+/// Nothing where no run knows how large its targets are.
+std::string extents(const SuiteReport& report) {
+  if (std::ranges::all_of(report.cells, [](const SuiteCell& cell) {
+        return std::isnan(meanOf(cell.runs, &SuiteRow::nearCentroidPercent));
+      })) {
+    return {};
+  }
+  return fmt::format("<h2 id='extents'>Measured by the target's size</h2><p>Percent of the frames "
+                     "after convergence, with the target in sight, in which the estimate is within "
+                     "{:g} of the target's longest semi-axis from its centroid: mean over the "
+                     "runs. Where methods are not told the size and estimate it, the median error "
+                     "of the radius, of that of a ball of the target's volume, is beside it.</p>",
+                     kNearShare) +
+         extentTable(report.cells);
 }
 
 std::string legendOf(std::span<const SuiteCell> cells) {
@@ -269,7 +303,7 @@ std::string reportHtml(const SuiteReport& report) {
          "suite</title><style>" +
          reportStyle() + "</style></head>\n<body><main>\n" + head(report) + notesOf(report) +
          links(report) + requirements(report) + belief(report) + overview(report) +
-         scenarioRows(report) + explanation() + "\n</main></body></html>\n";
+         extents(report) + scenarioRows(report) + explanation() + "\n</main></body></html>\n";
 }
 
 } // namespace dewpoint::experiment

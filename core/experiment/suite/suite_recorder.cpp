@@ -4,10 +4,13 @@
 #include "core/experiment/metrics/clear_mot.h"
 #include "core/experiment/metrics/consistency.h"
 #include "core/experiment/metrics/error_split.h"
+#include "core/experiment/metrics/extent_errors.h"
 #include "core/experiment/metrics/gospa.h"
 #include "core/experiment/metrics/hota.h"
+#include "core/experiment/metrics/jitter.h"
 #include "core/experiment/metrics/overconfidence.h"
 #include "core/experiment/metrics/reliability.h"
+#include "core/experiment/metrics/tie_belief.h"
 #include "core/filter/assignment.h"
 
 #include <algorithm>
@@ -171,6 +174,18 @@ void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
   row.coverage50Percent = 100.0 * fit.inside50.value();
 }
 
+/// Nothing where there was nothing to measure.
+SuiteRow::Figure figureOrNone(double value) {
+  return std::isnan(value) ? std::nullopt : SuiteRow::Figure(value);
+}
+
+void fillExtents(const std::vector<ExtentSample>& samples, SuiteRow& row) {
+  const ExtentErrors errors = extentErrors(samples);
+  row.nearCentroidPercent = figureOrNone(100.0 * errors.near.value());
+  row.centroidErrorPercent = figureOrNone(100.0 * errors.centroid);
+  row.sizeErrorPercent = figureOrNone(100.0 * errors.size);
+}
+
 void fillOverconfidence(const std::vector<StatedBelief>& beliefs, SuiteRow& row) {
   const Overconfidence shares = overconfidence(beliefs, kFollowGate);
   row.sureAndWrongPercent = 100.0 * shares.sureAndWrong.value();
@@ -180,6 +195,19 @@ void fillOverconfidence(const std::vector<StatedBelief>& beliefs, SuiteRow& row)
 
 } // namespace
 
+/// What a run's figures are taken from, of all targets.
+struct SuiteRecorder::Samples {
+  std::vector<Eigen::Vector3d> errors; ///< from convergence on, as the next three
+  std::vector<StateError> states;
+  std::vector<ErrorSequence> sequences; ///< one per target
+  std::vector<ExtentSample> extents;
+  std::vector<Forecast> forecasts;
+  std::vector<StatedBelief> beliefs;
+  std::vector<StatedBelief> firstBeliefs; ///< those in the first target
+  Proportion lost;
+  Proportion blindInside;
+};
+
 SuiteRecorder::SuiteRecorder(const ScenarioRun& run, std::string method)
     : run_(run), method_(std::move(method)),
       truth_(static_cast<std::size_t>(run.frameCount),
@@ -188,11 +216,18 @@ SuiteRecorder::SuiteRecorder(const ScenarioRun& run, std::string method)
   for (std::size_t k = 0; k < run.targets.size(); ++k) {
     index.emplace(run.targets[k].name, k);
   }
-  for (const TrajectorySample& sample : run.truth.samples) {
+  const bool sized = run.extents.size() == run.truth.samples.size();
+  extents_.resize(sized ? truth_.size() : 0, std::vector<TargetExtent>(run.targets.size()));
+  for (std::size_t k = 0; k < run.truth.samples.size(); ++k) {
+    const TrajectorySample& sample = run.truth.samples[k];
     const auto target = index.find(sample.target);
     if (sample.valid && target != index.end() && sample.frame >= 0 &&
         sample.frame < run.frameCount) {
-      truth_[static_cast<std::size_t>(sample.frame)][target->second] = sample.position;
+      const auto frame = static_cast<std::size_t>(sample.frame);
+      truth_[frame][target->second] = sample.position;
+      if (sized) {
+        extents_[frame][target->second] = run.extents[k];
+      }
     }
   }
 }
@@ -271,58 +306,84 @@ std::vector<TrackFrame> SuiteRecorder::trackFrames() const {
   return frames;
 }
 
+const TargetExtent* SuiteRecorder::extentOf(std::size_t frame, std::size_t target) const {
+  return extents_.empty() ? nullptr : &extents_[frame][target];
+}
+
+void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples& samples,
+                              SuiteResult& result) const {
+  const auto frames = framesOf(target, estimate);
+  const auto converged = framesToConverge(frames, kFollowGate);
+  raise(result.row.framesToConverge, framesOrNever(converged));
+  measureEvents(run_, frames, result.row);
+  const auto begin = static_cast<std::size_t>(converged.value_or(0));
+  const auto inPart = lostFrames(std::span(frames).subspan(begin), kFollowGate);
+  samples.lost.count += inPart.count;
+  samples.lost.total += inPart.total;
+  const bool sizeIsGiven = run_.targets[target].radius > 0.0;
+  auto& trace = result.trace.errorsMm.emplace_back();
+  auto& sequence = samples.sequences.emplace_back();
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const SphereEstimate& stated = estimates_[k][estimate];
+    const auto error = errorOf(frames[k]);
+    trace.push_back(error ? kMillimeters * error->norm()
+                          : std::numeric_limits<double>::quiet_NaN());
+    samples.forecasts.push_back(
+        {stated.existenceProbability,
+         frames[k].truth.has_value() && (stated.mean - *frames[k].truth).norm() < kFollowGate});
+    samples.beliefs.push_back({stated.existenceProbability, isDeclared(stated), stated.mean,
+                               stated.covariance, frames[k].truth});
+    if (target == 0) {
+      samples.firstBeliefs.push_back(samples.beliefs.back());
+    }
+    if (frames[k].truth && anyBlind(frames[k].frame)) {
+      ++samples.blindInside.total;
+      samples.blindInside.count += error && isInside95({*error, stated.covariance}) ? 1 : 0;
+    }
+    if (k < begin) {
+      continue;
+    }
+    sequence.push_back(error);
+    if (error) {
+      samples.errors.push_back(*error);
+      samples.states.push_back({*error, stated.covariance});
+    }
+    const TargetExtent* const extent = extentOf(k, target);
+    if (extent != nullptr && frames[k].truth && frames[k].visible) {
+      const bool hasSize = error && !sizeIsGiven && stated.radius > 0.0;
+      samples.extents.push_back({error ? std::optional(error->norm()) : std::nullopt,
+                                 extent->halfAxes.maxCoeff(), extent->radius,
+                                 hasSize ? std::optional(stated.radius) : std::nullopt});
+    }
+  }
+}
+
 SuiteResult SuiteRecorder::result(double usPerFrame) const {
   SuiteResult result;
   SuiteRow& row = result.row;
   row.key = {run_.scenario, run_.grade, method_, run_.seed};
   result.trace.key = row.key;
-  std::vector<Eigen::Vector3d> errors;
-  std::vector<StateError> states;
-  std::vector<Forecast> forecasts;
-  std::vector<StatedBelief> beliefs;
-  Proportion lost;
-  Proportion blindInside;
+  Samples samples;
   const auto estimateOf = estimateOfTruth();
   for (std::size_t target = 0; target < estimateOf.size(); ++target) {
-    const auto frames = framesOf(target, estimateOf[target]);
-    const auto converged = framesToConverge(frames, kFollowGate);
-    raise(row.framesToConverge, framesOrNever(converged));
-    measureEvents(run_, frames, row);
-    const auto begin = static_cast<std::size_t>(converged.value_or(0));
-    const auto inPart = lostFrames(std::span(frames).subspan(begin), kFollowGate);
-    lost.count += inPart.count;
-    lost.total += inPart.total;
-    auto& trace = result.trace.errorsMm.emplace_back();
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-      const SphereEstimate& estimate = estimates_[k][estimateOf[target]];
-      const auto error = errorOf(frames[k]);
-      trace.push_back(error ? kMillimeters * error->norm()
-                            : std::numeric_limits<double>::quiet_NaN());
-      forecasts.push_back(
-          {estimate.existenceProbability,
-           frames[k].truth.has_value() && (estimate.mean - *frames[k].truth).norm() < kFollowGate});
-      beliefs.push_back({estimate.existenceProbability, isDeclared(estimate), estimate.mean,
-                         estimate.covariance, frames[k].truth});
-      if (frames[k].truth && anyBlind(frames[k].frame)) {
-        ++blindInside.total;
-        blindInside.count += error && isInside95({*error, estimate.covariance}) ? 1 : 0;
-      }
-      if (error && k >= begin) {
-        errors.push_back(*error);
-        states.push_back({*error, estimate.covariance});
-      }
-    }
+    addTarget(target, estimateOf[target], samples, result);
   }
-  fillErrors(errors, run_.trueRig, row);
-  fillConsistency(states, row);
-  fillReliability(forecasts, result);
-  fillOverconfidence(beliefs, row);
+  fillErrors(samples.errors, run_.trueRig, row);
+  row.jitterMm = figureOrNone(kMillimeters * jitterOf(samples.sequences));
+  fillExtents(samples.extents, row);
+  fillConsistency(samples.states, row);
+  fillReliability(samples.forecasts, result);
+  fillOverconfidence(samples.beliefs, row);
+  if (run_.equalCandidates > 1) {
+    row.sureOfTiePercent =
+        figureOrNone(100.0 * sureOfTie(samples.firstBeliefs, run_.equalCandidates).value());
+  }
   fillTracks(trackFrames(), row);
-  if (lost.total > 0) {
-    row.lostPercent = 100.0 * lost.value();
+  if (samples.lost.total > 0) {
+    row.lostPercent = 100.0 * samples.lost.value();
   }
-  if (blindInside.total > 0) {
-    row.blackoutCoverage95Percent = 100.0 * blindInside.value();
+  if (samples.blindInside.total > 0) {
+    row.blackoutCoverage95Percent = 100.0 * samples.blindInside.value();
   }
   row.usPerFrame = usPerFrame;
   row.frames = static_cast<double>(estimates_.size());

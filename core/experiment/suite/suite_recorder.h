@@ -33,6 +33,12 @@ public:
   SuiteResult result(double usPerFrame) const;
 
 private:
+  struct Samples;
+  /// Adds what is measured of one target, which is followed by the method's estimate `estimate`.
+  void addTarget(std::size_t target, std::size_t estimate, Samples& samples,
+                 SuiteResult& result) const;
+  /// How large the target is at a frame; nothing where the run does not tell.
+  const TargetExtent* extentOf(std::size_t frame, std::size_t target) const;
   std::vector<std::size_t> estimateOfTruth() const;
   std::vector<TargetFrame> framesOf(std::size_t truth, std::size_t estimate) const;
   std::vector<TrackFrame> trackFrames() const;
@@ -43,6 +49,8 @@ private:
   std::string method_;
   /// truth_[frame][target]: where it is, nothing while it is not there.
   std::vector<std::vector<std::optional<Eigen::Vector3d>>> truth_;
+  /// extents_[frame][target]; empty where the run tells none.
+  std::vector<std::vector<TargetExtent>> extents_;
   std::vector<std::vector<SphereEstimate>> estimates_; ///< [frame][target]
 };
 

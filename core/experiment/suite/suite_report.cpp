@@ -35,6 +35,7 @@ Json barJson(const BarResult& result) {
   json["grade"] = result.bar->grade;
   json["next_version"] = result.bar->isAim;
   json["requirement"] = result.bar->sentence;
+  json["scenarios"] = result.bar->scenarios;
   json["unit"] = result.bar->unit;
   json["low"] = number(result.bar->low);
   json["high"] = number(result.bar->high);
@@ -60,6 +61,15 @@ Json beliefJson(const BeliefSummary& summary) {
                                                 {"worst", number(figure.worst)},
                                                 {"worst_scenario", figure.worstScenario}};
   }
+  return json;
+}
+
+Json skippedJson(const SkippedRun& run) {
+  Json json;
+  json["scenario"] = run.scenario;
+  json["grade"] = gradeName(run.grade);
+  json["seed"] = run.seed;
+  json["reason"] = run.reason;
   return json;
 }
 
@@ -132,6 +142,10 @@ std::string reportJson(const SuiteReport& report) {
   json["seeds_sentence"] = seedSentence(report.seeds);
   json["reporting_seeds"] = areReportingSeeds(report.seeds);
   json["notes"] = report.notes;
+  json["skipped"] = Json::array();
+  for (const SkippedRun& run : report.skipped) {
+    json["skipped"].push_back(skippedJson(run));
+  }
   json["bars"] = Json::array();
   for (const BarResult& result : report.bars) {
     json["bars"].push_back(barJson(result));
@@ -150,13 +164,14 @@ std::string reportJson(const SuiteReport& report) {
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
                         std::span<const ScenarioDeclaration> catalog,
-                        const std::vector<std::string>& notes) {
+                        const std::vector<std::string>& notes, const SkippedRuns& skipped) {
   SuiteReport report;
   report.cells = summarizeSuite(results, order);
   report.belief = summarizeBelief(report.cells);
   report.bars = measureBars(report.cells);
   report.catalog = catalog;
   report.notes = notes;
+  report.skipped = skipped;
   std::set<std::uint64_t> seeds;
   for (const RunKey& key : order) {
     seeds.insert(key.seed);

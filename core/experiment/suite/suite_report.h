@@ -21,6 +21,7 @@ struct SuiteReport {
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, each once
   std::vector<std::string> notes;   ///< sentences about what is missing
+  SkippedRuns skipped;              ///< runs that their scenarios could not make
 };
 
 std::string summaryCsv(const SuiteReport& report);
@@ -33,6 +34,7 @@ std::string reportJson(const SuiteReport& report);
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
                         std::span<const ScenarioDeclaration> catalog,
-                        const std::vector<std::string>& notes = {});
+                        const std::vector<std::string>& notes = {},
+                        const SkippedRuns& skipped = {});
 
 } // namespace dewpoint::experiment

@@ -132,6 +132,9 @@ std::span<const SuiteColumn> suiteColumns() {
       SuiteColumn{"bias_mm", &SuiteRow::biasMm, "length of the mean error"},
       SuiteColumn{"depth_bias_mm", &SuiteRow::depthBiasMm,
                   "mean error along the viewing direction; positive: estimated too far away"},
+      SuiteColumn{"jitter_mm", &SuiteRow::jitterMm,
+                  "the part of the error that is new in each frame, after convergence: RMS second "
+                  "difference of the error between successive frames, divided by sqrt(6)"},
       SuiteColumn{"frames_to_converge", &SuiteRow::framesToConverge,
                   "frames before the first five in a row within 30 mm; inf: never"},
       SuiteColumn{"frames_to_reacquire", &SuiteRow::framesToReacquire,
@@ -155,6 +158,17 @@ std::span<const SuiteColumn> suiteColumns() {
                   "of all frames, those with the target declared, but absent or not within 30 mm"},
       SuiteColumn{"wrong_when_sure_percent", &SuiteRow::wrongWhenSurePercent,
                   "the same with P(exists) above 0.95"},
+      SuiteColumn{"sure_of_tie_percent", &SuiteRow::sureOfTiePercent,
+                  "where N objects are the target equally well: of all frames, those with the "
+                  "target declared and P(exists) above 1 / N + 0.05"},
+      SuiteColumn{"near_centroid_percent", &SuiteRow::nearCentroidPercent,
+                  "of the frames after convergence with the target in sight, those with an "
+                  "estimate within a quarter of the target's longest semi-axis"},
+      SuiteColumn{"centroid_error_percent", &SuiteRow::centroidErrorPercent,
+                  "median error after convergence, of the target's longest semi-axis"},
+      SuiteColumn{"size_error_percent", &SuiteRow::sizeErrorPercent,
+                  "where the size is not given and the method estimates it: median error of the "
+                  "radius after convergence, of that of a ball of the target's volume"},
       SuiteColumn{"gospa_mm", &SuiteRow::gospaMm, "mean GOSPA, cutoff 100 mm, order 2"},
       SuiteColumn{"mota", &SuiteRow::mota, "multiple object tracking accuracy, gate 100 mm"},
       SuiteColumn{"hota", &SuiteRow::hota, "higher order tracking accuracy, gate 100 mm"},

@@ -54,6 +54,7 @@ struct SuiteRow {
   Figure lateralMm;
   Figure biasMm;
   Figure depthBiasMm;
+  Figure jitterMm;
   Figure framesToConverge;
   Figure framesToReacquire;
   Figure framesToDeclareLoss;
@@ -65,6 +66,10 @@ struct SuiteRow {
   Figure sureAndWrongPercent;
   Figure wrongPercent;
   Figure wrongWhenSurePercent;
+  Figure sureOfTiePercent;
+  Figure nearCentroidPercent;
+  Figure centroidErrorPercent;
+  Figure sizeErrorPercent;
   Figure gospaMm;
   Figure mota;
   Figure hota;

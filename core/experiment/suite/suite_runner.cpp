@@ -109,6 +109,9 @@ SuiteResult suiteResultOf(const EvaluatedTracker& contestant, const ScenarioRun&
   }
   SuiteResult result = contestant.recorder.result(usPerFrame);
   result.row.rmsePx = contestant.pixels.rmsePx();
+  if (!measuresSuccessiveFrames(run)) {
+    result.row.jitterMm.reset();
+  }
   return result;
 }
 
@@ -174,6 +177,15 @@ Result<std::vector<SuiteResult>> runJob(const SuiteJob& job, const std::function
   return results;
 }
 
+/// The run that this job cannot have, if that is what the error says.
+std::optional<SkippedRun> skippedBy(const SuiteJob& job, const Error& error) {
+  if (error.code != ErrorCode::Undetermined || job.scenario->recorded) {
+    return std::nullopt;
+  }
+  return SkippedRun{job.scenario->name, job.grade, job.seed,
+                    error.detail.empty() ? sentence(error) : error.detail};
+}
+
 bool isRunIn(const ScenarioDeclaration& scenario, Grade grade) {
   return scenario.recorded == (grade == Grade::Real);
 }
@@ -235,7 +247,8 @@ Result<std::vector<std::string>> selectMethods(const std::vector<std::string>& n
   return selected;
 }
 
-std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done) {
+std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done,
+                                const SkippedRuns& skipped) {
   std::vector<SuiteJob> jobs;
   for (const ScenarioDeclaration* scenario : request.scenarios) {
     for (const Grade grade : request.grades) {
@@ -250,7 +263,7 @@ std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults&
                                return isRunBy(*scenario, method) &&
                                       !done.contains({scenario->name, grade, method, job.seed});
                              });
-        if (!job.methods.empty()) {
+        if (!job.methods.empty() && !isSkipped(skipped, scenario->name, grade, job.seed)) {
           jobs.push_back(std::move(job));
         }
       }
@@ -282,7 +295,7 @@ std::vector<RunKey> reportOrder(const SuiteResults& results,
 }
 
 Status runSuite(const std::vector<SuiteJob>& jobs, int threads, const SuiteSink& sink,
-                const std::function<bool()>& stop) {
+                const std::function<bool()>& stop, const SkipSink& skip) {
   // Each job has one thread, and its processor time is to be the method's alone.
   const int openCvThreads = cv::getNumThreads();
   cv::setNumThreads(1);
@@ -296,7 +309,11 @@ Status runSuite(const std::vector<SuiteJob>& jobs, int threads, const SuiteSink&
       const auto results = runJob(jobs[k], stopped);
       const std::lock_guard lock(mutex);
       Status taken = results ? Status() : Status(tl::make_unexpected(results.error()));
-      for (std::size_t item = 0; taken && item < results->size(); ++item) {
+      const auto skipped = results ? std::nullopt : skippedBy(jobs[k], results.error());
+      if (skip && skipped) {
+        taken = skip(jobs[k], *skipped);
+      }
+      for (std::size_t item = 0; results && taken && item < results->size(); ++item) {
         taken = sink((*results)[item]);
       }
       if (!taken && !failed.exchange(true)) {

@@ -46,9 +46,11 @@ Result<std::vector<std::string>>
 selectMethods(const std::vector<std::string>& names,
               const std::vector<std::string>& known = suiteMethods());
 
-/// What is still to do, in order. A scenario is run in its own grades and by the methods that can:
-/// real clips in grade `Real`, all others in the others; clips of one camera by imageMethods().
-std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done);
+/// What is still to do, in order: runs that are neither done nor known to be skipped. A scenario is
+/// run in its own grades and by the methods that can: real clips in grade `Real`, all others in the
+/// others; clips of one camera by imageMethods().
+std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done,
+                                const SkippedRuns& skipped = {});
 std::int64_t runCount(const std::vector<SuiteJob>& jobs);
 
 /// All runs of a folder in the order of the report: catalog, grade, method, seed. Runs of scenarios
@@ -58,11 +60,16 @@ std::vector<RunKey> reportOrder(const SuiteResults& results,
 
 /// Called for each result, one at a time, in the order they finish.
 using SuiteSink = std::function<Status(const SuiteResult&)>;
+/// Called in the same way for each job that was skipped, and which of its runs there are not.
+using SkipSink = std::function<Status(const SuiteJob&, const SkippedRun&)>;
 
 /// Runs the jobs on `threads` threads, one job on one. Results do not depend on `threads`, but the
 /// order in which they come, and the processor time they measure, do. Ends early, without the jobs
 /// under way, when `stop` says so or with the first error.
+///
+/// A rendered scenario that cannot make a run (ScenarioDeclaration::make is Undetermined) ends
+/// nothing: `skip` gets the job. Without `skip` this is an error like others.
 Status runSuite(const std::vector<SuiteJob>& jobs, int threads, const SuiteSink& sink,
-                const std::function<bool()>& stop);
+                const std::function<bool()>& stop, const SkipSink& skip = {});
 
 } // namespace dewpoint::experiment

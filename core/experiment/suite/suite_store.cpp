@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* kRuns = "runs.csv";
 constexpr const char* kTraces = "traces.csv";
+constexpr const char* kSkipped = "skipped.csv";
 
 /// The ended lines below the header; Mismatch for another header, none for a missing file.
 Result<std::vector<std::string>> readLines(const std::filesystem::path& file,
@@ -102,6 +103,17 @@ Result<SuiteResults> SuiteStore::read(const std::filesystem::path& folder) {
   return store.load().map([&] { return store.results_; });
 }
 
+Result<SkippedRuns> SuiteStore::readSkipped(const std::filesystem::path& folder) {
+  return readItems<SkippedRun>(folder / kSkipped, skippedHeader(), parseSkipped)
+      .map([](const std::vector<SkippedRun>& runs) {
+        return SkippedRuns(runs.begin(), runs.end());
+      });
+}
+
+void SuiteStore::take(const SkippedRuns& skipped) {
+  skipped_.insert(skipped.begin(), skipped.end());
+}
+
 void SuiteStore::take(const SuiteResults& results) {
   for (const auto& [key, result] : results) {
     results_.insert_or_assign(key, result);
@@ -128,7 +140,7 @@ Status SuiteStore::load() {
       results_.insert_or_assign(row.key, SuiteResult{row, trace->second});
     }
   }
-  return {};
+  return readSkipped(folder_).map([this](const SkippedRuns& skipped) { skipped_ = skipped; });
 }
 
 Status SuiteStore::append(const SuiteResult& result) {
@@ -141,6 +153,19 @@ Status SuiteStore::append(const SuiteResult& result) {
   }
   results_.insert_or_assign(result.row.key, result);
   return {};
+}
+
+Status SuiteStore::append(const SkippedRun& run) {
+  skipped_.insert(run);
+  return writeSkipped(); // they are few
+}
+
+Status SuiteStore::writeSkipped() const {
+  std::string text = skippedHeader() + "\n";
+  for (const SkippedRun& run : skipped_) {
+    text += skippedText(run) + "\n";
+  }
+  return writeTextFile(folder_ / kSkipped, text);
 }
 
 Status SuiteStore::rewrite(const std::vector<RunKey>& order) {
@@ -157,6 +182,9 @@ Status SuiteStore::rewrite(const std::vector<RunKey>& order) {
     return written;
   }
   if (auto written = writeTextFile(folder_ / kRuns, rows); !written) {
+    return written;
+  }
+  if (auto written = writeSkipped(); !written) {
     return written;
   }
   return openForAppending();

@@ -92,6 +92,7 @@ const std::vector<TableColumn>& tableColumns() {
       {"depth<br>mm", medianText<&SuiteRow::depthMm>},
       {"lateral<br>mm", medianText<&SuiteRow::lateralMm>},
       {"bias<br>mm", medianText<&SuiteRow::biasMm>},
+      {"jitter<br>mm", medianText<&SuiteRow::jitterMm>},
       {"lost<br>%", meanText<&SuiteRow::lostPercent>},
       {"false<br>alarms %", meanText<&SuiteRow::falseAlarmPercent>},
       {"within<br>5 frames", [](const SuiteCell& c) { return countText(c.quick); }},
@@ -107,6 +108,10 @@ const std::vector<TableColumn>& tableColumns() {
        [](const SuiteCell& c) { return figureText(pooledReliability(c.runs).expectedError); }},
       {"sure and<br>wrong %", meanText<&SuiteRow::sureAndWrongPercent>},
       {"declared, not<br>within 30 mm %", meanText<&SuiteRow::wrongPercent>},
+      {"sure of<br>a tie %", meanText<&SuiteRow::sureOfTiePercent>},
+      {"near the<br>centroid %", meanText<&SuiteRow::nearCentroidPercent>},
+      {"error in %<br>of extent", medianText<&SuiteRow::centroidErrorPercent>},
+      {"error of<br>radius %", medianText<&SuiteRow::sizeErrorPercent>},
       {"GOSPA<br>mm", medianText<&SuiteRow::gospaMm>},
       {"MOTA", medianText<&SuiteRow::mota>, true},
       {"HOTA", medianText<&SuiteRow::hota>, true},
@@ -145,6 +150,54 @@ OverviewError overviewError(const SuiteCell& cell, bool inPixels) {
                   : OverviewError{cell.rmseMm.value, ""};
 }
 
+/// The cells of one scenario and grade, from the first on.
+std::span<const SuiteCell> firstRow(std::span<const SuiteCell> cells) {
+  const auto end = std::ranges::find_if(cells, [&](const SuiteCell& cell) {
+    return cell.scenario != cells.front().scenario || cell.grade != cells.front().grade;
+  });
+  return cells.first(static_cast<std::size_t>(end - cells.begin()));
+}
+
+std::string rowHead(const SuiteCell& cell) {
+  return fmt::format("<tr><td>{}</td><td class='text soft'>{}</td>", escaped(cell.scenario),
+                     gradeName(cell.grade));
+}
+
+/// A table with a row for each scenario and grade; `rowOf` gets its cells and the methods.
+template <class RowOf>
+std::string scenarioByMethod(std::span<const SuiteCell> cells, const RowOf& rowOf) {
+  const auto methods = methodsOf(cells);
+  std::string text = "<div class='scroll'><table><thead><tr><th>scenario</th><th "
+                     "class='text'>grade</th>";
+  for (const std::string& method : methods) {
+    text += fmt::format("<th>{}</th>", methodName(method));
+  }
+  text += "</tr></thead><tbody>";
+  while (!cells.empty()) {
+    const auto row = firstRow(cells);
+    text += rowOf(row, methods);
+    cells = cells.subspan(row.size());
+  }
+  return text + "</tbody></table></div>";
+}
+
+/// "-" for what was not run, and for clips without lengths.
+std::string extentRow(std::span<const SuiteCell> row, const std::vector<std::string>& methods) {
+  std::string text = rowHead(row.front());
+  for (const std::string& method : methods) {
+    const auto cell = std::ranges::find(row, method, &SuiteCell::method);
+    const double near =
+        cell == row.end() ? kNoFigure : meanOf(cell->runs, &SuiteRow::nearCentroidPercent);
+    const double size =
+        cell == row.end() ? kNoFigure : quantileOf(cell->runs, &SuiteRow::sizeErrorPercent, 0.5);
+    text += fmt::format("<td>{}{}</td>", figureText(near),
+                        std::isnan(size)
+                            ? std::string()
+                            : fmt::format("<small>radius off by {} %</small>", figureText(size)));
+  }
+  return text + "</tr>";
+}
+
 /// "-" for what was not run; the smallest RMSE of the row is marked.
 std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::string>& methods) {
   const bool inPixels =
@@ -153,8 +206,7 @@ std::string overviewRow(std::span<const SuiteCell> row, const std::vector<std::s
     const double value = overviewError(cell, inPixels).value;
     return std::isnan(value) ? INFINITY : value;
   });
-  std::string text = fmt::format("<tr><td>{}</td><td class='text soft'>{}</td>",
-                                 escaped(row.front().scenario), gradeName(row.front().grade));
+  std::string text = rowHead(row.front());
   for (const std::string& method : methods) {
     const auto cell = std::ranges::find(row, method, &SuiteCell::method);
     if (cell == row.end()) {
@@ -229,23 +281,11 @@ std::string beliefTable(std::span<const BeliefSummary> methods) {
 }
 
 std::string overviewTable(std::span<const SuiteCell> cells) {
-  const auto methods = methodsOf(cells);
-  std::string text = "<div class='scroll'><table><thead><tr><th>scenario</th><th "
-                     "class='text'>grade</th>";
-  for (const std::string& method : methods) {
-    text += fmt::format("<th>{}</th>", methodName(method));
-  }
-  text += "</tr></thead><tbody>";
-  for (std::size_t begin = 0; begin < cells.size();) {
-    std::size_t end = begin;
-    while (end < cells.size() && cells[end].scenario == cells[begin].scenario &&
-           cells[end].grade == cells[begin].grade) {
-      ++end;
-    }
-    text += overviewRow(cells.subspan(begin, end - begin), methods);
-    begin = end;
-  }
-  return text + "</tbody></table></div>";
+  return scenarioByMethod(cells, overviewRow);
+}
+
+std::string extentTable(std::span<const SuiteCell> cells) {
+  return scenarioByMethod(cells, extentRow);
 }
 
 std::string scenarioTable(std::span<const SuiteCell> cells) {

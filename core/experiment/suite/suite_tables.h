@@ -19,6 +19,9 @@ std::string barTable(std::span<const BarResult> bars);
 std::string beliefTable(std::span<const BeliefSummary> methods);
 /// Median RMSE and lost frames, scenario by method.
 std::string overviewTable(std::span<const SuiteCell> cells);
+/// The same, relative to the size of the targets: the share of frames near the centroid, and the
+/// error of the radius where the methods are not told it.
+std::string extentTable(std::span<const SuiteCell> cells);
 /// One scenario in one grade: a row per method.
 std::string scenarioTable(std::span<const SuiteCell> cells);
 

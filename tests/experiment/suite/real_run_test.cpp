@@ -42,6 +42,33 @@ TEST(MeasuredPart, RenumbersTheMeasuredFrames) {
   EXPECT_EQ(part.truth.samples[1].frame, 2);
   EXPECT_EQ(part.truth.samples[2].frame, 3);
   EXPECT_EQ(part.truth.samples[1].position.x(), 0.2);
+  EXPECT_TRUE(part.extents.empty()) << "the run tells none";
+}
+
+TEST(MeasuredPart, KeepsTheExtentsOfItsSamples) {
+  ScenarioRun run;
+  run.frameCount = 40;
+  run.measuredFrames = {3, 21};
+  run.equalCandidates = 2;
+  run.truth.samples = {sampleAt(3, 0.1), sampleAt(20, 0.9), sampleAt(21, 0.2)};
+  run.extents.resize(3);
+  run.extents[1].radius = 0.9;
+  run.extents[2].radius = 0.2;
+  const ScenarioRun part = measuredPart(run);
+  ASSERT_EQ(part.extents.size(), 2U);
+  EXPECT_EQ(part.extents[1].radius, 0.2);
+  EXPECT_EQ(part.equalCandidates, 2);
+}
+
+TEST(MeasuredPart, KnowsWhetherFramesLieBetween) {
+  ScenarioRun run;
+  EXPECT_TRUE(measuresSuccessiveFrames(run)) << "all frames";
+  run.measuredFrames = {5};
+  EXPECT_TRUE(measuresSuccessiveFrames(run));
+  run.measuredFrames = {5, 6, 7};
+  EXPECT_TRUE(measuresSuccessiveFrames(run));
+  run.measuredFrames = {5, 6, 8};
+  EXPECT_FALSE(measuresSuccessiveFrames(run));
 }
 
 TEST(MeasuredPart, IsTheRunItselfWhereAllFramesAreMeasured) {

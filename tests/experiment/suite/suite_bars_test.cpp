@@ -58,6 +58,68 @@ TEST(SuiteBars, AskOfAllThreeFiguresOfConsistencyTheSame) {
   EXPECT_EQ(limits("wild", "Sure and wrong").second, 2.0);
 }
 
+TEST(SuiteBars, JudgeEveryFigureOfBeliefByMedianAndWorstInEveryGrade) {
+  const auto results = measureBars({});
+  for (const std::string grade : {"ideal", "room", "wild", "real"}) {
+    for (const std::string figure :
+         {"Truth inside the stated 95 % ellipsoid", "Truth inside the stated 50 % ellipsoid",
+          "Normalized estimation error squared", "Expected calibration error of P(exists)",
+          "Sure and wrong: frames with P(exists) above 0.95 and farther off than three stated "
+          "radii"}) {
+      barOf(results, grade, figure + ", median of the scenarios");
+      barOf(results, grade, figure + ", worst scenario");
+    }
+  }
+  // 75 % inside the 95 % ellipsoid: errors too large by 7.815 / 4.108 (chi-square with three
+  // degrees of freedom, 95 and 75 %). 80 %: 7.815 / 4.642.
+  EXPECT_EQ(barOf(results, "real", "Truth inside the stated 95 % ellipsoid, worst").bar->low, 75.0);
+  EXPECT_EQ(barOf(results, "real", "Normalized estimation error squared, worst").bar->high, 5.7);
+  EXPECT_EQ(barOf(results, "room", "Normalized estimation error squared, worst").bar->high, 5.1);
+}
+
+TEST(SuiteBars, OfAllRunsOfIdealAreOfTheFirstFamiliesAlone) {
+  MadeResults made;
+  const auto add = [&](const std::string& scenario, double covered) {
+    SuiteResult result = resultOf(scenario, Grade::Ideal, "dewpoint");
+    result.row.coverage95Percent = covered;
+    result.row.falseAlarmPercent = 100.0 - covered;
+    made.add(result);
+  };
+  add("S1-still-1", 96.0);
+  add("S10-still-3", 94.0);
+  add("S11-held", 20.0);
+  add("S20-flicker", 50.0);
+  const auto results = measureBars(made.cells());
+  const BarResult covered =
+      barOf(results, "ideal", "Truth inside the stated 95 % ellipsoid, mean of all runs of S0 to");
+  EXPECT_EQ(covered.value, 95.0);
+  EXPECT_EQ(covered.runs, 2U);
+  EXPECT_NEAR(barOf(results, "ideal", "False alarms per frame").value, 0.05, 1e-12);
+  EXPECT_EQ(barOf(results, "ideal", "Expected calibration error of P(exists), all runs").runs, 2U);
+  // All of them are judged by the figures of belief.
+  const BarResult worst =
+      barOf(results, "ideal", "Truth inside the stated 95 % ellipsoid, worst scenario");
+  EXPECT_EQ(worst.scenario, "S11-held");
+  EXPECT_EQ(worst.value, 20.0);
+  EXPECT_EQ(worst.runs, 4U);
+}
+
+TEST(SuiteBars, NobodyMayBeSureOfATie) {
+  MadeResults made;
+  SuiteResult even = resultOf("S19-even-start", Grade::Room, "dewpoint");
+  even.row.sureOfTiePercent = 40.0;
+  made.add(even);
+  made.add(resultOf("S19-crowd-5", Grade::Room, "dewpoint"));
+  const auto results = measureBars(made.cells());
+  const BarResult sure = barOf(results, "room", "Sure of a tie");
+  EXPECT_EQ(sure.value, 40.0);
+  EXPECT_EQ(sure.scenario, "S19-even-start");
+  EXPECT_EQ(sure.bar->high, 0.5);
+  EXPECT_FALSE(sure.reached());
+  EXPECT_EQ(barOf(results, "wild", "Sure of a tie").bar->high, 2.0);
+  EXPECT_FALSE(barOf(results, "ideal", "Sure of a tie").measured());
+}
+
 TEST(SuiteBars, BeliefIsJudgedByMedianAndWorstScenarioOfItsGrade) {
   MadeResults made;
   const auto add = [&](const std::string& scenario, double covered, double sureAndWrong) {
@@ -82,7 +144,10 @@ TEST(SuiteBars, BeliefIsJudgedByMedianAndWorstScenarioOfItsGrade) {
   EXPECT_FALSE(worst.reached());
   EXPECT_NEAR(worst.shortfall(), 34.0, 1e-12);
   EXPECT_EQ(worst.runs, 3U);
-  const BarResult sure = barOf(results, "room", "Sure and wrong");
+  const BarResult sure =
+      barOf(results, "room",
+            "Sure and wrong: frames with P(exists) above 0.95 and farther off than three stated "
+            "radii, worst scenario");
   EXPECT_EQ(sure.value, 0.7);
   EXPECT_NEAR(sure.shortfall(), 0.2, 1e-12);
   EXPECT_FALSE(barOf(results, "ideal", "Sure and wrong").measured());

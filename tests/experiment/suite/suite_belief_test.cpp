@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,6 +58,26 @@ TEST(BeliefFigures, AreMeansOverRunsButForNeesAndCalibration) {
   EXPECT_NEAR(figure("sure_and_wrong_percent"), 1.0, 1e-12);
   EXPECT_NEAR(figure("existence_ece"), 0.1, 1e-9);
   EXPECT_TRUE(std::isnan(figure("coverage50_percent"))) << "no run has it";
+}
+
+TEST(BeliefFigures, OfTiesAreOfTheScenariosThatHaveThem) {
+  MadeResults made;
+  made.add(resultOf("S0-slow", Grade::Room, "dewpoint"));
+  SuiteResult even = resultOf("S19-even-start", Grade::Room, "dewpoint");
+  even.row.sureOfTiePercent = 12.0;
+  made.add(even);
+  const auto cells = made.cells();
+  const auto summaries = summarizeBelief(cells);
+  ASSERT_EQ(summaries.size(), 1U);
+  const auto figures = beliefFigures();
+  const auto tie = std::ranges::find_if(figures, [](const BeliefFigure& figure) {
+    return std::string(figure.name) == "sure_of_tie_percent";
+  });
+  ASSERT_NE(tie, figures.end());
+  const OverScenarios& found =
+      summaries[0].figures[static_cast<std::size_t>(tie - figures.begin())];
+  EXPECT_EQ(found.median, 12.0) << "the other scenario has no tie";
+  EXPECT_EQ(found.worstScenario, "S19-even-start");
 }
 
 TEST(BeliefSummary, IsOneForEachGradeAndMethod) {

@@ -127,6 +127,82 @@ TEST(SuiteRecorder, TellsSureFromWrong) {
   EXPECT_NEAR(*row.sureAndWrongPercent, 45.0, 1e-9);
 }
 
+TEST(SuiteRecorder, JitterIsTheNoiseOfSuccessiveFrames) {
+  // From convergence on 2, 0, 2, 0, ... mm: second differences of 4 mm, sqrt(16 / 6). In the middle
+  // a frame without an estimate: the differences about it are left out.
+  const ScenarioRun run = runWith(1);
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    SphereEstimate estimate = estimateAt({k < 3 ? 0.5 : k % 2 == 0 ? 0.002 : 0.0, 0.0, 0.0});
+    estimate.valid = k != 12;
+    estimate.existenceProbability = k != 12 ? 1.0 : 0.0;
+    recorder.add({estimate});
+  }
+  EXPECT_NEAR(*recorder.result(0.0).row.jitterMm, std::sqrt(16.0 / 6.0), 1e-9);
+}
+
+TEST(SuiteRecorder, ComparesWithTheExtent) {
+  // An ellipsoid with semi-axes of 80, 20 and 20 mm: a quarter is 20 mm; the ball of its volume has
+  // 32 mm. 10 frames 10 mm off, 6 frames 25 mm, 4 without an estimate.
+  ScenarioRun run = runWith(1);
+  run.targets[0].radius = 0.0;
+  run.extents.assign(run.truth.samples.size(), {0.032, {0.08, 0.02, 0.02}});
+  SuiteRecorder recorder(run, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    SphereEstimate estimate = estimateAt({k < 10 ? 0.010 : 0.025, 0.0, 0.0});
+    estimate.radius = 0.04;
+    estimate.valid = k < 16;
+    estimate.existenceProbability = k < 16 ? 1.0 : 0.0;
+    recorder.add({estimate});
+  }
+  const SuiteRow row = recorder.result(0.0).row;
+  EXPECT_NEAR(*row.nearCentroidPercent, 50.0, 1e-9);
+  EXPECT_NEAR(*row.centroidErrorPercent, 12.5, 1e-9);
+  EXPECT_NEAR(*row.sizeErrorPercent, 25.0, 1e-9);
+}
+
+TEST(SuiteRecorder, SizeCountsWhereItIsEstimated) {
+  ScenarioRun run = runWith(1); // the radius is given
+  SuiteRecorder without(run, "test");
+  run.extents.assign(run.truth.samples.size(), {0.02, {0.02, 0.02, 0.02}});
+  SuiteRecorder given(run, "test");
+  ScenarioRun unknown = run;
+  unknown.targets[0].radius = 0.0;
+  SuiteRecorder silent(unknown, "test");
+  for (std::int64_t k = 0; k < kFrames; ++k) {
+    SphereEstimate estimate = estimateAt({0.001, 0.0, 0.0});
+    silent.add({estimate}); // such as triangulation: radius 0
+    estimate.radius = 0.02;
+    without.add({estimate});
+    given.add({estimate});
+  }
+  EXPECT_FALSE(without.result(0.0).row.nearCentroidPercent.has_value()) << "no extent is told";
+  EXPECT_FALSE(given.result(0.0).row.sizeErrorPercent.has_value());
+  EXPECT_NEAR(*given.result(0.0).row.centroidErrorPercent, 5.0, 1e-9);
+  EXPECT_FALSE(silent.result(0.0).row.sizeErrorPercent.has_value());
+  EXPECT_EQ(*silent.result(0.0).row.nearCentroidPercent, 100.0);
+}
+
+TEST(SuiteRecorder, NobodyMayBeSureOfATie) {
+  // Of 20 frames: 12 with P = 0.5, 5 with 0.9, 3 silent. The estimate is always right.
+  ScenarioRun run = runWith(1);
+  const auto rowOf = [&](int equalCandidates) {
+    run.equalCandidates = equalCandidates;
+    SuiteRecorder recorder(run, "test");
+    for (std::int64_t k = 0; k < kFrames; ++k) {
+      SphereEstimate estimate = estimateAt({0.0, 0.0, 0.0});
+      estimate.existenceProbability = k < 12 ? 0.5 : k < 17 ? 0.9 : 0.0;
+      estimate.valid = k < 17;
+      recorder.add({estimate});
+    }
+    return recorder.result(0.0).row;
+  };
+  EXPECT_FALSE(rowOf(1).sureOfTiePercent.has_value()) << "nothing is tied";
+  EXPECT_NEAR(*rowOf(2).sureOfTiePercent, 25.0, 1e-9);
+  EXPECT_NEAR(*rowOf(3).sureOfTiePercent, 85.0, 1e-9);
+  EXPECT_NEAR(*rowOf(2).wrongPercent, 0.0, 1e-9);
+}
+
 TEST(SuiteRecorder, MeasuresEvents) {
   ScenarioRun run = runWith(1);
   using Kind = ScenarioEvent::Kind;

@@ -74,6 +74,37 @@ TEST_F(SuiteReportFiles, TellGradeAimAndShortfallOfEachBar) {
   EXPECT_TRUE(found);
 }
 
+TEST_F(SuiteReportFiles, HaveNoSectionOfSizesWithoutAny) {
+  EXPECT_EQ(file("report.html").find("id='extents'"), std::string::npos);
+}
+
+TEST(SuiteReport, ShowsErrorsByTheTargetsSize) {
+  MadeResults made;
+  SuiteResult ours = resultOf("S21-cap", Grade::Room, "dewpoint", kFirstReportingSeed);
+  ours.row.nearCentroidPercent = 83.0;
+  ours.row.centroidErrorPercent = 12.0;
+  ours.row.sizeErrorPercent = 31.0;
+  ours.row.jitterMm = 1.5;
+  made.add(ours);
+  SuiteResult other = resultOf("S21-cap", Grade::Room, "triangulation", kFirstReportingSeed);
+  other.row.nearCentroidPercent = 74.0;
+  made.add(other);
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeSuiteReport(folder / "", made.results, made.order, {}).has_value());
+  const std::string page = contents(folder / "report.html");
+  for (const char* const text :
+       {"id='extents'", "<td>83<small>radius off by 31 %</small></td>", "<td>74</td>",
+        "jitter<br>mm", "near the<br>centroid %", "error of<br>radius %"}) {
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  }
+  const std::string rows = contents(folder / "summary.csv");
+  for (const char* const column :
+       {"median_jitter_mm", "median_near_centroid_percent", "median_centroid_error_percent",
+        "median_size_error_percent", "median_sure_of_tie_percent"}) {
+    EXPECT_NE(rows.find(column), std::string::npos) << column;
+  }
+}
+
 TEST_F(SuiteReportFiles, ShowItOnThePage) {
   const std::string page = file("report.html");
   for (const char* const text :

@@ -202,8 +202,8 @@ Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& c
     }
     return runOf(std::move(draft));
   }
-  return failure(ErrorCode::NotFound, "", recipe.name,
-                 fmt::format("no place was found for what must be seen (seed {})", seed));
+  return failure(ErrorCode::Undetermined, "", recipe.name,
+                 fmt::format("no position was found for what must be seen (seed {})", seed));
 }
 
 } // namespace
