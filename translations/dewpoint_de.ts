@@ -813,7 +813,7 @@
         <translation>Alle Kameras sähen auf die Rückseite der Tafel oder des Bodens: ihre Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
         <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
     </message>
     <message>
@@ -2798,15 +2798,15 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>wie im Format üblich</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>Zentimeter</translation>
     </message>
     <message>
@@ -2885,15 +2885,15 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>am Inhalt erkannt</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>Zentimeter</translation>
     </message>
     <message>
@@ -2937,7 +2937,7 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
         <translation>Der Längen in der Datei; oder tippen Sie die Meter einer Einheit, etwa 0.025 für Felder von 25 mm</translation>
     </message>
     <message>
@@ -3023,11 +3023,11 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>Zentimeter</translation>
     </message>
     <message>
@@ -3672,7 +3672,7 @@ bei %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
     <message>
-        <source>Cancelled.</source>
+        <source>Canceled.</source>
         <translation>Abgebrochen.</translation>
     </message>
     <message>
@@ -3819,7 +3819,7 @@ bei %4, %5, %6 m</translation>
         <translation>von oben</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
+        <source>The export was canceled.</source>
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
     <message>
@@ -4151,7 +4151,7 @@ bei %4, %5, %6 m</translation>
         <translation>Größe entlang %1</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in metres</source>
+        <source>How far the grid reaches, in meters</source>
         <translation>Wie weit das Gitter reicht, in Metern</translation>
     </message>
     <message>
@@ -4159,7 +4159,7 @@ bei %4, %5, %6 m</translation>
         <translation>Ursprung %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in metres</source>
+        <source>The corner where its axes begin, in meters</source>
         <translation>Die Ecke, in der seine Achsen beginnen, in Metern</translation>
     </message>
     <message>
@@ -4171,7 +4171,7 @@ bei %4, %5, %6 m</translation>
         <translation>Schritt des Gitters</translation>
     </message>
     <message>
-        <source>Metres from line to line</source>
+        <source>Meters from line to line</source>
         <translation>Meter von Linie zu Linie</translation>
     </message>
     <message>
@@ -4616,7 +4616,7 @@ bei %4, %5, %6 m</translation>
         <translation>Höhe der Schicht über dem Boden</translation>
     </message>
     <message>
-        <source>Height of the layer in metres</source>
+        <source>Height of the layer in meters</source>
         <translation>Höhe der Schicht in Metern</translation>
     </message>
     <message>
@@ -4640,7 +4640,7 @@ bei %4, %5, %6 m</translation>
         <translation>Raum von %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in metres</source>
+        <source>Where the volume begins, in meters</source>
         <translation>Wo der Raum beginnt, in Metern</translation>
     </message>
     <message>
@@ -4648,7 +4648,7 @@ bei %4, %5, %6 m</translation>
         <translation>Raum bis %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in metres</source>
+        <source>Where the volume ends, in meters</source>
         <translation>Wo der Raum endet, in Metern</translation>
     </message>
     <message>
@@ -4880,7 +4880,7 @@ bei %4, %5, %6 m</translation>
         <translation>Ort</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in metres</source>
+        <source>Place in the room, x and y in meters</source>
         <translation>Ort im Raum, x und y in Metern</translation>
     </message>
     <message>
@@ -4888,7 +4888,7 @@ bei %4, %5, %6 m</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <source>Estimated height, meters; empty: the method does not estimate it</source>
         <translation>Geschätzte Größe, Meter; leer: Das Verfahren schätzt sie nicht</translation>
     </message>
     <message>
@@ -4896,7 +4896,7 @@ bei %4, %5, %6 m</translation>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Metres per second over the floor</source>
+        <source>Meters per second over the floor</source>
         <translation>Meter je Sekunde über dem Boden</translation>
     </message>
     <message>
@@ -4912,7 +4912,7 @@ bei %4, %5, %6 m</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
         <translation>Volumen der Hülle, die 95 % der Person enthält, Kubikmeter; leer, solange keine Hüllen gezeigt werden</translation>
     </message>
     <message>
@@ -5017,7 +5017,7 @@ bei %4, %5, %6 m</translation>
         <translation>Geplanter Ort %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in metres</source>
+        <source>Where the camera stands, in meters</source>
         <translation>Wo die Kamera steht, in Metern</translation>
     </message>
     <message>
@@ -5025,7 +5025,7 @@ bei %4, %5, %6 m</translation>
         <translation>Geplante Kamera blickt auf %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in metres</source>
+        <source>A point on its line of sight, in meters</source>
         <translation>Ein Punkt auf ihrer Blickrichtung, in Metern</translation>
     </message>
     <message>
@@ -5260,7 +5260,7 @@ bei %4, %5, %6 m</translation>
         <translation>Gemessene Punkte</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
         <translation>Mit dem Maßband gemessene Orte, in Metern: Doppelklick zum Eingeben. Die markierte Zeile passt am schlechtesten.</translation>
     </message>
     <message>
@@ -5794,7 +5794,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, metres</source>
+        <source>Position in the room, meters</source>
         <translation>Ort im Raum, Meter</translation>
     </message>
     <message>
@@ -5802,7 +5802,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimetres</source>
+        <source>Standard deviation of the position, millimeters</source>
         <translation>Standardabweichung des Ortes, Millimeter</translation>
     </message>
     <message>
@@ -5810,7 +5810,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Geschw., m/s</translation>
     </message>
     <message>
-        <source>Speed, metres per second: fitted over five frames</source>
+        <source>Speed, meters per second: fitted over five frames</source>
         <translation>Geschwindigkeit, Meter pro Sekunde: über fünf Bilder angepasst</translation>
     </message>
     <message>

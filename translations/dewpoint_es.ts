@@ -813,7 +813,7 @@
         <translation>Todas las cámaras mirarían el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
         <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
     </message>
     <message>
@@ -2798,15 +2798,15 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>la habitual del formato</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>metros</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>milímetros</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>centímetros</translation>
     </message>
     <message>
@@ -2885,15 +2885,15 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>reconocido por el contenido</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>metros</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>milímetros</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>centímetros</translation>
     </message>
     <message>
@@ -2937,7 +2937,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Unidad</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
         <translation>De las longitudes del archivo; o escriba los metros de una unidad, como 0.025 para casillas de 25 mm</translation>
     </message>
     <message>
@@ -3023,11 +3023,11 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Posición</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>metros</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>centímetros</translation>
     </message>
     <message>
@@ -3672,7 +3672,7 @@ en %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
     <message>
-        <source>Cancelled.</source>
+        <source>Canceled.</source>
         <translation>Cancelado.</translation>
     </message>
     <message>
@@ -3819,7 +3819,7 @@ en %4, %5, %6 m</translation>
         <translation>desde arriba</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
+        <source>The export was canceled.</source>
         <translation>La exportación se canceló.</translation>
     </message>
     <message>
@@ -4151,7 +4151,7 @@ en %4, %5, %6 m</translation>
         <translation>Tamaño según %1</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in metres</source>
+        <source>How far the grid reaches, in meters</source>
         <translation>Hasta dónde llega la cuadrícula, en metros</translation>
     </message>
     <message>
@@ -4159,7 +4159,7 @@ en %4, %5, %6 m</translation>
         <translation>Origen %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in metres</source>
+        <source>The corner where its axes begin, in meters</source>
         <translation>La esquina donde empiezan sus ejes, en metros</translation>
     </message>
     <message>
@@ -4171,7 +4171,7 @@ en %4, %5, %6 m</translation>
         <translation>Paso de la cuadrícula</translation>
     </message>
     <message>
-        <source>Metres from line to line</source>
+        <source>Meters from line to line</source>
         <translation>Metros de línea a línea</translation>
     </message>
     <message>
@@ -4616,7 +4616,7 @@ en %4, %5, %6 m</translation>
         <translation>Altura de la capa sobre el suelo</translation>
     </message>
     <message>
-        <source>Height of the layer in metres</source>
+        <source>Height of the layer in meters</source>
         <translation>Altura de la capa en metros</translation>
     </message>
     <message>
@@ -4640,7 +4640,7 @@ en %4, %5, %6 m</translation>
         <translation>Volumen desde %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in metres</source>
+        <source>Where the volume begins, in meters</source>
         <translation>Dónde empieza el volumen, en metros</translation>
     </message>
     <message>
@@ -4648,7 +4648,7 @@ en %4, %5, %6 m</translation>
         <translation>Volumen hasta %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in metres</source>
+        <source>Where the volume ends, in meters</source>
         <translation>Dónde acaba el volumen, en metros</translation>
     </message>
     <message>
@@ -4880,7 +4880,7 @@ en %4, %5, %6 m</translation>
         <translation>Lugar</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in metres</source>
+        <source>Place in the room, x and y in meters</source>
         <translation>Lugar en la sala, x e y en metros</translation>
     </message>
     <message>
@@ -4888,7 +4888,7 @@ en %4, %5, %6 m</translation>
         <translation>Estatura</translation>
     </message>
     <message>
-        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <source>Estimated height, meters; empty: the method does not estimate it</source>
         <translation>Estatura estimada, metros; vacío: el método no la estima</translation>
     </message>
     <message>
@@ -4896,7 +4896,7 @@ en %4, %5, %6 m</translation>
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>Metres per second over the floor</source>
+        <source>Meters per second over the floor</source>
         <translation>Metros por segundo sobre el suelo</translation>
     </message>
     <message>
@@ -4912,7 +4912,7 @@ en %4, %5, %6 m</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
         <translation>Volumen de la envolvente que contiene el 95 % de la persona, metros cúbicos; vacío mientras no se muestran envolventes</translation>
     </message>
     <message>
@@ -5017,7 +5017,7 @@ en %4, %5, %6 m</translation>
         <translation>Posición planeada %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in metres</source>
+        <source>Where the camera stands, in meters</source>
         <translation>Dónde está la cámara, en metros</translation>
     </message>
     <message>
@@ -5025,7 +5025,7 @@ en %4, %5, %6 m</translation>
         <translation>La cámara planeada mira a %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in metres</source>
+        <source>A point on its line of sight, in meters</source>
         <translation>Un punto de su línea de visión, en metros</translation>
     </message>
     <message>
@@ -5260,7 +5260,7 @@ en %4, %5, %6 m</translation>
         <translation>Puntos medidos</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
         <translation>Lugares medidos con cinta, en metros: doble clic para escribir. La fila marcada es la que peor encaja.</translation>
     </message>
     <message>
@@ -5794,7 +5794,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, metres</source>
+        <source>Position in the room, meters</source>
         <translation>Posición en la sala, metros</translation>
     </message>
     <message>
@@ -5802,7 +5802,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimetres</source>
+        <source>Standard deviation of the position, millimeters</source>
         <translation>Desviación típica de la posición, milímetros</translation>
     </message>
     <message>
@@ -5810,7 +5810,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>veloc., m/s</translation>
     </message>
     <message>
-        <source>Speed, metres per second: fitted over five frames</source>
+        <source>Speed, meters per second: fitted over five frames</source>
         <translation>Velocidad, metros por segundo: ajustada en cinco fotogramas</translation>
     </message>
     <message>

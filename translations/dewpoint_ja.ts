@@ -813,7 +813,7 @@
         <translation>すべてのカメラがボードまたは床の裏側を見ていることになります。点が鏡像になっているようです。軸の向きと、印刷が反転していないことを確かめてください。</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
         <translation>与えられた長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
     </message>
     <message>
@@ -2797,15 +2797,15 @@ From %2 to %3%4; default %5%4.</source>
         <translation>形式の通例どおり</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>ミリメートル</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>センチメートル</translation>
     </message>
     <message>
@@ -2884,15 +2884,15 @@ From %2 to %3%4; default %5%4.</source>
         <translation>内容から判別</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>ミリメートル</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>センチメートル</translation>
     </message>
     <message>
@@ -2936,7 +2936,7 @@ From %2 to %3%4; default %5%4.</source>
         <translation>単位</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
         <translation>ファイル内の長さの単位。または1単位のメートル数を入力（25 mm のマス目なら 0.025）</translation>
     </message>
     <message>
@@ -3022,11 +3022,11 @@ From %2 to %3%4; default %5%4.</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>センチメートル</translation>
     </message>
     <message>
@@ -3671,7 +3671,7 @@ at %4, %5, %6 m</source>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
     <message>
-        <source>Cancelled.</source>
+        <source>Canceled.</source>
         <translation>中止しました。</translation>
     </message>
     <message>
@@ -3818,7 +3818,7 @@ at %4, %5, %6 m</source>
         <translation>上から</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
+        <source>The export was canceled.</source>
         <translation>書き出しを中止しました。</translation>
     </message>
     <message>
@@ -4149,7 +4149,7 @@ at %4, %5, %6 m</source>
         <translation>%1 方向の大きさ</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in metres</source>
+        <source>How far the grid reaches, in meters</source>
         <translation>格子の広がり(メートル)</translation>
     </message>
     <message>
@@ -4157,7 +4157,7 @@ at %4, %5, %6 m</source>
         <translation>原点 %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in metres</source>
+        <source>The corner where its axes begin, in meters</source>
         <translation>軸が始まる角(メートル)</translation>
     </message>
     <message>
@@ -4169,7 +4169,7 @@ at %4, %5, %6 m</source>
         <translation>格子の間隔</translation>
     </message>
     <message>
-        <source>Metres from line to line</source>
+        <source>Meters from line to line</source>
         <translation>線と線の間隔(メートル)</translation>
     </message>
     <message>
@@ -4614,7 +4614,7 @@ at %4, %5, %6 m</source>
         <translation>床からの層の高さ</translation>
     </message>
     <message>
-        <source>Height of the layer in metres</source>
+        <source>Height of the layer in meters</source>
         <translation>層の高さ（メートル）</translation>
     </message>
     <message>
@@ -4638,7 +4638,7 @@ at %4, %5, %6 m</source>
         <translation>空間の始まり %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in metres</source>
+        <source>Where the volume begins, in meters</source>
         <translation>空間の始まり（メートル）</translation>
     </message>
     <message>
@@ -4646,7 +4646,7 @@ at %4, %5, %6 m</source>
         <translation>空間の終わり %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in metres</source>
+        <source>Where the volume ends, in meters</source>
         <translation>空間の終わり（メートル）</translation>
     </message>
     <message>
@@ -4878,7 +4878,7 @@ at %4, %5, %6 m</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in metres</source>
+        <source>Place in the room, x and y in meters</source>
         <translation>部屋の中の位置、x と y（m）</translation>
     </message>
     <message>
@@ -4886,7 +4886,7 @@ at %4, %5, %6 m</source>
         <translation>身長</translation>
     </message>
     <message>
-        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <source>Estimated height, meters; empty: the method does not estimate it</source>
         <translation>推定した身長（m）。空欄：この手法では推定しません</translation>
     </message>
     <message>
@@ -4894,7 +4894,7 @@ at %4, %5, %6 m</source>
         <translation>速さ</translation>
     </message>
     <message>
-        <source>Metres per second over the floor</source>
+        <source>Meters per second over the floor</source>
         <translation>床の上での秒速（m/s）</translation>
     </message>
     <message>
@@ -4910,7 +4910,7 @@ at %4, %5, %6 m</source>
         <translation>体積</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
         <translation>その人物の 95 % を含む凸包の体積（m³）。凸包を表示していない間は空欄</translation>
     </message>
     <message>
@@ -5015,7 +5015,7 @@ at %4, %5, %6 m</source>
         <translation>計画位置 %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in metres</source>
+        <source>Where the camera stands, in meters</source>
         <translation>カメラの位置（メートル）</translation>
     </message>
     <message>
@@ -5023,7 +5023,7 @@ at %4, %5, %6 m</source>
         <translation>計画中のカメラの注視点 %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in metres</source>
+        <source>A point on its line of sight, in meters</source>
         <translation>視線上の点（メートル）</translation>
     </message>
     <message>
@@ -5258,7 +5258,7 @@ at %4, %5, %6 m</source>
         <translation>測定点</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
         <translation>巻尺で測った位置(メートル)。ダブルクリックで入力。印の付いた行が最も合いません。</translation>
     </message>
     <message>
@@ -5792,7 +5792,7 @@ Effective sample size %8 of %9</source>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, metres</source>
+        <source>Position in the room, meters</source>
         <translation>室内での位置（メートル）</translation>
     </message>
     <message>
@@ -5800,7 +5800,7 @@ Effective sample size %8 of %9</source>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimetres</source>
+        <source>Standard deviation of the position, millimeters</source>
         <translation>位置の標準偏差（ミリメートル）</translation>
     </message>
     <message>
@@ -5808,7 +5808,7 @@ Effective sample size %8 of %9</source>
         <translation>速さ, m/s</translation>
     </message>
     <message>
-        <source>Speed, metres per second: fitted over five frames</source>
+        <source>Speed, meters per second: fitted over five frames</source>
         <translation>速さ（メートル毎秒、5 フレームに当てはめ）</translation>
     </message>
     <message>

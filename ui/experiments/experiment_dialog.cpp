@@ -66,7 +66,7 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
   connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     showRunning(false);
     if (cancelled) {
-      state_->setText(tr("Cancelled."));
+      state_->setText(tr("Canceled."));
     }
   });
   showRunning(false);

@@ -144,7 +144,7 @@ void CameraForm::retranslateUi() {
   name(camera_, tr("Camera"),
        tr("The camera that is adjusted; clicking into its image chooses it too"));
   positionLabel_->setText(tr("Position"));
-  setTexts(*unit_, {tr("metres"), tr("centimetres")});
+  setTexts(*unit_, {tr("meters"), tr("centimeters")});
   name(unit_, tr("Unit of positions"), tr("Unit in which positions are shown and typed"));
   aimLabel_->setText(tr("Looks"));
   setTexts(*aimMode_, {tr("at a point, roll"), tr("yaw, pitch, roll")});
