@@ -1036,6 +1036,94 @@
         <source>People who stay apart</source>
         <translation>Personen, die Abstand halten</translation>
     </message>
+    <message>
+        <source>Barrera et al. 2005: a ball in space</source>
+        <translation>Barrera et al. 2005: ein Ball im Raum</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009: boxes in one camera</source>
+        <translation>Sugandi u. a. 2009: Rahmen in einer Kamera</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people</source>
+        <translation>Mohedano u. a. 2009: Personen</translation>
+    </message>
+    <message>
+        <source>More scenes of people</source>
+        <translation>Weitere Szenen mit Personen</translation>
+    </message>
+    <message>
+        <source>People of different heights</source>
+        <translation>Verschieden große Personen</translation>
+    </message>
+    <message>
+        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
+        <translation>Ein Kind von 0,9 bis 1,3 m, eine Person von 1,3 bis 1,6 m und eine von 1,88 bis 2 m gehen umher.</translation>
+    </message>
+    <message>
+        <source>People who sit and crouch</source>
+        <translation>Personen, die sitzen und hocken</translation>
+    </message>
+    <message>
+        <source>One person sits down on a stool and rises, one crouches and rises, and one walks by.</source>
+        <translation>Eine Person setzt sich auf einen Hocker und steht auf, eine hockt sich hin und steht auf, und eine geht vorbei.</translation>
+    </message>
+    <message>
+        <source>People who carry things</source>
+        <translation>Personen, die etwas tragen</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <translation>Zwei Personen gehen aneinander vorbei, eine mit einer Kiste vor der Brust, eine mit einer Tasche.</translation>
+    </message>
+    <message>
+        <source>A crowd</source>
+        <translation>Ein Gedränge</translation>
+    </message>
+    <message>
+        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <translation>Fünf bis acht Personen laufen 12 s lang durcheinander; ihre Wege können sich berühren und kreuzen.</translation>
+    </message>
+    <message>
+        <source>People seen by two cameras</source>
+        <translation>Personen, die zwei Kameras sehen</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, seen by only two of the four cameras.</source>
+        <translation>Zwei Personen gehen aneinander vorbei; nur zwei der vier Kameras sehen sie.</translation>
+    </message>
+    <message>
+        <source>People who come close</source>
+        <translation>Personen, die sich sehr nahe kommen</translation>
+    </message>
+    <message>
+        <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
+        <translation>Zwei Personen nähern sich auf 0,15 bis 0,28 m, bleiben stehen und gehen zurück.</translation>
+    </message>
+    <message>
+        <source>Furniture that moves</source>
+        <translation>Möbel, die sich bewegen</translation>
+    </message>
+    <message>
+        <source>A cabinet and a stool are moved after the cameras have learned the background.</source>
+        <translation>Ein Schrank und ein Hocker werden verschoben, nachdem die Kameras den Hintergrund gelernt haben.</translation>
+    </message>
+    <message>
+        <source>Clothes like the room</source>
+        <translation>Kleidung wie der Raum</translation>
+    </message>
+    <message>
+        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <translation>Zwei Personen in Kleidung in den Farben von Wänden, Möbeln und Boden gehen aneinander vorbei.</translation>
+    </message>
+    <message>
+        <source>Patterned clothes</source>
+        <translation>Gemusterte Kleidung</translation>
+    </message>
+    <message>
+        <source>Two people in striped, checked or blotched shirts walk past each other.</source>
+        <translation>Zwei Personen in gestreiften, karierten oder gefleckten Hemden gehen aneinander vorbei.</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -3678,10 +3766,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Experiments</source>
         <translation>Experimente</translation>
-    </message>
-    <message>
-        <source>Experiments of the papers</source>
-        <translation>Experimente der Artikel</translation>
     </message>
     <message>
         <source>Number of seeds. More seeds take longer and give more certain results.</source>

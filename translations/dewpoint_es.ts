@@ -1036,6 +1036,94 @@
         <source>People who stay apart</source>
         <translation>Personas que se mantienen alejadas</translation>
     </message>
+    <message>
+        <source>Barrera et al. 2005: a ball in space</source>
+        <translation>Barrera et al. 2005: una pelota en el espacio</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009: boxes in one camera</source>
+        <translation>Sugandi et al. 2009: recuadros en una cámara</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people</source>
+        <translation>Mohedano et al. 2009: personas</translation>
+    </message>
+    <message>
+        <source>More scenes of people</source>
+        <translation>Más escenas con personas</translation>
+    </message>
+    <message>
+        <source>People of different heights</source>
+        <translation>Personas de distinta estatura</translation>
+    </message>
+    <message>
+        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
+        <translation>Un niño de 0,9 a 1,3 m, una persona de 1,3 a 1,6 m y otra de 1,88 a 2 m caminan por la sala.</translation>
+    </message>
+    <message>
+        <source>People who sit and crouch</source>
+        <translation>Personas que se sientan y se agachan</translation>
+    </message>
+    <message>
+        <source>One person sits down on a stool and rises, one crouches and rises, and one walks by.</source>
+        <translation>Una persona se sienta en un taburete y se levanta, otra se agacha y se levanta, y otra pasa de largo.</translation>
+    </message>
+    <message>
+        <source>People who carry things</source>
+        <translation>Personas que llevan cosas</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <translation>Dos personas se cruzan, una con una caja ante el pecho y otra con una bolsa.</translation>
+    </message>
+    <message>
+        <source>A crowd</source>
+        <translation>Una multitud</translation>
+    </message>
+    <message>
+        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <translation>De cinco a ocho personas van y vienen durante 12 s; sus caminos pueden tocarse y cruzarse.</translation>
+    </message>
+    <message>
+        <source>People seen by two cameras</source>
+        <translation>Personas que ven dos cámaras</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, seen by only two of the four cameras.</source>
+        <translation>Dos personas se cruzan; solo las ven dos de las cuatro cámaras.</translation>
+    </message>
+    <message>
+        <source>People who come close</source>
+        <translation>Personas que se acercan mucho</translation>
+    </message>
+    <message>
+        <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
+        <translation>Dos personas se acercan a entre 0,15 y 0,28 m, se paran y vuelven atrás.</translation>
+    </message>
+    <message>
+        <source>Furniture that moves</source>
+        <translation>Muebles que se mueven</translation>
+    </message>
+    <message>
+        <source>A cabinet and a stool are moved after the cameras have learned the background.</source>
+        <translation>Un armario y un taburete se mueven después de que las cámaras hayan aprendido el fondo.</translation>
+    </message>
+    <message>
+        <source>Clothes like the room</source>
+        <translation>Ropa como la sala</translation>
+    </message>
+    <message>
+        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <translation>Se cruzan dos personas con ropa de los colores de las paredes, los muebles y el suelo.</translation>
+    </message>
+    <message>
+        <source>Patterned clothes</source>
+        <translation>Ropa estampada</translation>
+    </message>
+    <message>
+        <source>Two people in striped, checked or blotched shirts walk past each other.</source>
+        <translation>Se cruzan dos personas con camisas de rayas, de cuadros o de manchas.</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -3678,10 +3766,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Experiments</source>
         <translation>Experimentos</translation>
-    </message>
-    <message>
-        <source>Experiments of the papers</source>
-        <translation>Experimentos de los artículos</translation>
     </message>
     <message>
         <source>Number of seeds. More seeds take longer and give more certain results.</source>

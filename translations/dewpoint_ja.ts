@@ -1036,6 +1036,94 @@
         <source>People who stay apart</source>
         <translation>離れたままの人々</translation>
     </message>
+    <message>
+        <source>Barrera et al. 2005: a ball in space</source>
+        <translation>Barrera ら 2005：空間中のボール</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009: boxes in one camera</source>
+        <translation>Sugandi ら 2009：1 台のカメラでの枠</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people</source>
+        <translation>Mohedano ら 2009：人物</translation>
+    </message>
+    <message>
+        <source>More scenes of people</source>
+        <translation>その他の人物の場面</translation>
+    </message>
+    <message>
+        <source>People of different heights</source>
+        <translation>身長の異なる人</translation>
+    </message>
+    <message>
+        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
+        <translation>0.9～1.3 m の子ども、1.3～1.6 m の人、1.88～2 m の人が歩き回ります。</translation>
+    </message>
+    <message>
+        <source>People who sit and crouch</source>
+        <translation>座る人としゃがむ人</translation>
+    </message>
+    <message>
+        <source>One person sits down on a stool and rises, one crouches and rises, and one walks by.</source>
+        <translation>1 人がスツールに座って立ち上がり、1 人がしゃがんで立ち上がり、1 人が通り過ぎます。</translation>
+    </message>
+    <message>
+        <source>People who carry things</source>
+        <translation>物を運ぶ人</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <translation>2 人がすれ違います。1 人は胸の前に箱を、1 人はかばんを持っています。</translation>
+    </message>
+    <message>
+        <source>A crowd</source>
+        <translation>人混み</translation>
+    </message>
+    <message>
+        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <translation>5～8 人が 12 秒間動き回ります。進路は触れたり交わったりします。</translation>
+    </message>
+    <message>
+        <source>People seen by two cameras</source>
+        <translation>2 台のカメラに映る人</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, seen by only two of the four cameras.</source>
+        <translation>2 人がすれ違います。4 台のカメラのうち 2 台だけに映ります。</translation>
+    </message>
+    <message>
+        <source>People who come close</source>
+        <translation>ごく近くまで近づく人</translation>
+    </message>
+    <message>
+        <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
+        <translation>2 人が 0.15～0.28 m まで近づき、立ち止まって戻ります。</translation>
+    </message>
+    <message>
+        <source>Furniture that moves</source>
+        <translation>動く家具</translation>
+    </message>
+    <message>
+        <source>A cabinet and a stool are moved after the cameras have learned the background.</source>
+        <translation>カメラが背景を学習した後で、戸棚とスツールが動かされます。</translation>
+    </message>
+    <message>
+        <source>Clothes like the room</source>
+        <translation>部屋と似た服</translation>
+    </message>
+    <message>
+        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <translation>壁、家具、床と同じ色の服を着た 2 人がすれ違います。</translation>
+    </message>
+    <message>
+        <source>Patterned clothes</source>
+        <translation>柄のある服</translation>
+    </message>
+    <message>
+        <source>Two people in striped, checked or blotched shirts walk past each other.</source>
+        <translation>縞、格子、斑の柄のシャツを着た 2 人がすれ違います。</translation>
+    </message>
 </context>
 <context>
     <name>Export</name>
@@ -3677,10 +3765,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Experiments</source>
         <translation>実験</translation>
-    </message>
-    <message>
-        <source>Experiments of the papers</source>
-        <translation>論文の実験</translation>
     </message>
     <message>
         <source>Number of seeds. More seeds take longer and give more certain results.</source>
