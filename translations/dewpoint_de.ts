@@ -3143,7 +3143,7 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Wie die Richtung angegeben wird</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
         <translation>Ein Punkt, auf den die Kamera blickt, oder Winkel: Gieren von x nach y, Nicken über dem Horizont, Rollen um die Blickrichtung</translation>
     </message>
     <message>

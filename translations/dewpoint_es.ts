@@ -3143,7 +3143,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Cómo se indica la dirección</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
         <translation>Un punto al que mira la cámara, o ángulos: guiñada de x hacia y, cabeceo sobre el horizonte, alabeo alrededor de la línea de visión</translation>
     </message>
     <message>

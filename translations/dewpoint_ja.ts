@@ -3142,7 +3142,7 @@ From %2 to %3%4; default %5%4.</source>
         <translation>向きの表し方</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
         <translation>カメラの注視点、または角度: ヨーは x から y へ、ピッチは水平より上、ロールは視線まわり</translation>
     </message>
     <message>

@@ -149,7 +149,7 @@ void CameraForm::retranslateUi() {
   aimLabel_->setText(tr("Looks"));
   setTexts(*aimMode_, {tr("at a point, roll"), tr("yaw, pitch, roll")});
   name(aimMode_, tr("How the direction is said"),
-       tr("A point that the camera looks at, or angles: yaw from x towards y, pitch above the "
+       tr("A point that the camera looks at, or angles: yaw from x toward y, pitch above the "
           "horizon, roll about the line of sight"));
   lensLabel_->setText(tr("Lens"));
   setTexts(*lensMode_, {tr("focal length"), tr("field of view")});
