@@ -993,12 +993,12 @@
         <translation>Rahmen: Fehler, Erfolg und Genauigkeit</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
-        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange niemand für jemanden gehalten wird oder jemand für niemanden.</translation>
+        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
+        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange eine Schätzung zu niemandem gehört und wie lange eine Person keine Schätzung hat.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
-        <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; nach der Bewegung allein werden sie verwechselt, mit der Farbe nicht.</translation>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; die Bewegung allein kann sie verwechseln, die Farbe hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>

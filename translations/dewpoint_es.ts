@@ -993,12 +993,12 @@
         <translation>Recuadros: error, éxito y precisión</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
-        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo se toma a nadie por alguien, o a alguien por nadie.</translation>
+        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
+        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo una estimación no corresponde a nadie y cuánto tiempo una persona no tiene estimación.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
-        <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; solo por el movimiento se confunden, con el color no.</translation>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; el movimiento solo puede confundirlas, el color las distingue cuando su ropa es distinta.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>

@@ -993,12 +993,12 @@
         <translation>枠：誤差、成功率、精度</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
-        <translation>Mohedano ら 2009：人が出入りします。いない人をいるとみなす時間、いる人を見落とす時間を調べます。</translation>
+        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
+        <translation>Mohedano ら 2009：人が出入りします。誰のものでもない推定が続く時間と、人に推定がない時間を調べます。</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
-        <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違え、色を使えば取り違えません。</translation>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違えることがあり、服が違えば色で区別できます。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>

@@ -111,8 +111,8 @@ std::span<const FigureExperiment> studyExperiments() {
                        .group = ExperimentGroup::Sugandi},
       sceneOfPeople(
           "people-crossing", "People who cross",
-          "Mohedano et al. 2009: two people meet and walk on; by motion alone they are "
-          "mixed up, with color they are not.",
+          "Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color "
+          "keeps them apart when their clothes differ.",
           [](const ExperimentOptions& options) { return studyScenario("crossing", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -127,8 +127,8 @@ std::span<const FigureExperiment> studyExperiments() {
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-enter-leave", "People who enter and leave",
-          "Mohedano et al. 2009: people come and go; how long nobody is taken for "
-          "somebody, or somebody for nobody.",
+          "Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and "
+          "how long a person has no estimate.",
           [](const ExperimentOptions& options) { return studyScenario("enter-leave", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
