@@ -813,7 +813,7 @@
         <translation>Alle Kameras sähen auf die Rückseite der Tafel oder des Bodens: ihre Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
         <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich sind Millimeter und Meter verwechselt.</translation>
     </message>
     <message>
@@ -993,12 +993,12 @@
         <translation>Rahmen: Fehler, Erfolg und Genauigkeit</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
-        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange niemand für jemanden gehalten wird oder jemand für niemanden.</translation>
+        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
+        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange eine Schätzung zu niemandem gehört und wie lange eine Person keine Schätzung hat.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
-        <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; nach der Bewegung allein werden sie verwechselt, mit der Farbe nicht.</translation>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; die Bewegung allein kann sie verwechseln, die Farbe hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
@@ -1035,6 +1035,94 @@
     <message>
         <source>People who stay apart</source>
         <translation>Personen, die Abstand halten</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005: a ball in space</source>
+        <translation>Barrera et al. 2005: ein Ball im Raum</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009: boxes in one camera</source>
+        <translation>Sugandi u. a. 2009: Rahmen in einer Kamera</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people</source>
+        <translation>Mohedano u. a. 2009: Personen</translation>
+    </message>
+    <message>
+        <source>More scenes of people</source>
+        <translation>Weitere Szenen mit Personen</translation>
+    </message>
+    <message>
+        <source>People of different heights</source>
+        <translation>Verschieden große Personen</translation>
+    </message>
+    <message>
+        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
+        <translation>Ein Kind von 0,9 bis 1,3 m, eine Person von 1,3 bis 1,6 m und eine von 1,88 bis 2 m gehen umher.</translation>
+    </message>
+    <message>
+        <source>People who sit and crouch</source>
+        <translation>Personen, die sitzen und hocken</translation>
+    </message>
+    <message>
+        <source>One person sits down on a stool and rises, one crouches and rises, and one walks by.</source>
+        <translation>Eine Person setzt sich auf einen Hocker und steht auf, eine hockt sich hin und steht auf, und eine geht vorbei.</translation>
+    </message>
+    <message>
+        <source>People who carry things</source>
+        <translation>Personen, die etwas tragen</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <translation>Zwei Personen gehen aneinander vorbei, eine mit einer Kiste vor der Brust, eine mit einer Tasche.</translation>
+    </message>
+    <message>
+        <source>A crowd</source>
+        <translation>Ein Gedränge</translation>
+    </message>
+    <message>
+        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <translation>Fünf bis acht Personen laufen 12 s lang durcheinander; ihre Wege können sich berühren und kreuzen.</translation>
+    </message>
+    <message>
+        <source>People seen by two cameras</source>
+        <translation>Personen, die zwei Kameras sehen</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, seen by only two of the four cameras.</source>
+        <translation>Zwei Personen gehen aneinander vorbei; nur zwei der vier Kameras sehen sie.</translation>
+    </message>
+    <message>
+        <source>People who come close</source>
+        <translation>Personen, die sich sehr nahe kommen</translation>
+    </message>
+    <message>
+        <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
+        <translation>Zwei Personen nähern sich auf 0,15 bis 0,28 m, bleiben stehen und gehen zurück.</translation>
+    </message>
+    <message>
+        <source>Furniture that moves</source>
+        <translation>Möbel, die sich bewegen</translation>
+    </message>
+    <message>
+        <source>A cabinet and a stool are moved after the cameras have learned the background.</source>
+        <translation>Ein Schrank und ein Hocker werden verschoben, nachdem die Kameras den Hintergrund gelernt haben.</translation>
+    </message>
+    <message>
+        <source>Clothes like the room</source>
+        <translation>Kleidung wie der Raum</translation>
+    </message>
+    <message>
+        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <translation>Zwei Personen in Kleidung in den Farben von Wänden, Möbeln und Boden gehen aneinander vorbei.</translation>
+    </message>
+    <message>
+        <source>Patterned clothes</source>
+        <translation>Gemusterte Kleidung</translation>
+    </message>
+    <message>
+        <source>Two people in striped, checked or blotched shirts walk past each other.</source>
+        <translation>Zwei Personen in gestreiften, karierten oder gefleckten Hemden gehen aneinander vorbei.</translation>
     </message>
 </context>
 <context>
@@ -2798,15 +2886,15 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>wie im Format üblich</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>Zentimeter</translation>
     </message>
     <message>
@@ -2885,15 +2973,15 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>am Inhalt erkannt</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>Zentimeter</translation>
     </message>
     <message>
@@ -2937,7 +3025,7 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
         <translation>Der Längen in der Datei; oder tippen Sie die Meter einer Einheit, etwa 0.025 für Felder von 25 mm</translation>
     </message>
     <message>
@@ -3023,11 +3111,11 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>Meter</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>Zentimeter</translation>
     </message>
     <message>
@@ -3055,7 +3143,7 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
         <translation>Wie die Richtung angegeben wird</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
         <translation>Ein Punkt, auf den die Kamera blickt, oder Winkel: Gieren von x nach y, Nicken über dem Horizont, Rollen um die Blickrichtung</translation>
     </message>
     <message>
@@ -3672,16 +3760,12 @@ bei %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
     <message>
-        <source>Cancelled.</source>
+        <source>Canceled.</source>
         <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>Experiments</source>
         <translation>Experimente</translation>
-    </message>
-    <message>
-        <source>Experiments of the papers</source>
-        <translation>Experimente der Artikel</translation>
     </message>
     <message>
         <source>Number of seeds. More seeds take longer and give more certain results.</source>
@@ -3819,7 +3903,7 @@ bei %4, %5, %6 m</translation>
         <translation>von oben</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
+        <source>The export was canceled.</source>
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
     <message>
@@ -4151,7 +4235,7 @@ bei %4, %5, %6 m</translation>
         <translation>Größe entlang %1</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in metres</source>
+        <source>How far the grid reaches, in meters</source>
         <translation>Wie weit das Gitter reicht, in Metern</translation>
     </message>
     <message>
@@ -4159,7 +4243,7 @@ bei %4, %5, %6 m</translation>
         <translation>Ursprung %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in metres</source>
+        <source>The corner where its axes begin, in meters</source>
         <translation>Die Ecke, in der seine Achsen beginnen, in Metern</translation>
     </message>
     <message>
@@ -4171,7 +4255,7 @@ bei %4, %5, %6 m</translation>
         <translation>Schritt des Gitters</translation>
     </message>
     <message>
-        <source>Metres from line to line</source>
+        <source>Meters from line to line</source>
         <translation>Meter von Linie zu Linie</translation>
     </message>
     <message>
@@ -4616,7 +4700,7 @@ bei %4, %5, %6 m</translation>
         <translation>Höhe der Schicht über dem Boden</translation>
     </message>
     <message>
-        <source>Height of the layer in metres</source>
+        <source>Height of the layer in meters</source>
         <translation>Höhe der Schicht in Metern</translation>
     </message>
     <message>
@@ -4640,7 +4724,7 @@ bei %4, %5, %6 m</translation>
         <translation>Raum von %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in metres</source>
+        <source>Where the volume begins, in meters</source>
         <translation>Wo der Raum beginnt, in Metern</translation>
     </message>
     <message>
@@ -4648,7 +4732,7 @@ bei %4, %5, %6 m</translation>
         <translation>Raum bis %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in metres</source>
+        <source>Where the volume ends, in meters</source>
         <translation>Wo der Raum endet, in Metern</translation>
     </message>
     <message>
@@ -4880,7 +4964,7 @@ bei %4, %5, %6 m</translation>
         <translation>Ort</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in metres</source>
+        <source>Place in the room, x and y in meters</source>
         <translation>Ort im Raum, x und y in Metern</translation>
     </message>
     <message>
@@ -4888,7 +4972,7 @@ bei %4, %5, %6 m</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <source>Estimated height, meters; empty: the method does not estimate it</source>
         <translation>Geschätzte Größe, Meter; leer: Das Verfahren schätzt sie nicht</translation>
     </message>
     <message>
@@ -4896,7 +4980,7 @@ bei %4, %5, %6 m</translation>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Metres per second over the floor</source>
+        <source>Meters per second over the floor</source>
         <translation>Meter je Sekunde über dem Boden</translation>
     </message>
     <message>
@@ -4912,7 +4996,7 @@ bei %4, %5, %6 m</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
         <translation>Volumen der Hülle, die 95 % der Person enthält, Kubikmeter; leer, solange keine Hüllen gezeigt werden</translation>
     </message>
     <message>
@@ -5017,7 +5101,7 @@ bei %4, %5, %6 m</translation>
         <translation>Geplanter Ort %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in metres</source>
+        <source>Where the camera stands, in meters</source>
         <translation>Wo die Kamera steht, in Metern</translation>
     </message>
     <message>
@@ -5025,7 +5109,7 @@ bei %4, %5, %6 m</translation>
         <translation>Geplante Kamera blickt auf %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in metres</source>
+        <source>A point on its line of sight, in meters</source>
         <translation>Ein Punkt auf ihrer Blickrichtung, in Metern</translation>
     </message>
     <message>
@@ -5260,7 +5344,7 @@ bei %4, %5, %6 m</translation>
         <translation>Gemessene Punkte</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
         <translation>Mit dem Maßband gemessene Orte, in Metern: Doppelklick zum Eingeben. Die markierte Zeile passt am schlechtesten.</translation>
     </message>
     <message>
@@ -5794,7 +5878,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, metres</source>
+        <source>Position in the room, meters</source>
         <translation>Ort im Raum, Meter</translation>
     </message>
     <message>
@@ -5802,7 +5886,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimetres</source>
+        <source>Standard deviation of the position, millimeters</source>
         <translation>Standardabweichung des Ortes, Millimeter</translation>
     </message>
     <message>
@@ -5810,7 +5894,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Geschw., m/s</translation>
     </message>
     <message>
-        <source>Speed, metres per second: fitted over five frames</source>
+        <source>Speed, meters per second: fitted over five frames</source>
         <translation>Geschwindigkeit, Meter pro Sekunde: über fünf Bilder angepasst</translation>
     </message>
     <message>

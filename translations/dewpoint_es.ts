@@ -813,7 +813,7 @@
         <translation>Todas las cámaras mirarían el reverso del tablero o del suelo: probablemente sus puntos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
         <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente se confundieron milímetros y metros.</translation>
     </message>
     <message>
@@ -993,12 +993,12 @@
         <translation>Recuadros: error, éxito y precisión</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
-        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo se toma a nadie por alguien, o a alguien por nadie.</translation>
+        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
+        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo una estimación no corresponde a nadie y cuánto tiempo una persona no tiene estimación.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
-        <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; solo por el movimiento se confunden, con el color no.</translation>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; el movimiento solo puede confundirlas, el color las distingue cuando su ropa es distinta.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
@@ -1035,6 +1035,94 @@
     <message>
         <source>People who stay apart</source>
         <translation>Personas que se mantienen alejadas</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005: a ball in space</source>
+        <translation>Barrera et al. 2005: una pelota en el espacio</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009: boxes in one camera</source>
+        <translation>Sugandi et al. 2009: recuadros en una cámara</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people</source>
+        <translation>Mohedano et al. 2009: personas</translation>
+    </message>
+    <message>
+        <source>More scenes of people</source>
+        <translation>Más escenas con personas</translation>
+    </message>
+    <message>
+        <source>People of different heights</source>
+        <translation>Personas de distinta estatura</translation>
+    </message>
+    <message>
+        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
+        <translation>Un niño de 0,9 a 1,3 m, una persona de 1,3 a 1,6 m y otra de 1,88 a 2 m caminan por la sala.</translation>
+    </message>
+    <message>
+        <source>People who sit and crouch</source>
+        <translation>Personas que se sientan y se agachan</translation>
+    </message>
+    <message>
+        <source>One person sits down on a stool and rises, one crouches and rises, and one walks by.</source>
+        <translation>Una persona se sienta en un taburete y se levanta, otra se agacha y se levanta, y otra pasa de largo.</translation>
+    </message>
+    <message>
+        <source>People who carry things</source>
+        <translation>Personas que llevan cosas</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <translation>Dos personas se cruzan, una con una caja ante el pecho y otra con una bolsa.</translation>
+    </message>
+    <message>
+        <source>A crowd</source>
+        <translation>Una multitud</translation>
+    </message>
+    <message>
+        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <translation>De cinco a ocho personas van y vienen durante 12 s; sus caminos pueden tocarse y cruzarse.</translation>
+    </message>
+    <message>
+        <source>People seen by two cameras</source>
+        <translation>Personas que ven dos cámaras</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, seen by only two of the four cameras.</source>
+        <translation>Dos personas se cruzan; solo las ven dos de las cuatro cámaras.</translation>
+    </message>
+    <message>
+        <source>People who come close</source>
+        <translation>Personas que se acercan mucho</translation>
+    </message>
+    <message>
+        <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
+        <translation>Dos personas se acercan a entre 0,15 y 0,28 m, se paran y vuelven atrás.</translation>
+    </message>
+    <message>
+        <source>Furniture that moves</source>
+        <translation>Muebles que se mueven</translation>
+    </message>
+    <message>
+        <source>A cabinet and a stool are moved after the cameras have learned the background.</source>
+        <translation>Un armario y un taburete se mueven después de que las cámaras hayan aprendido el fondo.</translation>
+    </message>
+    <message>
+        <source>Clothes like the room</source>
+        <translation>Ropa como la sala</translation>
+    </message>
+    <message>
+        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <translation>Se cruzan dos personas con ropa de los colores de las paredes, los muebles y el suelo.</translation>
+    </message>
+    <message>
+        <source>Patterned clothes</source>
+        <translation>Ropa estampada</translation>
+    </message>
+    <message>
+        <source>Two people in striped, checked or blotched shirts walk past each other.</source>
+        <translation>Se cruzan dos personas con camisas de rayas, de cuadros o de manchas.</translation>
     </message>
 </context>
 <context>
@@ -2798,15 +2886,15 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>la habitual del formato</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>metros</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>milímetros</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>centímetros</translation>
     </message>
     <message>
@@ -2885,15 +2973,15 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>reconocido por el contenido</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>metros</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>milímetros</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>centímetros</translation>
     </message>
     <message>
@@ -2937,7 +3025,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Unidad</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
         <translation>De las longitudes del archivo; o escriba los metros de una unidad, como 0.025 para casillas de 25 mm</translation>
     </message>
     <message>
@@ -3023,11 +3111,11 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Posición</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>metros</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>centímetros</translation>
     </message>
     <message>
@@ -3055,7 +3143,7 @@ De %2 a %3%4; por defecto %5%4.</translation>
         <translation>Cómo se indica la dirección</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
         <translation>Un punto al que mira la cámara, o ángulos: guiñada de x hacia y, cabeceo sobre el horizonte, alabeo alrededor de la línea de visión</translation>
     </message>
     <message>
@@ -3672,16 +3760,12 @@ en %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
     <message>
-        <source>Cancelled.</source>
+        <source>Canceled.</source>
         <translation>Cancelado.</translation>
     </message>
     <message>
         <source>Experiments</source>
         <translation>Experimentos</translation>
-    </message>
-    <message>
-        <source>Experiments of the papers</source>
-        <translation>Experimentos de los artículos</translation>
     </message>
     <message>
         <source>Number of seeds. More seeds take longer and give more certain results.</source>
@@ -3819,7 +3903,7 @@ en %4, %5, %6 m</translation>
         <translation>desde arriba</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
+        <source>The export was canceled.</source>
         <translation>La exportación se canceló.</translation>
     </message>
     <message>
@@ -4151,7 +4235,7 @@ en %4, %5, %6 m</translation>
         <translation>Tamaño según %1</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in metres</source>
+        <source>How far the grid reaches, in meters</source>
         <translation>Hasta dónde llega la cuadrícula, en metros</translation>
     </message>
     <message>
@@ -4159,7 +4243,7 @@ en %4, %5, %6 m</translation>
         <translation>Origen %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in metres</source>
+        <source>The corner where its axes begin, in meters</source>
         <translation>La esquina donde empiezan sus ejes, en metros</translation>
     </message>
     <message>
@@ -4171,7 +4255,7 @@ en %4, %5, %6 m</translation>
         <translation>Paso de la cuadrícula</translation>
     </message>
     <message>
-        <source>Metres from line to line</source>
+        <source>Meters from line to line</source>
         <translation>Metros de línea a línea</translation>
     </message>
     <message>
@@ -4616,7 +4700,7 @@ en %4, %5, %6 m</translation>
         <translation>Altura de la capa sobre el suelo</translation>
     </message>
     <message>
-        <source>Height of the layer in metres</source>
+        <source>Height of the layer in meters</source>
         <translation>Altura de la capa en metros</translation>
     </message>
     <message>
@@ -4640,7 +4724,7 @@ en %4, %5, %6 m</translation>
         <translation>Volumen desde %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in metres</source>
+        <source>Where the volume begins, in meters</source>
         <translation>Dónde empieza el volumen, en metros</translation>
     </message>
     <message>
@@ -4648,7 +4732,7 @@ en %4, %5, %6 m</translation>
         <translation>Volumen hasta %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in metres</source>
+        <source>Where the volume ends, in meters</source>
         <translation>Dónde acaba el volumen, en metros</translation>
     </message>
     <message>
@@ -4880,7 +4964,7 @@ en %4, %5, %6 m</translation>
         <translation>Lugar</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in metres</source>
+        <source>Place in the room, x and y in meters</source>
         <translation>Lugar en la sala, x e y en metros</translation>
     </message>
     <message>
@@ -4888,7 +4972,7 @@ en %4, %5, %6 m</translation>
         <translation>Estatura</translation>
     </message>
     <message>
-        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <source>Estimated height, meters; empty: the method does not estimate it</source>
         <translation>Estatura estimada, metros; vacío: el método no la estima</translation>
     </message>
     <message>
@@ -4896,7 +4980,7 @@ en %4, %5, %6 m</translation>
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>Metres per second over the floor</source>
+        <source>Meters per second over the floor</source>
         <translation>Metros por segundo sobre el suelo</translation>
     </message>
     <message>
@@ -4912,7 +4996,7 @@ en %4, %5, %6 m</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
         <translation>Volumen de la envolvente que contiene el 95 % de la persona, metros cúbicos; vacío mientras no se muestran envolventes</translation>
     </message>
     <message>
@@ -5017,7 +5101,7 @@ en %4, %5, %6 m</translation>
         <translation>Posición planeada %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in metres</source>
+        <source>Where the camera stands, in meters</source>
         <translation>Dónde está la cámara, en metros</translation>
     </message>
     <message>
@@ -5025,7 +5109,7 @@ en %4, %5, %6 m</translation>
         <translation>La cámara planeada mira a %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in metres</source>
+        <source>A point on its line of sight, in meters</source>
         <translation>Un punto de su línea de visión, en metros</translation>
     </message>
     <message>
@@ -5260,7 +5344,7 @@ en %4, %5, %6 m</translation>
         <translation>Puntos medidos</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
         <translation>Lugares medidos con cinta, en metros: doble clic para escribir. La fila marcada es la que peor encaja.</translation>
     </message>
     <message>
@@ -5794,7 +5878,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, metres</source>
+        <source>Position in the room, meters</source>
         <translation>Posición en la sala, metros</translation>
     </message>
     <message>
@@ -5802,7 +5886,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimetres</source>
+        <source>Standard deviation of the position, millimeters</source>
         <translation>Desviación típica de la posición, milímetros</translation>
     </message>
     <message>
@@ -5810,7 +5894,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>veloc., m/s</translation>
     </message>
     <message>
-        <source>Speed, metres per second: fitted over five frames</source>
+        <source>Speed, meters per second: fitted over five frames</source>
         <translation>Velocidad, metros por segundo: ajustada en cinco fotogramas</translation>
     </message>
     <message>

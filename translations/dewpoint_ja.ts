@@ -813,7 +813,7 @@
         <translation>すべてのカメラがボードまたは床の裏側を見ていることになります。点が鏡像になっているようです。軸の向きと、印刷が反転していないことを確かめてください。</translation>
     </message>
     <message>
-        <source>The given length is %1 times what the cameras see: millimetres and metres are likely mixed up.</source>
+        <source>The given length is %1 times what the cameras see: millimeters and meters are likely mixed up.</source>
         <translation>与えられた長さはカメラの見る長さの %1 倍です。ミリメートルとメートルを取り違えているようです。</translation>
     </message>
     <message>
@@ -993,12 +993,12 @@
         <translation>枠：誤差、成功率、精度</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long nobody is taken for somebody, or somebody for nobody.</source>
-        <translation>Mohedano ら 2009：人が出入りします。いない人をいるとみなす時間、いる人を見落とす時間を調べます。</translation>
+        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
+        <translation>Mohedano ら 2009：人が出入りします。誰のものでもない推定が続く時間と、人に推定がない時間を調べます。</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet and walk on; by motion alone they are mixed up, with color they are not.</source>
-        <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違え、色を使えば取り違えません。</translation>
+        <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
+        <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違えることがあり、服が違えば色で区別できます。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
@@ -1035,6 +1035,94 @@
     <message>
         <source>People who stay apart</source>
         <translation>離れたままの人々</translation>
+    </message>
+    <message>
+        <source>Barrera et al. 2005: a ball in space</source>
+        <translation>Barrera ら 2005：空間中のボール</translation>
+    </message>
+    <message>
+        <source>Sugandi et al. 2009: boxes in one camera</source>
+        <translation>Sugandi ら 2009：1 台のカメラでの枠</translation>
+    </message>
+    <message>
+        <source>Mohedano et al. 2009: people</source>
+        <translation>Mohedano ら 2009：人物</translation>
+    </message>
+    <message>
+        <source>More scenes of people</source>
+        <translation>その他の人物の場面</translation>
+    </message>
+    <message>
+        <source>People of different heights</source>
+        <translation>身長の異なる人</translation>
+    </message>
+    <message>
+        <source>A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.</source>
+        <translation>0.9～1.3 m の子ども、1.3～1.6 m の人、1.88～2 m の人が歩き回ります。</translation>
+    </message>
+    <message>
+        <source>People who sit and crouch</source>
+        <translation>座る人としゃがむ人</translation>
+    </message>
+    <message>
+        <source>One person sits down on a stool and rises, one crouches and rises, and one walks by.</source>
+        <translation>1 人がスツールに座って立ち上がり、1 人がしゃがんで立ち上がり、1 人が通り過ぎます。</translation>
+    </message>
+    <message>
+        <source>People who carry things</source>
+        <translation>物を運ぶ人</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <translation>2 人がすれ違います。1 人は胸の前に箱を、1 人はかばんを持っています。</translation>
+    </message>
+    <message>
+        <source>A crowd</source>
+        <translation>人混み</translation>
+    </message>
+    <message>
+        <source>Five to eight people mill about for 12 s; their paths may touch and cross.</source>
+        <translation>5～8 人が 12 秒間動き回ります。進路は触れたり交わったりします。</translation>
+    </message>
+    <message>
+        <source>People seen by two cameras</source>
+        <translation>2 台のカメラに映る人</translation>
+    </message>
+    <message>
+        <source>Two people walk past each other, seen by only two of the four cameras.</source>
+        <translation>2 人がすれ違います。4 台のカメラのうち 2 台だけに映ります。</translation>
+    </message>
+    <message>
+        <source>People who come close</source>
+        <translation>ごく近くまで近づく人</translation>
+    </message>
+    <message>
+        <source>Two people come within 0.15 to 0.28 m of each other, stand there, and go back.</source>
+        <translation>2 人が 0.15～0.28 m まで近づき、立ち止まって戻ります。</translation>
+    </message>
+    <message>
+        <source>Furniture that moves</source>
+        <translation>動く家具</translation>
+    </message>
+    <message>
+        <source>A cabinet and a stool are moved after the cameras have learned the background.</source>
+        <translation>カメラが背景を学習した後で、戸棚とスツールが動かされます。</translation>
+    </message>
+    <message>
+        <source>Clothes like the room</source>
+        <translation>部屋と似た服</translation>
+    </message>
+    <message>
+        <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
+        <translation>壁、家具、床と同じ色の服を着た 2 人がすれ違います。</translation>
+    </message>
+    <message>
+        <source>Patterned clothes</source>
+        <translation>柄のある服</translation>
+    </message>
+    <message>
+        <source>Two people in striped, checked or blotched shirts walk past each other.</source>
+        <translation>縞、格子、斑の柄のシャツを着た 2 人がすれ違います。</translation>
     </message>
 </context>
 <context>
@@ -2797,15 +2885,15 @@ From %2 to %3%4; default %5%4.</source>
         <translation>形式の通例どおり</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>ミリメートル</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>センチメートル</translation>
     </message>
     <message>
@@ -2884,15 +2972,15 @@ From %2 to %3%4; default %5%4.</source>
         <translation>内容から判別</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>millimetres</source>
+        <source>millimeters</source>
         <translation>ミリメートル</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>センチメートル</translation>
     </message>
     <message>
@@ -2936,7 +3024,7 @@ From %2 to %3%4; default %5%4.</source>
         <translation>単位</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the metres of one unit, such as 0.025 for squares of 25 mm</source>
+        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
         <translation>ファイル内の長さの単位。または1単位のメートル数を入力（25 mm のマス目なら 0.025）</translation>
     </message>
     <message>
@@ -3022,11 +3110,11 @@ From %2 to %3%4; default %5%4.</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>metres</source>
+        <source>meters</source>
         <translation>メートル</translation>
     </message>
     <message>
-        <source>centimetres</source>
+        <source>centimeters</source>
         <translation>センチメートル</translation>
     </message>
     <message>
@@ -3054,7 +3142,7 @@ From %2 to %3%4; default %5%4.</source>
         <translation>向きの表し方</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x towards y, pitch above the horizon, roll about the line of sight</source>
+        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
         <translation>カメラの注視点、または角度: ヨーは x から y へ、ピッチは水平より上、ロールは視線まわり</translation>
     </message>
     <message>
@@ -3671,16 +3759,12 @@ at %4, %5, %6 m</source>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
     <message>
-        <source>Cancelled.</source>
+        <source>Canceled.</source>
         <translation>中止しました。</translation>
     </message>
     <message>
         <source>Experiments</source>
         <translation>実験</translation>
-    </message>
-    <message>
-        <source>Experiments of the papers</source>
-        <translation>論文の実験</translation>
     </message>
     <message>
         <source>Number of seeds. More seeds take longer and give more certain results.</source>
@@ -3818,7 +3902,7 @@ at %4, %5, %6 m</source>
         <translation>上から</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
+        <source>The export was canceled.</source>
         <translation>書き出しを中止しました。</translation>
     </message>
     <message>
@@ -4149,7 +4233,7 @@ at %4, %5, %6 m</source>
         <translation>%1 方向の大きさ</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in metres</source>
+        <source>How far the grid reaches, in meters</source>
         <translation>格子の広がり(メートル)</translation>
     </message>
     <message>
@@ -4157,7 +4241,7 @@ at %4, %5, %6 m</source>
         <translation>原点 %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in metres</source>
+        <source>The corner where its axes begin, in meters</source>
         <translation>軸が始まる角(メートル)</translation>
     </message>
     <message>
@@ -4169,7 +4253,7 @@ at %4, %5, %6 m</source>
         <translation>格子の間隔</translation>
     </message>
     <message>
-        <source>Metres from line to line</source>
+        <source>Meters from line to line</source>
         <translation>線と線の間隔(メートル)</translation>
     </message>
     <message>
@@ -4614,7 +4698,7 @@ at %4, %5, %6 m</source>
         <translation>床からの層の高さ</translation>
     </message>
     <message>
-        <source>Height of the layer in metres</source>
+        <source>Height of the layer in meters</source>
         <translation>層の高さ（メートル）</translation>
     </message>
     <message>
@@ -4638,7 +4722,7 @@ at %4, %5, %6 m</source>
         <translation>空間の始まり %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in metres</source>
+        <source>Where the volume begins, in meters</source>
         <translation>空間の始まり（メートル）</translation>
     </message>
     <message>
@@ -4646,7 +4730,7 @@ at %4, %5, %6 m</source>
         <translation>空間の終わり %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in metres</source>
+        <source>Where the volume ends, in meters</source>
         <translation>空間の終わり（メートル）</translation>
     </message>
     <message>
@@ -4878,7 +4962,7 @@ at %4, %5, %6 m</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in metres</source>
+        <source>Place in the room, x and y in meters</source>
         <translation>部屋の中の位置、x と y（m）</translation>
     </message>
     <message>
@@ -4886,7 +4970,7 @@ at %4, %5, %6 m</source>
         <translation>身長</translation>
     </message>
     <message>
-        <source>Estimated height, metres; empty: the method does not estimate it</source>
+        <source>Estimated height, meters; empty: the method does not estimate it</source>
         <translation>推定した身長（m）。空欄：この手法では推定しません</translation>
     </message>
     <message>
@@ -4894,7 +4978,7 @@ at %4, %5, %6 m</source>
         <translation>速さ</translation>
     </message>
     <message>
-        <source>Metres per second over the floor</source>
+        <source>Meters per second over the floor</source>
         <translation>床の上での秒速（m/s）</translation>
     </message>
     <message>
@@ -4910,7 +4994,7 @@ at %4, %5, %6 m</source>
         <translation>体積</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic metres; empty while hulls are not shown</source>
+        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
         <translation>その人物の 95 % を含む凸包の体積（m³）。凸包を表示していない間は空欄</translation>
     </message>
     <message>
@@ -5015,7 +5099,7 @@ at %4, %5, %6 m</source>
         <translation>計画位置 %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in metres</source>
+        <source>Where the camera stands, in meters</source>
         <translation>カメラの位置（メートル）</translation>
     </message>
     <message>
@@ -5023,7 +5107,7 @@ at %4, %5, %6 m</source>
         <translation>計画中のカメラの注視点 %1</translation>
     </message>
     <message>
-        <source>A point on its line of sight, in metres</source>
+        <source>A point on its line of sight, in meters</source>
         <translation>視線上の点（メートル）</translation>
     </message>
     <message>
@@ -5258,7 +5342,7 @@ at %4, %5, %6 m</source>
         <translation>測定点</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in metres: double click to type. A marked row fits worst.</source>
+        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
         <translation>巻尺で測った位置(メートル)。ダブルクリックで入力。印の付いた行が最も合いません。</translation>
     </message>
     <message>
@@ -5792,7 +5876,7 @@ Effective sample size %8 of %9</source>
         <translation>%1, m</translation>
     </message>
     <message>
-        <source>Position in the room, metres</source>
+        <source>Position in the room, meters</source>
         <translation>室内での位置（メートル）</translation>
     </message>
     <message>
@@ -5800,7 +5884,7 @@ Effective sample size %8 of %9</source>
         <translation>σ%1, mm</translation>
     </message>
     <message>
-        <source>Standard deviation of the position, millimetres</source>
+        <source>Standard deviation of the position, millimeters</source>
         <translation>位置の標準偏差（ミリメートル）</translation>
     </message>
     <message>
@@ -5808,7 +5892,7 @@ Effective sample size %8 of %9</source>
         <translation>速さ, m/s</translation>
     </message>
     <message>
-        <source>Speed, metres per second: fitted over five frames</source>
+        <source>Speed, meters per second: fitted over five frames</source>
         <translation>速さ（メートル毎秒、5 フレームに当てはめ）</translation>
     </message>
     <message>

@@ -56,12 +56,10 @@ void addMethods(Marked& marked) {
 }
 
 void addExperiments(Marked& marked) {
-  for (const auto& all :
-       {dewpoint::experiment::figureExperiments(), dewpoint::experiment::studyExperiments()}) {
-    for (const auto& experiment : all) {
-      marked.emplace("Experiment", experiment.title);
-      marked.emplace("Experiment", experiment.sentence);
-    }
+  for (const auto* experiment : dewpoint::experiment::listedExperiments()) {
+    marked.emplace("Experiment", experiment->title);
+    marked.emplace("Experiment", experiment->sentence);
+    marked.emplace("Experiment", dewpoint::experiment::experimentGroupTitle(experiment->group));
   }
 }
 

@@ -102,7 +102,7 @@ std::string roomText(const Project& project) {
   if (project.grid) {
     const ReferenceGrid& grid = *project.grid;
     const auto kind = std::ranges::find(kGridKeys, grid.kind, [](auto& one) { return one.second; });
-    text += fmt::format("\n[grid]   # metres, radians\nkind = \"{}\"\nsize = [{}, {}, {}]\n"
+    text += fmt::format("\n[grid]   # meters, radians\nkind = \"{}\"\nsize = [{}, {}, {}]\n"
                         "step = {}\norigin = [{}, {}, {}]\nturn = {}\n",
                         kind->first, grid.size.x(), grid.size.y(), grid.size.z(), grid.step,
                         grid.origin.x(), grid.origin.y(), grid.origin.z(), grid.turn);

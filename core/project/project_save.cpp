@@ -9,6 +9,9 @@
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
 
+#include <array>
+#include <string_view>
+
 namespace dewpoint::project {
 namespace {
 
@@ -87,7 +90,7 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (!camera.emptyRoom.empty()) {
     text += "empty_room = " + storedPath(camera.emptyRoom, folder) + "\n";
   }
-  return text + "[camera.calibration]   # pixels, radians, metres; camera from world\n" +
+  return text + "[camera.calibration]   # pixels, radians, meters; camera from world\n" +
          cameraToToml(camera.camera, RotationForm::Matrix);
 }
 
@@ -103,11 +106,27 @@ std::string parametersText(const ParameterValues& parameters) {
   return text;
 }
 
+/// A file with the comments that earlier versions wrote ("metres") as they are written now: else
+/// they would pass for a person's, and stay beside the present ones.
+std::string inPresentSpelling(std::string text) {
+  constexpr std::array<std::string_view, 3> kPresent{
+      "# Dewpoint project: meters, seconds, radians, pixels; Z is up\n", "# meters, radians\n",
+      "# pixels, radians, meters; camera from world\n"};
+  for (const std::string_view present : kPresent) {
+    std::string former(present);
+    former.replace(former.find("meters"), 6, "metres");
+    for (auto at = text.find(former); at != std::string::npos; at = text.find(former, at)) {
+      text.replace(at, former.size(), present);
+    }
+  }
+  return text;
+}
+
 } // namespace
 
 std::string projectText(const Project& project, const std::filesystem::path& folder) {
   std::string text =
-      fmt::format("# Dewpoint project: metres, seconds, radians, pixels; Z is up\n"
+      fmt::format("# Dewpoint project: meters, seconds, radians, pixels; Z is up\n"
                   "format = {}\nname = {}\nmethod = {}\nseed = {}\n",
                   kProjectFormat, quoted(project.name), quoted(project.method), project.seed);
   if (project.framesPerSecond > 0.0 && project.scene.empty()) {
@@ -146,7 +165,7 @@ Status saveProject(const Project& project, const std::filesystem::path& file) {
   const std::string text = projectText(project, std::filesystem::absolute(file).parent_path());
   // Comments a person wrote into the file that the project comes from go along.
   const auto former = readTextFile(project.file);
-  return writeTextFile(file, former ? withComments(text, *former) : text);
+  return writeTextFile(file, former ? withComments(text, inPresentSpelling(*former)) : text);
 }
 
 } // namespace dewpoint::project

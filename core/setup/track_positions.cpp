@@ -34,7 +34,7 @@ Result<TrackerPtr> trackerAt(const Eigen::Vector3d& position, ParameterValues pa
     const double value = position[static_cast<Eigen::Index>(axis)];
     if (const auto set = parameters.set(kStart[axis], value); !set) {
       return failure(ErrorCode::BadValue, "", kColumns[axis],
-                     fmt::format("{:g} is farther away than a filter may start; metres are "
+                     fmt::format("{:g} is farther away than a filter may start; meters are "
                                  "expected",
                                  value));
     }

@@ -31,7 +31,7 @@ Result<std::vector<const Target*>> ballsOf(const Project& project, const WandOpt
   }
   if (balls.size() > 2 || (balls.size() == 2) != (options.stickLength > 0.0)) {
     return failure(ErrorCode::BadValue, project.file.string(), "target",
-                   "a stick is two balls and the length between their middles, in metres");
+                   "a stick is two balls and the length between their middles, in meters");
   }
   return balls;
 }

@@ -173,7 +173,7 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
 Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Trajectory& truth,
                                          double gate) {
   if (!std::isfinite(gate) || gate <= 0.0)
-    return failure(ErrorCode::BadValue, "", "gate", "it must be a positive number of metres");
+    return failure(ErrorCode::BadValue, "", "gate", "it must be a positive number of meters");
   const auto& cameras =
       estimate.header.cameras.empty() ? truth.header.cameras : estimate.header.cameras;
   const auto names = targetNames(estimate);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,73 @@ TEST(Docs, RowsStandInTheirTables) {
   }
   EXPECT_EQ(tornRows({"| a |", "| --- |", "| b |", "", "| c |", "text"}),
             std::vector<std::string>{"| c |"});
+}
+
+/// The texts between pairs of backticks in a line.
+std::vector<std::string> inlineCode(const std::string& line) {
+  static const std::regex kCode("`([^`]+)`");
+  std::vector<std::string> texts;
+  for (std::sregex_iterator it(line.begin(), line.end(), kCode), end; it != end; ++it) {
+    texts.push_back((*it)[1]);
+  }
+  return texts;
+}
+
+/// Files and folders of the sources that a line of a page names, or links to from `folder`.
+std::vector<std::filesystem::path> namedFiles(const std::string& line,
+                                              const std::filesystem::path& folder) {
+  static const std::regex kSource("(^|[^\\w./])((app|bench|core|docs|script|tests|ui)/[\\w./-]*)");
+  static const std::regex kLink("\\]\\(([^)#:]+)(#[^)]*)?\\)"); // no address of the net
+  std::vector<std::filesystem::path> files;
+  for (const std::string& code : inlineCode(line)) {
+    for (std::sregex_iterator it(code.begin(), code.end(), kSource), end; it != end; ++it) {
+      files.push_back(kRoot / (*it)[2].str());
+    }
+  }
+  for (std::sregex_iterator it(line.begin(), line.end(), kLink), end; it != end; ++it) {
+    files.push_back(folder / (*it)[1].str());
+  }
+  return files;
+}
+
+std::vector<std::filesystem::path> pages() {
+  auto pages = filesIn("docs");
+  std::erase_if(pages, [](const auto& file) { return file.extension() != ".md"; });
+  pages.push_back(kRoot / "README.md");
+  pages.push_back(kRoot / "docs/examples/README.md");
+  return pages;
+}
+
+TEST(Docs, FilesThatAreNamedExist) {
+  for (const auto& page : pages()) {
+    for (const std::string& line : linesOf(page)) {
+      for (const auto& file : namedFiles(line, page.parent_path())) {
+        EXPECT_TRUE(std::filesystem::exists(file)) << page.filename() << ": " << file;
+      }
+    }
+  }
+  const auto planted = namedFiles("`core/base/x.h` and [there](y.md#z), [net](https://a.b/c)", "f");
+  EXPECT_EQ(planted, (std::vector<std::filesystem::path>{kRoot / "core/base/x.h", "f/y.md"}));
+}
+
+// Pages name a source beside another one without its folder.
+TEST(Docs, SourcesNamedWithoutTheirFolderExist) {
+  std::set<std::string> names;
+  for (const char* folder : {"app", "bench", "core", "tests", "ui"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
+      names.insert(entry.path().filename().string());
+    }
+  }
+  const std::regex source("[a-z0-9_]+\\.(h|cpp)");
+  for (const auto& page : pages()) {
+    for (const std::string& line : linesOf(page)) {
+      for (const std::string& code : inlineCode(line)) {
+        if (std::regex_match(code, source)) {
+          EXPECT_TRUE(names.contains(code)) << page.filename() << ": " << code;
+        }
+      }
+    }
+  }
 }
 
 // CMake puts all programs into one folder.

@@ -159,7 +159,7 @@ TEST(FormatGolden, WrongUnitsAreNamedWithTheLikelyCause) {
   ASSERT_TRUE(saveCalibration(scaled->rig, file));
   const auto calibration = loadCalibration(file);
   ASSERT_FALSE(calibration);
-  expectSentence(calibration.error(), "translation", "likely in metres already");
+  expectSentence(calibration.error(), "translation", "likely in meters already");
 }
 
 TEST(FormatGolden, PosesTheWrongWayRoundAreSuspected) {

@@ -7,7 +7,7 @@ expectExit 0 calibration print-board chessboard:9x6:0.025 --paper A4 board.pdf
 [[ $(head -c 5 board.pdf) == %PDF- ]] || fail "board.pdf is no PDF"
 grep -aq 'MediaBox *\[ *0 0 841.*595' board.pdf || fail "not A4 lengthwise"
 expectExit $kUsage calibration print-board chessboard:9x6:25 no.pdf
-expectSentence BOARD millimetres
+expectSentence BOARD millimeters
 expectExit $kUsage calibration print-board chessboard:9x6:0.025 --paper B5 no.pdf
 expectSentence --paper A4
 expectExit $kBadInput calibration print-board chessboard:9x6:0.05 no.pdf

@@ -32,4 +32,4 @@ expectSentence start_x "first position"
 # Millimeters are no meters: nothing may start so far away.
 printf 'frame,x_m,y_m,z_m\n0,1000,20,30\n1,1010,20,30\n' >far.csv
 expectExit $kBadInput track-positions far.csv --out no.csv
-expectSentence far.csv x_m 1000 metres
+expectSentence far.csv x_m 1000 meters

@@ -147,5 +147,16 @@ TEST(ProjectComments, GoToAnotherFileWithTheProject) {
   EXPECT_FALSE(hasLines(text, "of another project"));
 }
 
+TEST(ProjectComments, ThoseOfEarlierVersionsAreInPresentSpelling) {
+  const std::string text = saved("# Dewpoint project: metres, seconds, radians, pixels; Z is up\n"
+                                 "# My own, in metres.\n"
+                                 "format = 2\nname = \"x\"\nscene = \"demo\"\n");
+  EXPECT_EQ(text.find("# Dewpoint project: metres"), std::string::npos);
+  const auto head = text.find("# Dewpoint project: meters");
+  EXPECT_NE(head, std::string::npos);
+  EXPECT_EQ(text.find("# Dewpoint project:", head + 1), std::string::npos); // once
+  EXPECT_NE(text.find("# My own, in metres."), std::string::npos);
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -22,6 +22,8 @@
 #include <QTableView>
 #include <QUndoStack>
 
+#include <vector>
+
 namespace dewpoint::tests {
 
 class BoxTest : public QObject, private BoxWindow {
@@ -193,14 +195,29 @@ void BoxTest::theMenuHasTheStudies() {
   QVERIFY(choose("sugandi-rmse"));
   QVERIFY(find<QLineEdit>("experimentRecordings")->isVisible());
   QVERIFY(!find<QComboBox>("experimentClothes")->isVisible());
-  for (const char* name : {"people-crossing", "people-meet-and-turn", "people-side-by-side",
-                           "people-enter-leave", "people-apart"}) {
-    QVERIFY(choose(name));
+  for (const char* name :
+       {"people-crossing", "people-meet-and-turn", "people-side-by-side", "people-enter-leave",
+        "people-apart", "people-heights", "people-furniture-moved", "people-patterned-clothes"}) {
+    QVERIFY2(choose(name), name);
   }
   QVERIFY(!find<QLineEdit>("experimentRecordings")->isVisible());
   QVERIFY(find<QComboBox>("experimentClothes")->isVisible());
   QVERIFY(choose("barrera-fig3"));
   QVERIFY(!find<QComboBox>("experimentClothes")->isVisible());
+  // Headings between them have a text, and are stepped over.
+  std::vector<int> headings;
+  for (int row = 0; row < list->count(); ++row) {
+    QVERIFY(!list->item(row)->text().isEmpty());
+    if (list->item(row)->flags() == Qt::NoItemFlags) {
+      headings.push_back(row);
+    }
+  }
+  QCOMPARE(headings.size(), std::size_t(4)); // three papers, and more scenes of people
+  QCOMPARE(headings.front(), 0);
+  list->setFocus();
+  list->setCurrentRow(headings[1] - 1);
+  QTest::keyClick(list, Qt::Key_Down);
+  QCOMPARE(list->currentRow(), headings[1] + 1);
 }
 
 void BoxTest::anExperimentIsRefusedAtOnceAndLeftAloneWhileItRuns() {

@@ -216,7 +216,7 @@ void ExportTest::whoCancelsIsNotAsked() {
   QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
   QVERIFY(!field<QLabel>("exportQuestion")->isVisible());
   QCOMPARE(done.count(), 1);
-  QVERIFY(done[0][0].toString().contains(QStringLiteral("cancelled")));
+  QVERIFY(done[0][0].toString().contains(QStringLiteral("canceled")));
   QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
 }
 

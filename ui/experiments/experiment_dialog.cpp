@@ -12,6 +12,7 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QFont>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -45,13 +46,7 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
       cancel_(new QPushButton(this)), open_(new QPushButton(this)), close_(new QPushButton(this)) {
   setObjectName(QStringLiteral("experimentDialog"));
   makeFields();
-  for (const auto& some : {figureExperiments(), studyExperiments()}) {
-    for (const FigureExperiment& experiment : some) {
-      all_.push_back(&experiment);
-      auto* item = new QListWidgetItem(list_);
-      item->setData(Qt::UserRole, QString::fromUtf8(experiment.name.data()));
-    }
-  }
+  fillList();
   connect(list_, &QListWidget::currentRowChanged, this, &ExperimentDialog::showChosen);
   connect(browse_, &QPushButton::clicked, this,
           [this] { chooseFolder(folder_, tr("Folder of the report")); });
@@ -66,12 +61,29 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
   connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     showRunning(false);
     if (cancelled) {
-      state_->setText(tr("Cancelled."));
+      state_->setText(tr("Canceled."));
     }
   });
   showRunning(false);
-  list_->setCurrentRow(0);
+  list_->setCurrentRow(1); // below the first heading
   onRetranslate(this, [this] { retranslateUi(); });
+}
+
+void ExperimentDialog::fillList() {
+  for (const FigureExperiment* experiment : listedExperiments()) {
+    const bool begins = rows_.empty() || rows_.back()->group != experiment->group;
+    if (begins) {
+      auto* heading = new QListWidgetItem(list_);
+      heading->setFlags(Qt::NoItemFlags); // neither chosen nor stepped on
+      QFont font = list_->font();
+      font.setBold(true);
+      heading->setFont(font);
+      rows_.push_back(nullptr);
+    }
+    rows_.push_back(experiment);
+    auto* item = new QListWidgetItem(list_);
+    item->setData(Qt::UserRole, QString::fromUtf8(experiment->name.data()));
+  }
 }
 
 void ExperimentDialog::showRunning(bool running) {
@@ -152,7 +164,7 @@ void ExperimentDialog::makeFields() {
 
 void ExperimentDialog::retranslateUi() {
   setWindowTitle(tr("Experiments"));
-  list_->setAccessibleName(tr("Experiments of the papers"));
+  list_->setAccessibleName(tr("Experiments"));
   runsLabel_->setText(tr("Runs per case"));
   runs_->setToolTip(tr("Number of seeds. More seeds take longer and give more certain results."));
   clothesLabel_->setText(tr("Clothes"));
@@ -178,14 +190,20 @@ void ExperimentDialog::retranslateUi() {
   open_->setText(tr("Open the report"));
   open_->setToolTip(tr("Show the last report in the web browser"));
   close_->setText(tr("Close"));
-  for (int row = 0; row < list_->count(); ++row) {
-    list_->item(row)->setText(words(all_[static_cast<std::size_t>(row)]->title));
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    const FigureExperiment* experiment = rows_[row];
+    list_->item(static_cast<int>(row))
+        ->setText(experiment != nullptr ? words(experiment->title)
+                                        : words(experimentGroupTitle(rows_[row + 1]->group)));
   }
   showChosen();
 }
 
+/// The first one where a heading, or nothing, is current.
 const FigureExperiment& ExperimentDialog::chosen() const {
-  return *all_[static_cast<std::size_t>(std::max(0, list_->currentRow()))];
+  const int row = list_->currentRow();
+  const auto* experiment = row < 0 ? nullptr : rows_[static_cast<std::size_t>(row)];
+  return experiment != nullptr ? *experiment : *rows_[1];
 }
 
 void ExperimentDialog::showChosen() {

@@ -25,8 +25,8 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// The papers' figures, made again: choose one, see how far it is, open its report. Work goes on
-/// while the window is used.
+/// The papers' figures, made again, and studies of our own: choose one, see how far it is, open its
+/// report. Work goes on while the window is used.
 class ExperimentDialog : public QDialog {
   Q_OBJECT
 public:
@@ -37,6 +37,7 @@ Q_SIGNALS:
 
 private:
   void makeFields();
+  void fillList();
   void showRunning(bool running);
   void retranslateUi();
   const FigureExperiment& chosen() const;
@@ -46,7 +47,7 @@ private:
   void finish(const QString& report);
   void openReport();
 
-  std::vector<const FigureExperiment*> all_; ///< in the order of the list
+  std::vector<const FigureExperiment*> rows_; ///< of the list; null: a heading for what follows
   BackgroundJob* job_;
   QListWidget* list_;
   QLabel* sentence_;

@@ -367,7 +367,7 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
     return;
   }
   if (summary.cancelled) {
-    Q_EMIT done(tr("The export was cancelled."));
+    Q_EMIT done(tr("The export was canceled."));
     return;
   }
   const QString name = QString::fromStdString(summary.files.back().string());

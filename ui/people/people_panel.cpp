@@ -108,11 +108,11 @@ void PeoplePanel::retranslateUi() {
   learning_->setAccessibleName(tr("How much of the empty room is learned"));
   const std::pair<QString, QString> headers[kColumns] = {
       {tr("No."), tr("Number of the person, which nobody else gets in this run")},
-      {tr("Place"), tr("Place in the room, x and y in metres")},
-      {tr("Height"), tr("Estimated height, metres; empty: the method does not estimate it")},
-      {tr("Speed"), tr("Metres per second over the floor")},
+      {tr("Place"), tr("Place in the room, x and y in meters")},
+      {tr("Height"), tr("Estimated height, meters; empty: the method does not estimate it")},
+      {tr("Speed"), tr("Meters per second over the floor")},
       {tr("Seen"), tr("Cameras that see the person, of all")},
-      {tr("Volume"), tr("Volume of the hull that holds 95 % of the person, cubic metres; empty "
+      {tr("Volume"), tr("Volume of the hull that holds 95 % of the person, cubic meters; empty "
                         "while hulls are not shown")},
       {tr("Since"), tr("How long the person has been there, seconds")},
       {tr("Near"), tr("Somebody else is so near that colors are not learned")},

@@ -74,7 +74,7 @@ QString faultWords(const NamedFault& fault, const QStringList& cameraNames) {
                      "are likely mirrored. Check the direction of its axes, and that the print is "
                      "not reversed.");
   case CalibrationFault::MillimetersMixed:
-    return Words::tr("The given length is %1 times what the cameras see: millimetres and metres "
+    return Words::tr("The given length is %1 times what the cameras see: millimeters and meters "
                      "are likely mixed up.")
         .arg(ratioText(fault.value));
   case CalibrationFault::InchesMixed:

@@ -215,9 +215,9 @@ int extrinsics(BoardOptions& options) {
 void addBoardOptions(CLI::App& command, BoardOptions& options) {
   command
       .add_option("--board", options.board,
-                  "chessboard:9x6:0.025 (inner corners, square in metres) or "
+                  "chessboard:9x6:0.025 (inner corners, square in meters) or "
                   "charuco:7x5:0.054:0.040:DICT_4X4_50[:legacy][:inverted] (squares, square and "
-                  "marker in metres)")
+                  "marker in meters)")
       ->required();
   command
       .add_option("--looks", options.wish.frameLimit, "Frames of a recording that are looked at")

@@ -213,7 +213,7 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
       ->expected(2)
       ->excludes(target);
   auto* length =
-      command->add_option("--length", wand.stickLength, "Between the balls' middles, metres")
+      command->add_option("--length", wand.stickLength, "Between the balls' middles, meters")
           ->check(positive);
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
@@ -234,7 +234,7 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
       ->expected(2);
   command
       ->add_option("--off-by", options->offBy,
-                   "METRES DEGREES by which the cameras may be off (0.12 3.5)")
+                   "METERS DEGREES by which the cameras may be off (0.12 3.5)")
       ->expected(2);
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_option("--report", options->report,

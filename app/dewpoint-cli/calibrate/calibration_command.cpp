@@ -29,7 +29,7 @@ std::optional<double> meters(const std::string& unit) {
 }
 
 std::string wrongUnit(const std::string& text) {
-  return metersOfUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the metres of one unit";
+  return metersOfUnit(text) ? "" : "a unit is m, mm, cm, in, ft or the meters of one unit";
 }
 
 std::string wrongSize(const std::string& text) {
@@ -106,7 +106,7 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
       ->required();
   add->add_option("--from", options->hints.format, "Format of IN; recognized unless given");
   add->add_option("--to", options->target.format, "Format of OUT; by its ending unless given");
-  add->add_option("--unit", options->unit, "Unit of IN: m, mm, cm, in, ft or metres of one unit")
+  add->add_option("--unit", options->unit, "Unit of IN: m, mm, cm, in, ft or meters of one unit")
       ->check(wrongUnit);
   add->add_option("--out-unit", options->outUnit, "Unit of OUT, where the format leaves it open")
       ->check(wrongUnit);

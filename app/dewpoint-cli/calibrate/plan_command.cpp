@@ -121,7 +121,7 @@ void addPlanCommand(CLI::App& app, int& exitCode) {
       ->required();
   command
       ->add_option("--volume", options->volume,
-                   "X Y Z X Y Z: the least corner of the volume and the largest, metres; the room "
+                   "X Y Z X Y Z: the least corner of the volume and the largest, meters; the room "
                    "above the project's floor grid unless given")
       ->expected(6);
   command->add_option("--size", options->size, "Width and height of the new camera's images")
@@ -131,7 +131,7 @@ void addPlanCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(1.0, 170.0));
   command
       ->add_option("--wall", placement.wallDistance,
-                   "Metres by which walls and ceiling, where it may hang, are outside the volume")
+                   "Meters by which walls and ceiling, where it may hang, are outside the volume")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command
@@ -140,7 +140,7 @@ void addPlanCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(0.001, 100.0))
       ->capture_default_str();
   command
-      ->add_option("--good", placement.goodSigma, "Standard deviation that is good enough, metres")
+      ->add_option("--good", placement.goodSigma, "Standard deviation that is good enough, meters")
       ->check(CLI::Range(1e-6, 10.0))
       ->capture_default_str();
   command->add_option("--out", options->out, "Calibration file to write, with the new camera");

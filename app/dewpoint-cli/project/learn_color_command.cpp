@@ -239,7 +239,7 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
                       "A click on what is not the target, CAMERA:FRAME:X,Y");
   command->add_option("--target", options->target,
                       "Name of the target; made when there is none called so");
-  command->add_option("--radius", options->radius, "Radius of the target, metres")
+  command->add_option("--radius", options->radius, "Radius of the target, meters")
       ->check(CLI::Range(0.0, 1000.0));
   command->add_option("--mask", options->mask, "PNG to write: white where the image matches");
   command->add_option("--out", options->out, "Project file to write, with the learned color");

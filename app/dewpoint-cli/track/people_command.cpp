@@ -92,7 +92,7 @@ Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area,
     if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &position[0], &position[1], &position[2],
                     &used) != 3 ||
         static_cast<std::size_t>(used) != text.size() || !position.allFinite()) {
-      return failure(ErrorCode::BadValue, "", "--person", text + " is not x,y,z in metres");
+      return failure(ErrorCode::BadValue, "", "--person", text + " is not x,y,z in meters");
     }
     if (const auto inside = inArea(text, position, area); !inside) {
       return inside;

@@ -72,10 +72,10 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
                    "Trajectory (CSV) to judge, or the folder of a run")
       ->required();
   command->add_option("TRUTH", options->truth, "True positions (CSV)")->required();
-  command->add_option("--gate", options->gate, "Error in metres above which a frame counts as lost")
+  command->add_option("--gate", options->gate, "Error in meters above which a frame counts as lost")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_flag("--json", options->json, "Print JSON (metres) instead of a table (mm)");
+  command->add_flag("--json", options->json, "Print JSON (meters) instead of a table (mm)");
   command->add_flag("--identities", options->identities,
                     "Several targets whose names differ from the truth's: CLEAR MOT, HOTA, GOSPA");
   command->add_flag("--ground", options->ground, "With --identities: heights do not count");

@@ -55,7 +55,7 @@ std::string readCounts(const std::string& text, BoardDescription& board) {
 }
 
 std::string noLength(const char* what, const std::string& text) {
-  return fmt::format("the {} size in metres is expected, as 0.025, found '{}'", what, text);
+  return fmt::format("the {} size in meters is expected, as 0.025, found '{}'", what, text);
 }
 
 std::string wrongLength(const char* what, double length) {
@@ -63,7 +63,7 @@ std::string wrongLength(const char* what, double length) {
     return noLength(what, fmt::format("{}", length));
   }
   if (length > kLargestSquare) {
-    return fmt::format("the {} size is in metres; {} m is meant in millimetres?", what, length);
+    return fmt::format("the {} size is in meters; {} m is meant in millimeters?", what, length);
   }
   return {};
 }

@@ -10,7 +10,7 @@ namespace dewpoint::calibration {
 
 const char* faultName(CalibrationFault fault) {
   static constexpr std::array<const char*, 12> kNames{
-      "mirrored-board",     "millimetres-mixed", "inches-mixed", "cameras-swapped",
+      "mirrored-board",     "millimeters-mixed", "inches-mixed", "cameras-swapped",
       "wrong-square-count", "wrong-square-size", "half-pixel",   "camera-late",
       "camera-moved",       "video-flipped",     "zoom-changed", "wrong-resolution"};
   return kNames.at(static_cast<std::size_t>(fault));
@@ -25,12 +25,12 @@ std::string faultSentence(const NamedFault& fault, const std::vector<std::string
     return "The cameras would all look at the back of the board or floor: its points are likely "
            "mirrored; check the direction of its axes, and that the print is not reversed.";
   case CalibrationFault::MillimetersMixed:
-    return fmt::format("The given length is {:.3g} times what the cameras see: millimetres and "
-                       "metres are likely mixed up; give all lengths in metres.",
+    return fmt::format("The given length is {:.3g} times what the cameras see: millimeters and "
+                       "meters are likely mixed up; give all lengths in meters.",
                        fault.value);
   case CalibrationFault::InchesMixed:
     return fmt::format("The given length is {:.3g} times what the cameras see: it is likely in "
-                       "inches; give it in metres (1 inch = 0.0254 m).",
+                       "inches; give it in meters (1 inch = 0.0254 m).",
                        fault.value);
   case CalibrationFault::CamerasSwapped:
     return fmt::format("Everything fits when {} and {} are exchanged: their videos are likely "

@@ -24,7 +24,7 @@ Result<CameraRig> loadCalibration(const std::filesystem::path& file) {
 }
 
 std::string calibrationText(const CameraRig& rig) {
-  std::string text = "# Camera calibration: metres, radians, camera from world (OpenCV axes)\n";
+  std::string text = "# Camera calibration: meters, radians, camera from world (OpenCV axes)\n";
   for (std::size_t k = 0; k < rig.size(); ++k) {
     text += fmt::format("\n[cam_{}]\nname = {}\n", k, quoted(rig[k].name)) +
             cameraToToml(rig[k], RotationForm::Vector);

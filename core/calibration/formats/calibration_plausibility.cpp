@@ -74,7 +74,7 @@ Status doubtUnit(const CameraRig& rig, const std::string& file) {
   if (rig.size() > 1 && spread < kNarrowestRoom && spread > 0.0) {
     return failure(ErrorCode::BadValue, file, "translation",
                    fmt::format("the cameras would be {:.2g} mm apart; the lengths are likely in "
-                               "metres already, then convert with --unit m",
+                               "meters already, then convert with --unit m",
                                1e3 * spread));
   }
   return {};

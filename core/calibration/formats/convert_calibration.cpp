@@ -214,7 +214,7 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
   warnOfTangential(format, rig, conversion);
   conversion.decisions.push_back(fmt::format("Written as {}: {}.", format.title, format.holds));
   conversion.decisions.push_back(unit == 1.0
-                                     ? "Lengths are written in metres."
+                                     ? "Lengths are written in meters."
                                      : fmt::format("Lengths are written in units of {} m.", unit));
   const auto files = format.write(inUnit(held, unit), target.path);
   if (const auto status = writeFiles(files, target, conversion); !status) {

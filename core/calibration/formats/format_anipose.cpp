@@ -111,7 +111,7 @@ CalibrationFormat pose2simFormat() {
   CalibrationFormat format = aniposeFormat();
   format.name = "pose2sim";
   format.title = "Pose2Sim";
-  format.holds = "4 coefficients, camera from world, metres";
+  format.holds = "4 coefficients, camera from world, meters";
   format.lenses = {4, false};
   format.unit = 1.0;
   format.usualUnit = 1.0;

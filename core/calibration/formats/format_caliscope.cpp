@@ -101,7 +101,7 @@ CalibrationFormat caliscopeFormat() {
   format.name = "caliscope";
   format.title = "Caliscope";
   format.extension = ".toml";
-  format.holds = "5 coefficients or fisheye, camera from world, metres; numbers instead of names";
+  format.holds = "5 coefficients or fisheye, camera from world, meters; numbers instead of names";
   format.lenses = {5, true};
   format.unit = 1.0;
   format.recognize = recognize;

@@ -67,7 +67,7 @@ CalibrationFormat dewpointFormat() {
   format.name = "dewpoint";
   format.title = "Dewpoint";
   format.extension = ".toml";
-  format.holds = "every lens and pose; metres, camera from world";
+  format.holds = "every lens and pose; meters, camera from world";
   format.lenses = {8, true};
   format.unit = 1.0;
   format.sharesKeys = true;

@@ -143,7 +143,7 @@ CalibrationFormat kalibrFormat() {
   format.extension = ".yaml";
   format.holds =
       "4 coefficients (radtan) or fisheye (equidistant), each camera from the one before, "
-      "metres; no names, no world";
+      "meters; no names, no world";
   format.lenses = {4, true};
   format.firstCameraIsWorld = true;
   format.unit = 1.0;

@@ -133,7 +133,7 @@ CalibrationFormat mrcalFormat() {
   format.name = "mrcal";
   format.title = "mrcal camera model";
   format.extension = ".cameramodel";
-  format.holds = "8 coefficients, one camera a file, camera from reference, metres";
+  format.holds = "8 coefficients, one camera a file, camera from reference, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, false};
   format.unit = 1.0;

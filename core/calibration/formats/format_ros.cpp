@@ -189,7 +189,7 @@ CalibrationFormat rosFormat() {
   format.title = "ROS camera_info";
   format.extension = ".yaml";
   format.holds = "8 coefficients (plumb_bob, rational_polynomial) or fisheye (equidistant), one "
-                 "camera a file; poses in static_transforms.yaml beside it, metres";
+                 "camera a file; poses in static_transforms.yaml beside it, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
   format.unit = 1.0;

@@ -46,7 +46,7 @@ Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
 }
 
 std::string unitSentence(double unit) {
-  return unit == 1.0 ? "Lengths are metres." : fmt::format("Lengths are in units of {} m.", unit);
+  return unit == 1.0 ? "Lengths are meters." : fmt::format("Lengths are in units of {} m.", unit);
 }
 
 /// Brings the lengths to meters: as asked, else as the format says, else it is an error.
@@ -69,7 +69,7 @@ Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
     return failure(
         ErrorCode::MissingKey, file, "unit",
         fmt::format("{} files do not say their unit; the cameras are up to {} apart, "
-                    "likely {}: convert them with --unit mm, m or the metres of one unit",
+                    "likely {}: convert them with --unit mm, m or the meters of one unit",
                     format.title,
                     spread >= 100.0 ? fmt::format("{:.0f}", spread) : fmt::format("{:.3g}", spread),
                     likelyUnit(spread)));

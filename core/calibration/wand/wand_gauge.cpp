@@ -75,7 +75,7 @@ Result<ScaleFound> scaleOfDiameter(const WandProblem& problem, const BundleProbl
   }
   if (ratios.size() < 10) {
     return failure(ErrorCode::Undetermined, "", "diameter",
-                   "the ball's radius is needed, in metres and in at least 10 images");
+                   "the ball's radius is needed, in meters and in at least 10 images");
   }
   const auto count = static_cast<double>(ratios.size());
   std::sort(ratios.begin(), ratios.end());

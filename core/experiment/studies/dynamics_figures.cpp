@@ -185,7 +185,7 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
   page.plots({{fmt::format("Mean of {} runs", runs), errorPlot(curves)}}, legend);
   page.paragraph("Seeds " + seedSentence(options.firstSeed, runs) + ".");
   page.table({"motion sigma", "first found after", "error at iteration 30", "found again after",
-              "fastest it follows, per iteration", "its way towards a far object, per iteration"},
+              "fastest it follows, per iteration", "its way toward a far object, per iteration"},
              rows);
   page.heading("What the paper says");
   page.claim("Converged after about 5 iterations.", std::abs(found[0].first - 5) <= 3,

@@ -7,6 +7,7 @@
 #include "core/experiment/studies/dynamics_figures.h"
 #include "core/experiment/studies/motion_figures.h"
 
+#include <algorithm>
 #include <array>
 
 namespace dewpoint::experiment {
@@ -19,6 +20,20 @@ Status intoFolder(const ExperimentOptions& options) {
 }
 
 } // namespace
+
+std::string_view experimentGroupTitle(ExperimentGroup group) {
+  switch (group) {
+  case ExperimentGroup::Barrera:
+    return "Barrera et al. 2005: a ball in space";
+  case ExperimentGroup::Sugandi:
+    return "Sugandi et al. 2009: boxes in one camera";
+  case ExperimentGroup::Mohedano:
+    return "Mohedano et al. 2009: people";
+  case ExperimentGroup::People:
+    break;
+  }
+  return "More scenes of people";
+}
 
 std::span<const FigureExperiment> figureExperiments() {
   static const std::array kAll{
@@ -53,13 +68,28 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, figure 8: the cloud at six instants, with a small and "
                        "a large motion sigma.",
                        1, &intoFolder<&dynamicsFigure8>},
-      FigureExperiment{
-          "mohedano-fig1", "Motion masks and motion likelihood",
-          "Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, "
-          "in pieces, and how likely that makes a person at each pixel.",
-          1, &intoFolder<&mohedanoMotionFigures>},
+      FigureExperiment{.name = "mohedano-fig1",
+                       .title = "Motion masks and motion likelihood",
+                       .sentence =
+                           "Mohedano et al. 2009, figures 1 and 3: what moves in the images "
+                           "of a camera, in pieces, and how likely that makes a person at "
+                           "each pixel.",
+                       .runs = 1,
+                       .run = &intoFolder<&mohedanoMotionFigures>,
+                       .group = ExperimentGroup::Mohedano},
   };
   return kAll;
+}
+
+std::vector<const FigureExperiment*> listedExperiments() {
+  std::vector<const FigureExperiment*> listed;
+  for (const auto& some : {figureExperiments(), studyExperiments()}) {
+    for (const FigureExperiment& experiment : some) {
+      listed.push_back(&experiment);
+    }
+  }
+  std::ranges::stable_sort(listed, {}, &FigureExperiment::group);
+  return listed;
 }
 
 } // namespace dewpoint::experiment

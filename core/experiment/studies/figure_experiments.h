@@ -6,10 +6,17 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace dewpoint::experiment {
 
-/// A figure or a table of a paper, reproduced by one command.
+/// Under which heading an experiment is listed.
+enum class ExperimentGroup { Barrera, Sugandi, Mohedano, People };
+
+/// The heading: the paper, or what the experiments of no paper are about.
+std::string_view experimentGroupTitle(ExperimentGroup group);
+
+/// A figure or a table of a paper, reproduced by one command, or a study of our own.
 struct FigureExperiment {
   std::string_view name;     ///< as on the command line
   std::string_view title;    ///< for people
@@ -20,12 +27,15 @@ struct FigureExperiment {
   std::string_view report = "report.html"; ///< in the folder
   bool takesRecordings = false;
   bool takesClothes = false;
+  ExperimentGroup group = ExperimentGroup::Barrera;
 };
 
-/// All of them, in the order of menus.
+/// Figures of the papers.
 std::span<const FigureExperiment> figureExperiments();
 /// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
-/// and people-<scenario> of the paper's scenes. The command line has all scenes and options.
+/// and people-<scenario> of every scene of people. The command line has all their options.
 std::span<const FigureExperiment> studyExperiments();
+/// Both, in the order of menus: by group, and within a group figures first.
+std::vector<const FigureExperiment*> listedExperiments();
 
 } // namespace dewpoint::experiment

@@ -11,6 +11,7 @@
 #include <array>
 #include <iterator>
 #include <set>
+#include <string_view>
 
 namespace dewpoint::experiment {
 namespace {
@@ -81,20 +82,18 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
               : failure(ErrorCode::Cancelled, "", "", "");
 }
 
-Status peopleCrossing(const ExperimentOptions& options) {
-  return studyScenario("crossing", options);
-}
-Status peopleMeetAndTurn(const ExperimentOptions& options) {
-  return studyScenario("meet-and-turn", options);
-}
-Status peopleSideBySide(const ExperimentOptions& options) {
-  return studyScenario("side-by-side", options);
-}
-Status peopleEnterLeave(const ExperimentOptions& options) {
-  return studyScenario("enter-leave", options);
-}
-Status peopleApart(const ExperimentOptions& options) {
-  return studyScenario("apart", options);
+/// A scene of people. `name` begins with "people-".
+FigureExperiment sceneOfPeople(std::string_view name, std::string_view title,
+                               std::string_view sentence,
+                               Status (*run)(const ExperimentOptions& options),
+                               ExperimentGroup group = ExperimentGroup::People) {
+  return {.name = name,
+          .title = title,
+          .sentence = sentence,
+          .runs = 3,
+          .run = run,
+          .takesClothes = true,
+          .group = group};
 }
 
 } // namespace
@@ -108,41 +107,75 @@ std::span<const FigureExperiment> studyExperiments() {
                        .runs = 2,
                        .run = &sugandiRmse,
                        .report = kBoxReport,
-                       .takesRecordings = true},
-      FigureExperiment{.name = "people-crossing",
-                       .title = "People who cross",
-                       .sentence = "Mohedano et al. 2009: two people meet and walk on; by motion "
-                                   "alone they are mixed up, with color they are not.",
-                       .runs = 3,
-                       .run = &peopleCrossing,
-                       .takesClothes = true},
-      FigureExperiment{.name = "people-meet-and-turn",
-                       .title = "People who meet and turn",
-                       .sentence = "Mohedano et al. 2009: two people meet, stay and go back where "
-                                   "they came from.",
-                       .runs = 3,
-                       .run = &peopleMeetAndTurn,
-                       .takesClothes = true},
-      FigureExperiment{.name = "people-side-by-side",
-                       .title = "People side by side",
-                       .sentence = "Mohedano et al. 2009: two people walk close to each other.",
-                       .runs = 3,
-                       .run = &peopleSideBySide,
-                       .takesClothes = true},
-      FigureExperiment{.name = "people-enter-leave",
-                       .title = "People who enter and leave",
-                       .sentence = "Mohedano et al. 2009: people come and go; how long nobody is "
-                                   "taken for somebody, or somebody for nobody.",
-                       .runs = 3,
-                       .run = &peopleEnterLeave,
-                       .takesClothes = true},
-      FigureExperiment{.name = "people-apart",
-                       .title = "People who stay apart",
-                       .sentence = "Mohedano et al. 2009: two people far from each other, the easy "
-                                   "case, in which no method may mix them up.",
-                       .runs = 3,
-                       .run = &peopleApart,
-                       .takesClothes = true},
+                       .takesRecordings = true,
+                       .group = ExperimentGroup::Sugandi},
+      sceneOfPeople(
+          "people-crossing", "People who cross",
+          "Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color "
+          "keeps them apart when their clothes differ.",
+          [](const ExperimentOptions& options) { return studyScenario("crossing", options); },
+          ExperimentGroup::Mohedano),
+      sceneOfPeople(
+          "people-meet-and-turn", "People who meet and turn",
+          "Mohedano et al. 2009: two people meet, stay and go back where they came from.",
+          [](const ExperimentOptions& options) { return studyScenario("meet-and-turn", options); },
+          ExperimentGroup::Mohedano),
+      sceneOfPeople(
+          "people-side-by-side", "People side by side",
+          "Mohedano et al. 2009: two people walk close to each other.",
+          [](const ExperimentOptions& options) { return studyScenario("side-by-side", options); },
+          ExperimentGroup::Mohedano),
+      sceneOfPeople(
+          "people-enter-leave", "People who enter and leave",
+          "Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and "
+          "how long a person has no estimate.",
+          [](const ExperimentOptions& options) { return studyScenario("enter-leave", options); },
+          ExperimentGroup::Mohedano),
+      sceneOfPeople(
+          "people-apart", "People who stay apart",
+          "Mohedano et al. 2009: two people far from each other, the easy case, in which "
+          "no method may mix them up.",
+          [](const ExperimentOptions& options) { return studyScenario("apart", options); },
+          ExperimentGroup::Mohedano),
+      sceneOfPeople(
+          "people-heights", "People of different heights",
+          "A child of 0.9 to 1.3 m, one person of 1.3 to 1.6 m and one of 1.88 to 2 m walk about.",
+          [](const ExperimentOptions& options) { return studyScenario("heights", options); }),
+      sceneOfPeople(
+          "people-sitting", "People who sit and crouch",
+          "One person sits down on a stool and rises, one crouches and rises, and one walks by.",
+          [](const ExperimentOptions& options) { return studyScenario("sitting", options); }),
+      sceneOfPeople(
+          "people-carrying", "People who carry things",
+          "Two people walk past each other, one with a box before the chest, one with a bag.",
+          [](const ExperimentOptions& options) { return studyScenario("carrying", options); }),
+      sceneOfPeople(
+          "people-crowd", "A crowd",
+          "Five to eight people mill about for 12 s; their paths may touch and cross.",
+          [](const ExperimentOptions& options) { return studyScenario("crowd", options); }),
+      sceneOfPeople(
+          "people-two-cameras", "People seen by two cameras",
+          "Two people walk past each other, seen by only two of the four cameras.",
+          [](const ExperimentOptions& options) { return studyScenario("two-cameras", options); }),
+      sceneOfPeople(
+          "people-contact", "People who come close",
+          "Two people come within 0.15 to 0.28 m of each other, stand there, and go back.",
+          [](const ExperimentOptions& options) { return studyScenario("contact", options); }),
+      sceneOfPeople(
+          "people-furniture-moved", "Furniture that moves",
+          "A cabinet and a stool are moved after the cameras have learned the background.",
+          [](const ExperimentOptions& options) {
+            return studyScenario("furniture-moved", options);
+          }),
+      sceneOfPeople(
+          "people-room-clothes", "Clothes like the room",
+          "Two people in clothes of the colors of walls, furniture and floor walk past each other.",
+          [](const ExperimentOptions& options) { return studyScenario("room-clothes", options); }),
+      sceneOfPeople("people-patterned-clothes", "Patterned clothes",
+                    "Two people in striped, checked or blotched shirts walk past each other.",
+                    [](const ExperimentOptions& options) {
+                      return studyScenario("patterned-clothes", options);
+                    }),
   };
   return kAll;
 }

@@ -21,7 +21,7 @@ TEST(Board, ErrorsNameThePart) {
       {"checker:9x6:0.025", "chessboard"},
       {"chessboard:9x6", "SQUARE"},
       {"chessboard:9by6:0.025", "COLUMNSxROWS"},
-      {"chessboard:9x6:25", "millimetres"},
+      {"chessboard:9x6:25", "millimeters"},
       {"chessboard:9x6:-1", "square size"},
       {"chessboard:2x6:0.025", "3 to 200"},
       {"charuco:7x5:0.04:0.054:DICT_4X4_50", "smaller"},

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text_file.h"
+#include "core/experiment/scenarios/people/people_scenario.h"
 #include "core/experiment/studies/study_experiments.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <unistd.h>
@@ -46,6 +48,19 @@ INSTANTIATE_TEST_SUITE_P(All, StudyExperiments,
                            std::erase(name, '-');
                            return name;
                          });
+
+TEST(ListedExperiments, HaveEverySceneOfPeopleUnderItsHeading) {
+  const auto listed = listedExperiments();
+  EXPECT_EQ(listed.size(), figureExperiments().size() + studyExperiments().size());
+  EXPECT_TRUE(std::ranges::is_sorted(listed, {}, &FigureExperiment::group));
+  for (const std::string& scene : peopleScenarioNames()) {
+    const auto found = std::ranges::find(listed, "people-" + scene, &FigureExperiment::name);
+    ASSERT_NE(found, listed.end()) << scene;
+    EXPECT_EQ((*found)->group,
+              isPeopleScenarioOfPaper(scene) ? ExperimentGroup::Mohedano : ExperimentGroup::People);
+    EXPECT_TRUE((*found)->takesClothes);
+  }
+}
 
 // One seed, one kind of clothes: a trial per method, and a page.
 TEST(StudyManyPeople, TellsHowFarItIsAndIsWritten) {

@@ -89,9 +89,9 @@ void CalibrationExportDialog::retranslateFields() {
     const int chosen = std::max(0, unit_->currentIndex());
     unit_->clear();
     unit_->addItem(tr("as usual for the format"));
-    unit_->addItem(tr("metres"), QStringLiteral("m"));
-    unit_->addItem(tr("millimetres"), QStringLiteral("mm"));
-    unit_->addItem(tr("centimetres"), QStringLiteral("cm"));
+    unit_->addItem(tr("meters"), QStringLiteral("m"));
+    unit_->addItem(tr("millimeters"), QStringLiteral("mm"));
+    unit_->addItem(tr("centimeters"), QStringLiteral("cm"));
     unit_->setCurrentIndex(chosen);
     unit_->setEnabled(!format().unit.has_value());
   }

@@ -115,9 +115,9 @@ void CalibrationImportDialog::retranslateFields() {
   }
   setChoices(*format_, formats);
   setChoices(*unit_, {{own, {}},
-                      {tr("metres"), QStringLiteral("m")},
-                      {tr("millimetres"), QStringLiteral("mm")},
-                      {tr("centimetres"), QStringLiteral("cm")},
+                      {tr("meters"), QStringLiteral("m")},
+                      {tr("millimeters"), QStringLiteral("mm")},
+                      {tr("centimeters"), QStringLiteral("cm")},
                       {tr("inches"), QStringLiteral("in")},
                       {tr("feet"), QStringLiteral("ft")}});
   setChoices(*lens_, {{own, {}},
@@ -130,7 +130,7 @@ void CalibrationImportDialog::retranslateFields() {
   fillCameras();
   const std::pair<QString, QString> names[] = {
       {tr("Format"), tr("The program that wrote the file")},
-      {tr("Unit"), tr("Of lengths in the file; or type the metres of one unit, such as 0.025 for "
+      {tr("Unit"), tr("Of lengths in the file; or type the meters of one unit, such as 0.025 for "
                       "squares of 25 mm")},
       {tr("Four coefficients"), tr("What four lens coefficients mean")},
       {tr("Size of images"), tr("Width and height in pixels, such as 1280x720")},

@@ -144,12 +144,12 @@ void CameraForm::retranslateUi() {
   name(camera_, tr("Camera"),
        tr("The camera that is adjusted; clicking into its image chooses it too"));
   positionLabel_->setText(tr("Position"));
-  setTexts(*unit_, {tr("metres"), tr("centimetres")});
+  setTexts(*unit_, {tr("meters"), tr("centimeters")});
   name(unit_, tr("Unit of positions"), tr("Unit in which positions are shown and typed"));
   aimLabel_->setText(tr("Looks"));
   setTexts(*aimMode_, {tr("at a point, roll"), tr("yaw, pitch, roll")});
   name(aimMode_, tr("How the direction is said"),
-       tr("A point that the camera looks at, or angles: yaw from x towards y, pitch above the "
+       tr("A point that the camera looks at, or angles: yaw from x toward y, pitch above the "
           "horizon, roll about the line of sight"));
   lensLabel_->setText(tr("Lens"));
   setTexts(*lensMode_, {tr("focal length"), tr("field of view")});

@@ -133,13 +133,13 @@ void GridForm::retranslateUi() {
   originLabel_->setText(tr("Begins at x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(size_[k], tr("Size along %1").arg(axis), tr("How far the grid reaches, in metres"));
-    name(origin_[k], tr("Origin %1").arg(axis), tr("The corner where its axes begin, in metres"));
+    name(size_[k], tr("Size along %1").arg(axis), tr("How far the grid reaches, in meters"));
+    name(origin_[k], tr("Origin %1").arg(axis), tr("The corner where its axes begin, in meters"));
     size_[k]->setSuffix(QStringLiteral(" m"));
     origin_[k]->setSuffix(QStringLiteral(" m"));
   }
   stepLabel_->setText(tr("Step, turn"));
-  name(step_, tr("Step of the grid"), tr("Metres from line to line"));
+  name(step_, tr("Step of the grid"), tr("Meters from line to line"));
   step_->setSuffix(QStringLiteral(" m"));
   name(turn_, tr("Turn of the grid"), tr("Turned about the vertical, counterclockwise from above"));
   turn_->setSuffix(QStringLiteral("°"));

@@ -154,9 +154,9 @@ void PlannerForm::retranslateUi() {
   lensLabel_->setText(tr("Field of view, image width and height"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(place_[k], tr("Planned position %1").arg(axis), tr("Where the camera stands, in metres"));
+    name(place_[k], tr("Planned position %1").arg(axis), tr("Where the camera stands, in meters"));
     name(target_[k], tr("Planned camera looks at %1").arg(axis),
-         tr("A point on its line of sight, in metres"));
+         tr("A point on its line of sight, in meters"));
     place_[k]->setSuffix(QStringLiteral(" m"));
     target_[k]->setSuffix(QStringLiteral(" m"));
   }

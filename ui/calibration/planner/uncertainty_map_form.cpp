@@ -171,7 +171,7 @@ void UncertaintyMapForm::retranslateUi() {
   slice_->setText(tr("Layer at"));
   slice_->setToolTip(tr("Show the map in a horizontal layer"));
   name(heightSlider_, tr("Height of the layer"), tr("Height of the layer above the floor"));
-  name(height_, tr("Height of the layer in metres"), tr("Height of the layer above the floor"));
+  name(height_, tr("Height of the layer in meters"), tr("Height of the layer above the floor"));
   height_->setSuffix(QStringLiteral(" m"));
   volume_->setText(tr("Volume: surfaces around what is good and what is fair"));
   volume_->setToolTip(tr("Show through the room where the error is at most 0.4, 1 and 2 times what "
@@ -180,8 +180,8 @@ void UncertaintyMapForm::retranslateUi() {
   highLabel_->setText(tr("to x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(low_[k], tr("Volume from %1").arg(axis), tr("Where the volume begins, in metres"));
-    name(high_[k], tr("Volume to %1").arg(axis), tr("Where the volume ends, in metres"));
+    name(low_[k], tr("Volume from %1").arg(axis), tr("Where the volume begins, in meters"));
+    name(high_[k], tr("Volume to %1").arg(axis), tr("Where the volume ends, in meters"));
     low_[k]->setSuffix(QStringLiteral(" m"));
     high_[k]->setSuffix(QStringLiteral(" m"));
   }

@@ -86,7 +86,7 @@ void PointsTable::build() {
 
 void PointsTable::retranslateUi() {
   table_->setAccessibleName(tr("Measured points"));
-  table_->setToolTip(tr("Places measured with a tape, in metres: double click to type. A marked "
+  table_->setToolTip(tr("Places measured with a tape, in meters: double click to type. A marked "
                         "row fits worst."));
   table_->setHorizontalHeaderLabels(
       {tr("Point"), tr("x m"), tr("y m"), tr("z m"), tr("seen"), tr("px"), tr("mm")});
