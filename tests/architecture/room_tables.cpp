@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/architecture/room_tables.h"
+
+#include <utility>
+#include <vector>
+
+namespace dewpoint::tests {
+
+const std::map<std::string, Names, std::less<>>& floorTable() {
+  static const std::map<std::string, Names, std::less<>> kTable = {
+      {"base", {}},
+      {"geometry", {"base"}},
+      {"color", {"base"}},
+      {"trajectory", {"base"}},
+      {"filter", {"base"}},
+      {"simulation", {"geometry", "base"}},
+      {"capture", {"geometry", "base"}},
+      {"calibration", {"geometry", "base"}},
+      {"observation", {"filter", "color", "geometry"}},
+      {"tracking", {"observation", "filter", "color", "geometry"}},
+      {"camera_motion", {"tracking", "capture"}},
+      {"project", {"calibration", "tracking", "base"}},
+      {"setup", {"project", "capture", "trajectory"}},
+      {"session", {"tracking", "camera_motion", "capture", "project", "trajectory", "calibration"}},
+      {"experiment", {"session", "setup", "simulation"}},
+  };
+  return kTable;
+}
+
+const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTable() {
+  static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
+      {"observation",
+       {{"background", {}}, {"boxes", {}}, {"sphere", {"background"}}, {"people", {"boxes"}}}},
+      {"calibration",
+       {{"bundle", {}},
+        {"formats", {}},
+        {"manual", {"bundle"}},
+        {"board", {"bundle"}},
+        {"wand", {"bundle"}},
+        {"planning", {"bundle"}},
+        {"quality", {"board", "bundle", "formats", "wand"}},
+        {"report", {"board", "manual", "wand"}}}},
+      {"tracking",
+       {{"", {}},
+        {"barrera", {""}},
+        {"boxes", {""}},
+        {"dewpoint", {""}},
+        {"people", {""}},
+        {"catalog", {"", "barrera", "boxes", "dewpoint", "people"}}}},
+      {"session",
+       {{"frames", {}},
+        {"people", {"frames"}},
+        {"run", {"frames", "people"}},
+        {"history", {"frames", "run"}},
+        {"", {"frames", "people", "run", "history"}}}},
+      {"simulation",
+       {{"surface", {}},
+        {"room", {"surface"}},
+        {"sensor", {"room"}},
+        {"people", {"room", "sensor", "surface"}},
+        {"body", {"people", "room", "surface"}},
+        {"scene", {"body", "people", "room", "sensor", "surface"}}}},
+      {"experiment",
+       {{"metrics", {}},
+        {"report", {}},
+        {"scenarios", {}},
+        {"scenarios/wild", {"scenarios"}},
+        {"scenarios/draft", {"scenarios", "scenarios/wild"}},
+        {"scenarios/targets", {"scenarios", "scenarios/draft"}},
+        {"scenarios/families", {"scenarios", "scenarios/draft", "scenarios/targets"}},
+        {"scenarios/people", {"scenarios"}},
+        {"clips", {"scenarios"}},
+        {"baselines", {"scenarios"}},
+        {"suite", {"baselines", "metrics", "report", "scenarios"}},
+        {"studies", {"baselines", "metrics", "report", "scenarios", "scenarios/people"}}}},
+  };
+  return kTable;
+}
+
+int windowFloor(const std::string& room) {
+  static const std::vector<Names> kFloors = {
+      {"text", "style", "jobs", "preferences", "selection", "scene3d"},
+      {"widgets"},
+      {"document", "session", "actions"},
+      {"workbench"},
+      {"cameraview", "view3d", "plots", "timeline"},
+      {"panels", "trajectory"},
+      {"calibration", "color", "people", "export", "experiments", "start"},
+      {"mainwindow"},
+  };
+  for (std::size_t floor = 0; floor < kFloors.size(); ++floor) {
+    if (kFloors[floor].contains(room)) {
+      return static_cast<int>(floor);
+    }
+  }
+  return -1;
+}
+
+bool windowNeighbors(const std::string& from, const std::string& to) {
+  static const std::set<std::pair<std::string, std::string>> kArrows = {
+      {"style", "scene3d"},    // the colors of targets are those of the 3D view
+      {"style", "text"},       // a legend says lengths
+      {"session", "document"}, // the run obeys the document
+  };
+  return kArrows.contains({from, to});
+}
+
+bool calibrationArrow(const std::string& from, const std::string& to) {
+  return to.empty() || (from == "manual" && to == "points");
+}
+
+const Names& windowHeaders() {
+  static const Names kHeaders = {"core/calibration/board/board.h",
+                                 "core/calibration/board/board_edit.h",
+                                 "core/calibration/board/board_print.h",
+                                 "core/calibration/planning/camera_placement.h",
+                                 "core/calibration/manual/click_aids.h",
+                                 "core/calibration/manual/interactive_pose.h",
+                                 "core/calibration/manual/measured_points.h",
+                                 "core/calibration/manual/point_drag.h",
+                                 "core/calibration/planning/rig_map.h",
+                                 "core/geometry/reference_grid.h",
+                                 "core/color/color_range.h",
+                                 "core/color/color_learning.h",
+                                 "core/color/color_histogram.h",
+                                 "core/geometry/camera.h",
+                                 "core/geometry/projector.h",
+                                 "core/experiment/studies/figure_experiments.h",
+                                 "core/project/project.h",
+                                 "core/project/project_changes.h",
+                                 "core/project/project_check.h",
+                                 "core/project/project_load.h",
+                                 "core/project/project_save.h",
+                                 "core/tracking/boxes/box_filter.h",
+                                 "core/tracking/catalog/method_catalog.h",
+                                 "core/tracking/parameters.h",
+                                 "core/trajectory/trajectory.h",
+                                 "core/trajectory/csv_line.h",
+                                 "core/trajectory/motion.h",
+                                 "core/trajectory/motion_csv.h",
+                                 "core/trajectory/trajectory_figure.h",
+                                 "core/trajectory/trajectory_export.h",
+                                 "core/trajectory/export_table.h"};
+  return kHeaders;
+}
+
+} // namespace dewpoint::tests
