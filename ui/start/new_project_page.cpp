@@ -2,6 +2,7 @@
 #include "ui/start/new_project_page.h"
 
 #include "core/setup/footage.h"
+#include "ui/style/spacing.h"
 #include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
@@ -30,7 +31,6 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kFormWidth = 820;
-constexpr int kSpacing = 8;         ///< pixels
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
 
 enum Column { kName, kSource };

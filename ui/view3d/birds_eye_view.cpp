@@ -2,6 +2,7 @@
 #include "ui/view3d/birds_eye_view.h"
 
 #include "core/calibration/planning/rig_map.h"
+#include "ui/style/spacing.h"
 #include "ui/view3d/gl_context.h"
 #include "ui/view3d/offscreen_vtk.h"
 #include "ui/view3d/tail_pick.h"
@@ -26,7 +27,6 @@ namespace {
 constexpr double kClickPx = 4.0;      ///< a longer way of the pointer is a drag
 constexpr double kTailReachPx = 12.0; ///< a click this near is meant for the tail
 constexpr qint64 kPictureIntervalMs = 66;
-constexpr int kSpacing = 8;
 
 using Pointer = OffscreenVtk::Pointer;
 

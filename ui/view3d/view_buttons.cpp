@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/view_buttons.h"
 
+#include "ui/style/spacing.h"
+
 #include <QToolButton>
 #include <QWidget>
 
 namespace dewpoint::ui {
 namespace {
 
-constexpr int kSpacing = 8;
 constexpr std::array<Scene3d::View, 3> kViews{Scene3d::View::Above, Scene3d::View::Front,
                                               Scene3d::View::Free};
 

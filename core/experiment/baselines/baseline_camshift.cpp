@@ -12,8 +12,9 @@
 namespace dewpoint::experiment {
 namespace {
 
+// When the search ends, as in OpenCV's example of CAMShift.
 constexpr int kIterations = 10;
-constexpr double kStep = 1.0; // pixels, OpenCV's custom
+constexpr double kStep = 1.0; // pixels
 
 bool hasColor(const cv::Mat& mask, const cv::Rect& window) {
   return !window.empty() && cv::countNonZero(mask(window)) >= kMinBlobArea;

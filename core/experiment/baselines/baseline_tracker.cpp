@@ -14,12 +14,14 @@ namespace {
 
 /// Standard deviation of the first position, as a share of the start volume's half size: of two
 /// objects that look the same, the one nearer to the center is meant.
+/// Chosen: the volume's border is at two standard deviations.
 constexpr double kStartShare = 0.5;
-/// Meters; its least value, for a start at a point.
+/// Meters; its least value, for a start at a point; chosen: somebody points at a target roughly.
 constexpr double kLeastStartSigma = 0.05;
 /// m/s per axis: how far a target is from where it was last, for each second that has passed.
+/// Chosen: the fast paths of the suite are about as fast.
 constexpr double kSpeedSigma = 1.0;
-/// Meters per axis; its least value.
+/// Meters per axis; its least value: the error of a position.
 constexpr double kLeastStepSigma = 0.01;
 
 Eigen::Matrix3d squared(const Eigen::Vector3d& sigmas) {

@@ -15,7 +15,8 @@ namespace {
 /// Blobs per camera that are paired beyond the number of targets: the smallest are noise, and the
 /// number of pairs grows with the square.
 constexpr std::size_t kSpareBlobs = 16;
-/// Meters, for the magnification at a position where the target's radius is not known.
+/// Meters, small against all distances, for the magnification at a position where the target's
+/// radius is not known.
 constexpr double kProbeRadius = 0.01;
 /// Puts what is outside a gate behind everything inside it.
 constexpr double kOutsideGate = 1e6;

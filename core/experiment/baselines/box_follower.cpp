@@ -125,8 +125,8 @@ public:
   }
 
 private:
-  static constexpr int kChannel = 0;
-  static constexpr int kHues = 16;
+  static constexpr int kChannel = 0; ///< the hue of HSV images
+  static constexpr int kHues = 16;   ///< bins, as in OpenCV's example of CAMShift
   static constexpr float kRange[] = {0.0F, 180.0F};
 
   void look(const cv::Mat& bgr) {

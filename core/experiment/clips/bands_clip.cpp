@@ -18,6 +18,7 @@ using BandJson = nlohmann::json;
 constexpr double kBandRate = 30.0; // frames per second, of the recording's notes
 /// The cameras are eight baselines away from the man: half a pixel is 4 cm of depth there.
 constexpr double kBandStartHalf = 0.3; // meters; chosen
+// Pixels, of the recording.
 constexpr int kBandImageWidth = 640;
 constexpr int kBandImageHeight = 480;
 

@@ -15,6 +15,7 @@
 namespace dewpoint::experiment {
 namespace {
 
+// Of the recording charuco4 and its notes.
 constexpr std::size_t kBoardCameras = 4;
 constexpr std::size_t kBoardCorners = 12; // 3 x 4, row by row: corner k is opposite to 11 - k
 constexpr double kBoardRate = 6.0;        // instants per second; their own times are used

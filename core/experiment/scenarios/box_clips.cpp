@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 
 // juggle1: centers of pixels are marked, and the balls' radius is about 14 px.
 constexpr double kJuggleRadius = 14.0;
-constexpr double kPixelCenter = 0.5;
-constexpr double kOtbRadius = 20.0; // of the benchmark's precision
-constexpr double kClipPeriod = 0.8; // seconds, of the simulated ball's fastest motion
-constexpr std::int64_t kClipFrames = 300;
-constexpr int kLeastFrames = 20; // of a ball that is thrown
+constexpr double kPixelCenter = 0.5;      // boxes are measured from the corner of a pixel
+constexpr double kOtbRadius = 20.0;       // of the benchmark's precision
+constexpr double kClipPeriod = 0.8;       // seconds, of the simulated ball's fastest motion; chosen
+constexpr std::int64_t kClipFrames = 300; // of the simulated ball: 10 s; chosen
+constexpr int kLeastFrames = 20; // of a ball that is thrown; chosen: shorter ones tell nothing
 
 std::function<Result<cv::Mat>(std::int64_t)> imageSource(std::vector<fs::path> files) {
   return [files = std::move(files)](std::int64_t frame) -> Result<cv::Mat> {

@@ -2,7 +2,6 @@
 #include "core/experiment/scenarios/random_draws.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::experiment {
 
@@ -38,7 +37,7 @@ Eigen::Vector3d Draws::inBox(const Eigen::Vector3d& low, const Eigen::Vector3d& 
 
 Eigen::Vector3d Draws::direction() {
   const double z = uniform(-1.0, 1.0);
-  const double angle = uniform(0.0, 2.0 * std::numbers::pi);
+  const double angle = uniform(0.0, kFullTurn);
   const double flat = std::sqrt(1.0 - z * z);
   return {flat * std::cos(angle), flat * std::sin(angle), z};
 }

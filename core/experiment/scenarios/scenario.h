@@ -5,6 +5,7 @@
 #include "core/capture/frame.h"
 #include "core/experiment/scenarios/box_clips.h"
 #include "core/geometry/camera.h"
+#include "core/simulation/sensor/usual_camera.h"
 #include "core/tracking/tracker.h"
 #include "core/trajectory/trajectory.h"
 
@@ -70,7 +71,7 @@ struct ScenarioRun {
   std::vector<Target> targets;
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, meters
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();   ///< half size of the box around it
-  double framesPerSecond = 30.0;
+  double framesPerSecond = simulation::kUsualFrameRate;
   std::int64_t frameCount = 0;
   /// One sample per target and frame; not `valid` while the target is not in the scene. The
   /// position is the center of a ball, and the centroid of any other target.

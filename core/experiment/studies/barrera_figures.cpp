@@ -59,7 +59,7 @@ Result<std::map<int, Instant>> instantsOf(const ConvergenceCase& setup, std::uin
 
 /// The particles as dots on the image, and how many of them are in it.
 int drawParticles(const Camera& camera, const Eigen::ArrayXXd& particles, cv::Mat& image) {
-  constexpr int kFraction = 4; // bits of a pixel
+  constexpr int kFraction = 4; // bits of a pixel, of cv::circle
   const Projector projector(camera);
   int inside = 0;
   for (Eigen::Index i = 0; i < particles.rows(); ++i) {

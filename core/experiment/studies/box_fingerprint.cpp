@@ -14,8 +14,8 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr int kFingerprintParticles = 300; ///< as in the study of boxes
-constexpr std::int64_t kImages = 30;
-constexpr double kPixelStep = 0.01;
+constexpr std::int64_t kImages = 30;       ///< of the clip's beginning; chosen: enough to differ
+constexpr double kPixelStep = 0.01;        ///< pixels; coarser than rounding, finer than a change
 
 /// Of one follower; errors of the clip's images and of the start.
 Result<std::string> fingerprintOf(const BoxClip& clip, BoxFollower& follower) {

@@ -21,7 +21,7 @@ namespace {
 constexpr double kPaperError = 0.03;
 /// World, meters: where the paper puts all its particles at first.
 const Eigen::Vector3d kPaperStart(0.4, 0.1, 0.2);
-constexpr int kDistinctFrames = 16; // frames of a still ball differ by their noise only
+constexpr int kDistinctFrames = 16; // chosen: frames of a still ball differ by their noise only
 
 Scene stillScene(const ConvergenceCase& setup) {
   Scene scene = demoScene();

@@ -7,6 +7,7 @@
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/convergence_study.h"
+#include "core/simulation/scene/scene.h"
 
 #include <fmt/format.h>
 
@@ -19,16 +20,16 @@
 namespace dewpoint::experiment {
 namespace {
 
-const Eigen::Vector3d kBall(0.5, 0.5, 0.15); ///< world, meters: on camera 1's optical axis
-constexpr double kMotionSigma = 0.03;        ///< meters per axis and iteration, the paper's
-constexpr double kHalfWindow = 2.5;          ///< pixels: a window of 5 x 5 reaches so far
+const Eigen::Vector3d kBall = simulation::kDeskMiddle; ///< on camera 1's optical axis
+constexpr double kMotionSigma = 0.03; ///< meters per axis and iteration, the paper's
+constexpr double kHalfWindow = 2.5;   ///< pixels: a window of 5 x 5 reaches so far
 
 // ---- figure 5
 
-constexpr std::array kConeInstants{1, 10, 40};    ///< iterations of which the clouds are drawn
-constexpr std::array kConeDepths{0.25, 0.5, 1.0}; ///< meters from the camera
-constexpr double kLongestStep = 0.06;             ///< meters: two sigma of one motion step
-constexpr int kStepCount = 25;                    ///< steps along the axis, both ends included
+constexpr std::array kConeInstants{1, 10, 40};      ///< iterations of which the clouds are drawn
+constexpr std::array kConeDepths{0.25, 0.5, 1.0};   ///< meters from the camera; chosen
+constexpr double kLongestStep = 2.0 * kMotionSigma; ///< meters
+constexpr int kStepCount = 25;                      ///< steps along the axis, both ends included
 
 /// The slope of the cone in which camera 1 finds the ball's color in some pixel of a window: the
 /// ball's outline, widened by half a window.
@@ -205,7 +206,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
 }
 
 Status barreraDrift(const ExperimentOptions& options) {
-  constexpr int kIterations = 60;
+  constexpr int kIterations = 60; // of the curve; chosen
   const auto moved = driftCurve(options.runs, kIterations, options.firstSeed);
   if (!moved) {
     return tl::make_unexpected(moved.error());

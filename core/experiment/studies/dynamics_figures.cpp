@@ -18,9 +18,9 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr double kConverged = 0.1;   // meters: the sigma of the observation
-constexpr double kPaperSigma = 0.03; // meters, as stated
-constexpr double kFittingSigma = 0.06;
+constexpr double kConverged = 0.1;     // meters: the sigma of the observation
+constexpr double kPaperSigma = 0.03;   // meters, as stated
+constexpr double kFittingSigma = 0.06; // meters: with which the paper's iterations come out
 
 /// What was chosen where the paper is silent; `start` says where the cloud starts.
 std::string chosen(const std::string& start) {
@@ -60,7 +60,7 @@ Convergence convergenceOf(const std::vector<double>& errors, const DynamicsSetup
 
 /// Errors as gray, black 2 m, white 0; a row per sigma, the smallest at the bottom.
 cv::Mat errorImage(const std::vector<std::vector<double>>& rows) {
-  constexpr double kBlack = 2.0; // meters
+  constexpr double kBlack = 2.0; // meters; chosen
   cv::Mat image(int(rows.size()), int(rows.front().size()), CV_8UC1);
   for (int y = 0; y < image.rows; ++y) {
     for (int x = 0; x < image.cols; ++x) {
@@ -74,6 +74,7 @@ cv::Mat errorImage(const std::vector<std::vector<double>>& rows) {
 
 /// Frame, axes and their numbers around the image of errors.
 cv::Mat framed(const cv::Mat& errors, double lowest, double highest) {
+  // Pixels.
   constexpr int kScaleX = 8;
   constexpr int kScaleY = 4;
   constexpr int kLeft = 64;
@@ -90,7 +91,7 @@ cv::Mat framed(const cv::Mat& errors, double lowest, double highest) {
     write(fmt::format("{}", iteration), {kLeft + iteration * kScaleX - 6, 16 + large.rows + 18});
   }
   write("iteration", {kLeft + large.cols / 2 - 30, 16 + large.rows + 38});
-  constexpr int kMarks = 6;
+  constexpr int kMarks = 6; // numbers along an axis
   for (int mark = 0; mark <= kMarks; ++mark) {
     const double sigma = lowest + (highest - lowest) * mark / kMarks;
     write(fmt::format("{:.3f}", sigma), {8, 20 + large.rows - large.rows * mark / kMarks});
@@ -205,6 +206,7 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
 }
 
 Status dynamicsFigure7(const ExperimentOptions& options) {
+  // Meters: the range of the paper's figure, in as many steps.
   constexpr int kSigmas = 100;
   constexpr double kLowest = 0.001;
   constexpr double kHighest = 0.3;
@@ -268,7 +270,7 @@ Status dynamicsFigure8(const ExperimentOptions& options) {
   page.paragraph("Seeds " + seedSentence(options.firstSeed, 1) + ".");
   std::array<DynamicsRun, 2> runs;
   std::array<Plot, 2> clouds;
-  constexpr std::array kSigmas{0.03, 0.15};
+  constexpr std::array kSigmas{0.03, 0.15}; // meters: the paper's, and five times that
   for (std::size_t k = 0; k < kSigmas.size(); ++k) {
     DynamicsSetup setup;
     setup.motionSigma = kSigmas[k];

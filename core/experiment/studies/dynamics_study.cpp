@@ -55,7 +55,7 @@ DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t 
 }
 
 bool keepsUp(const DynamicsSetup& setup, double speed, int runs, std::uint64_t firstSeed) {
-  constexpr double kLost = 0.25; // meters
+  constexpr double kLost = 0.25; // meters; chosen: far beyond the spread of a tracker that follows
   const Path path = [&](int k) { return Eigen::Vector3d(speed * k, 0.0, 0.0); };
   int kept = 0;
   for (int k = 0; k < runs; ++k) {
@@ -93,6 +93,7 @@ int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, d
 }
 
 double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
+  // Chosen: the limit is known to a 256th of the interval in which it lies.
   constexpr int kSteps = 60;
   constexpr int kHalvings = 8;
   setup.start = Eigen::Vector3d::Zero();
@@ -107,8 +108,8 @@ double speedLimit(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
 }
 
 double farAdvance(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
-  static constexpr double kFar = 50.0; // meters
-  constexpr int kSteps = 40;
+  static constexpr double kFar = 50.0; // meters; chosen: beyond what a step can reach
+  constexpr int kSteps = 40;           // iterations of which the mean is taken; chosen
   setup.start = Eigen::Vector3d::Zero();
   setup.iterations = kSteps;
   double advance = 0.0;

@@ -15,7 +15,7 @@ struct MaskQuality {
   double precision = 0.0; ///< share of the mask's pixels that are people's; 1 of an empty mask
 };
 
-/// Pixels; smaller regions are noise.
+/// Pixels; smaller regions are noise; chosen.
 inline constexpr int kSmallestRegion = 20;
 
 /// Of a mask (CV_8UC1, 0 or 255) against the people that are there (CV_8UC1, not 0 where one is).

@@ -12,9 +12,11 @@
 
 namespace dewpoint::experiment {
 
-/// Pixels of a person in a camera that sees it (a whole adult: 600 and more).
+/// Pixels of a person in a camera that sees it (a whole adult: 600 and more);
+/// chosen: a quarter of one.
 inline constexpr int kVisiblePixels = 150;
-/// Frames from one instant at which silhouettes are compared to the next.
+/// Frames from one instant at which silhouettes are compared to the next; chosen: a
+/// third of a second.
 inline constexpr std::int64_t kSilhouetteEvery = 5;
 
 /// The images of one instant of a scene with people, and who is seen in them.

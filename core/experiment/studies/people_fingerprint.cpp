@@ -10,8 +10,9 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr const char* kScenario = "crossing";
-constexpr double kShareStep = 0.001;
-constexpr double kMeterStep = 1e-4;
+// Steps of what is compared: coarser than rounding, finer than a change of a method.
+constexpr double kShareStep = 0.001; // of probabilities
+constexpr double kMeterStep = 1e-4;  // m
 constexpr double kVolumeStep = 1e-4; // m³
 
 std::string fingerprintOf(const PeopleTrial& trial) {

@@ -15,6 +15,7 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr double kHalfFloor = 3.6; // meters: a little more than the office
+// Pixels: as high as two views of 320 x 240 are.
 constexpr int kFloorPixels = 480;
 constexpr int kViewWidth = 320;
 

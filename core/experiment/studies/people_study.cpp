@@ -27,7 +27,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-constexpr std::int64_t kVolumeEvery = 15; ///< frames; a volume costs more than a step
+constexpr std::int64_t kVolumeEvery = 15; ///< frames, a second; a volume costs more than a step
 static_assert(kVolumeEvery % kSilhouetteEvery == 0);
 
 /// Which estimate (identity) each truth (identity) has.

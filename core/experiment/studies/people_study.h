@@ -45,7 +45,7 @@ struct PeopleTrial {
   std::vector<PeoplePicture> pictures; ///< of tellingInstants(), where they were requested
 };
 
-/// Meters within which an estimate belongs to a person.
+/// Meters within which an estimate belongs to a person: the width of an adult.
 inline constexpr double kPeopleGate = 0.5;
 
 struct PeopleStudySetup {

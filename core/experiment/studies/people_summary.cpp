@@ -20,7 +20,7 @@ struct Bar {
   int runs = 0; ///< that it was judged by
 };
 
-constexpr double kLongestFault = 1.0; ///< seconds
+constexpr double kLongestFault = 1.0; ///< seconds that are required
 constexpr int kBarRuns = 30;          ///< that the bars are for
 
 /// At least `least` of 30 runs keep everybody's identity.
@@ -46,7 +46,8 @@ Bar noFault(const PeopleSummary& one, const std::string& who) {
 }
 
 std::vector<Bar> barsOf(const std::vector<PeopleSummary>& summaries) {
-  constexpr int kDifferent = 28; // of 30
+  // Of kBarRuns; requirements of the people tracker.
+  constexpr int kDifferent = 28;
   constexpr int kSimilar = 25;
   std::vector<Bar> bars;
   for (const PeopleSummary& one : summaries) {

@@ -18,7 +18,7 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-constexpr int kCellWidth = 240;
+constexpr int kCellWidth = 240; ///< pixels, of one picture
 
 /// What is drawn over the frames, and in which style.
 struct Shown {
@@ -35,7 +35,7 @@ double errorAt(const Found& found, const std::vector<ImageBox>& truth, std::size
 }
 
 std::vector<std::size_t> tellingFrames(const Found& found, const std::vector<ImageBox>& truth) {
-  constexpr std::size_t kEven = 4;
+  constexpr std::size_t kEven = 4; // frames, evenly over the clip
   std::vector<std::size_t> frames;
   for (std::size_t k = 1; k <= kEven; ++k) {
     frames.push_back(k * (truth.size() - 1) / kEven);

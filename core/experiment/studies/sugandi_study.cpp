@@ -85,7 +85,7 @@ Result<BoxRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,
   return row;
 }
 
-constexpr double kJuggleBar = 0.85; // share of frames within a ball's radius
+constexpr double kJuggleBar = 0.85; // share of frames within a ball's radius; chosen
 
 const BoxRow* rowOf(const std::vector<BoxRow>& rows, const std::string& clip,
                     const std::string& method) {

@@ -21,14 +21,14 @@
 namespace dewpoint::experiment {
 namespace {
 
-/// Length of a recording, seconds.
+/// Length of a recording, seconds; chosen: what somebody waves before the arm tires.
 constexpr double kSeconds = 30.0;
-constexpr double kStick = 0.6;   ///< meters between the balls
-constexpr double kRadius = 0.04; ///< meters
-/// Seconds, either way.
+constexpr double kStick = 0.6;   ///< meters between the balls; chosen: a broomstick's half
+constexpr double kRadius = 0.04; ///< meters; chosen: tennis balls and a little more
+/// Seconds, either way: half a frame.
 constexpr double kClockError = 0.016;
-constexpr double kOffsetBar = 5e-4;                ///< seconds
-constexpr double kSolveBar = 5.0;                  ///< seconds
+constexpr double kOffsetBar = 5e-4;                ///< seconds that are required of time offsets
+constexpr double kSolveBar = 5.0;                  ///< seconds that solving may take
 const Eigen::Vector3d kViolet{200.0, 60.0, 130.0}; ///< BGR: a color that nothing in the hall has
 
 /// How a person waves: the middle on a closed path about the hall's middle, the stick turning.

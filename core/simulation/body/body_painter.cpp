@@ -40,13 +40,14 @@ Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& norma
   return shade(point, normal, 1.0F) * body.color;
 }
 
-/// The color of a ball's surface at `normal`: matte, with a faint broad highlight.
+/// The color of a ball's surface at `normal`: matte, with a faint broad highlight, kBallGloss.
 Vector3f ballColor(const Body& body, const Vector3f& point, const Vector3f& direction) {
   const Vector3f normal = (point - body.center) / body.radius;
   const Vector3f halfway = ((lampOf(body) - point).normalized() - direction).normalized();
   const float facing = std::max(0.0F, normal.dot(halfway));
   const float facing4 = facing * facing * facing * facing;
-  const float gloss = 12.0F * facing4 * facing4 * facing4;
+  static_assert(kBallGloss.power == 12.0F);
+  const float gloss = kBallGloss.peak * facing4 * facing4 * facing4;
   // A ball on a desk is dark below: it hides the room's light there from itself.
   const Vector3f color = litColor(body, point, normal) + Vector3f::Constant(gloss);
   // In other light it is the sensor that cuts.

@@ -12,15 +12,15 @@ namespace dewpoint::simulation {
 namespace {
 
 // Sizes of an adult's hand in meters, rounded from our own hands.
-constexpr double kPalmThick = 0.012; ///< half
-constexpr double kPalmWide = 0.04;   ///< half
-constexpr double kPalmLong = 0.048;  ///< half
-constexpr double kForearmRadius = 0.026;
+constexpr double kPalmThick = 0.012;     ///< half
+constexpr double kPalmWide = 0.04;       ///< half
+constexpr double kPalmLong = 0.048;      ///< half
+constexpr double kForearmRadius = 0.026; ///< near the wrist
 constexpr double kForearmLong = 0.22;
 
-/// Where a finger around a ball begins, as an angle from the palm.
+/// Where a finger around a ball begins, as an angle from the palm, radians; chosen by eye.
 constexpr double kKnuckle = 0.5;
-constexpr int kFingerParts = 3;
+constexpr int kFingerParts = 3; ///< straight pieces: a finger has three bones
 
 } // namespace
 
@@ -58,7 +58,6 @@ std::vector<MovingPart> openingHand(double closed, const Vector3f& color) {
   // Lengths of a finger's three bones, and how far each joint bends in a fist, in radians.
   constexpr std::array<double, 3> kBones{0.045, 0.028, 0.022};
   constexpr std::array<double, 3> kBends{1.4, 1.6, 1.0};
-  constexpr double kFingerRadius = 0.009;
   std::vector<MovingPart> parts;
   parts.push_back(
       ellipsoidAt(Eigen::Vector3d::Zero(), {kPalmLong, kPalmWide, kPalmThick + 0.003}, color));

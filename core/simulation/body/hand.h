@@ -9,13 +9,16 @@
 
 namespace dewpoint::simulation {
 
+/// Radius of an adult's finger, meters: 8 to 9.5 mm.
+inline constexpr double kFingerRadius = 0.009;
+
 /// How a hand holds a ball. Angles in radians, lengths in meters.
 struct Grip {
   Eigen::Vector3d palm = Eigen::Vector3d::UnitX();    ///< unit vector, ball's center to the palm
   Eigen::Vector3d fingers = Eigen::Vector3d::UnitY(); ///< unit vector across it, to the fingers
-  double reach = 1.8;          ///< angle at the ball's center from the palm to the fingertips
-  double spread = 0.47;        ///< angle about `palm` from one finger to the next
-  double fingerRadius = 0.009; ///< that of an adult's finger: 8 to 9.5 mm
+  double reach = 1.8;   ///< angle at the ball's center from the palm to the fingertips
+  double spread = 0.47; ///< angle about `palm` from one finger to the next
+  double fingerRadius = kFingerRadius;
   /// Unit vector from the palm along the forearm.
   Eigen::Vector3d forearm() const { return (0.8 * palm - 0.6 * fingers).normalized(); }
 };

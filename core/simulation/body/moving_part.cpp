@@ -13,7 +13,8 @@ namespace {
 
 /// Nearer hits are the ray's own surface, meters.
 constexpr float kNear = 1e-4F;
-/// Squared sine of the angle between a ray and an axis below which they count as parallel.
+/// Squared sine of the angle between a ray and an axis below which they count as parallel: about
+/// the rounding of a float.
 constexpr float kParallel = 1e-8F;
 
 /// A ray in a part's own axes; it begins at its point nearest to the part's center, so that no

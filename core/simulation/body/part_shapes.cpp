@@ -60,7 +60,7 @@ MovingPart ellipsoidAt(const Eigen::Vector3d& center, const Eigen::Vector3d& sem
 
 MovingPart ballPart(double radius, const Vector3f& color) {
   MovingPart part = ellipsoidAt(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(radius), color);
-  part.gloss = {12.0F, 12.0F}; // as ballColor() of body_painter.cpp
+  part.gloss = kBallGloss;
   return part;
 }
 

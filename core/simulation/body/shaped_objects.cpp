@@ -7,7 +7,9 @@
 namespace dewpoint::simulation {
 namespace {
 
-constexpr double kForearmRadius = 0.03; // meters
+// All sizes in meters, rounded from things on our desks and from ourselves.
+
+constexpr double kForearmRadius = 0.03;
 
 MovingPart asTarget(MovingPart part) {
   part.target = true;

@@ -8,7 +8,7 @@
 namespace dewpoint::simulation {
 namespace {
 
-/// Cells per side of the grid that counts what parts share.
+/// Cells per side of the grid that counts what parts share; chosen: parts share little.
 constexpr int kGridCells = 10;
 
 /// Integrals over a solid of 1, x and x x^T.

@@ -49,7 +49,8 @@ std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double t
 }
 
 MovableFurniture makeStool(double height) {
-  constexpr float kHalfSeat = 0.17F; // meters, as all sizes here; our choice
+  // Half sizes, meters: those of a small office stool.
+  constexpr float kHalfSeat = 0.17F;
   constexpr float kHalfThick = 0.02F;
   constexpr float kHalfFoot = 0.035F;
   const auto top = static_cast<float>(height);
@@ -60,7 +61,7 @@ MovableFurniture makeStool(double height) {
   stool.parts = {
       boxPart({0.0F, 0.0F, top - kHalfThick}, {kHalfSeat, kHalfSeat, kHalfThick}, cushion),
       boxPart({0.0F, 0.0F, foot}, {kHalfFoot, kHalfFoot, foot}, steel)};
-  stool.reach = 0.25;
+  stool.reach = 0.25; // kHalfSeat to its corners, rounded up
   return stool;
 }
 

@@ -9,13 +9,8 @@
 #include <utility>
 
 namespace dewpoint::simulation {
-namespace {
-
-constexpr double kHalfOffice = 3.5; ///< meters from the middle to the walls
-
-} // namespace
-
 CameraRig officeRig() {
+  // World x and y, meters: 0.2 m inside the corners. 230 pixels are a lens of 70 degrees.
   static constexpr std::array<std::array<double, 2>, 4> kCorners{
       {{-3.3, -3.3}, {3.3, -3.3}, {3.3, 3.3}, {-3.3, 3.3}}};
   CameraRig rig;
@@ -83,7 +78,8 @@ cv::Mat OfficeRenderer::emptyRoom(std::size_t camera) const {
 
 bool OfficeRenderer::inside(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
-  return walker.presentAt(time) && walker.position(time).cwiseAbs().maxCoeff() < kHalfOffice;
+  return walker.presentAt(time) &&
+         walker.position(time).cwiseAbs().maxCoeff() < double{kOfficeHalf};
 }
 
 Eigen::Vector3d OfficeRenderer::middle(std::size_t person, double time) const {

@@ -5,6 +5,7 @@
 #include "core/simulation/people/movable_furniture.h"
 #include "core/simulation/people/walker.h"
 #include "core/simulation/room/view_cache.h"
+#include "core/simulation/sensor/usual_camera.h"
 
 #include <opencv2/core.hpp>
 
@@ -26,8 +27,8 @@ struct OfficeScene {
   std::vector<MovableFurniture> furniture; ///< beside what always stands there
   double framesPerSecond = 15.0;
   std::int64_t frameCount = 150;
-  std::uint64_t seed = 1;  ///< of the sensor noise
-  double noiseSigma = 3.0; ///< gray levels
+  std::uint64_t seed = 1;               ///< of the sensor noise
+  double noiseSigma = kUsualNoiseSigma; ///< gray levels
 
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };

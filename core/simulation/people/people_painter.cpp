@@ -136,9 +136,10 @@ private:
 /// of the lamp that is hidden, per pixel.
 void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lamp,
                cv::Mat& covered) {
-  constexpr float kPanel = 0.35F; // radius of the office's lamp, meters: a panel
+  constexpr float kPanel = 0.35F; // radius of the office's lamp, meters: of a panel of 0.6 x 0.6 m
+  constexpr float kBelowLamp = 0.3F; // meters: nearer to it shadows would be endless
   const float radius = std::cbrt(part.halfSize.prod());
-  const float height = std::min(part.center.z(), lamp.z() - 0.3F);
+  const float height = std::min(part.center.z(), lamp.z() - kBelowLamp);
   const Vector3f spot = lamp + (part.center - lamp) * (lamp.z() / (lamp.z() - height));
   const float reach =
       radius * lamp.z() / (lamp.z() - height) + kPanel * height / (lamp.z() - height);

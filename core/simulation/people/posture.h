@@ -10,7 +10,7 @@ namespace dewpoint::simulation {
 /// How a body is held.
 enum class Posture { Standing, Sitting, Crouching };
 
-/// Seconds in which somebody sits down, crouches or rises; our choice.
+/// Seconds in which somebody sits down, crouches or rises; chosen: unhurried.
 inline constexpr double kPostureSeconds = 1.0;
 
 /// From `time` on (seconds) a body takes another posture; it is reached kPostureSeconds later.

@@ -10,12 +10,14 @@
 namespace dewpoint::simulation {
 namespace {
 
-constexpr double kRounding = 0.4;     ///< seconds over which corners of the way are rounded off
-constexpr double kStrideLength = 1.4; ///< meters of two steps
-constexpr double kUsualSpeed = 1.2;   ///< m/s at which limbs swing fully
+// How people walk: round numbers for an adult who does not hurry.
+constexpr double kRounding = 0.4;       ///< seconds over which corners of the way are rounded off
+constexpr double kStrideLength = 1.4;   ///< meters of two steps
+constexpr double kUsualSpeed = 1.2;     ///< m/s at which limbs swing fully
+constexpr double kStandingSpeed = 0.05; ///< m/s below which somebody stands
 
-// The body of 1.75 m that all are scaled from: heights of its points in meters.
-constexpr double kReferenceHeight = 1.75;
+// The body of kReferenceHeight that all are scaled from: heights of its points in meters, chosen
+// within the usual proportions of adults.
 constexpr float kHeadTop = 1.735F;
 constexpr float kHairTop = 1.755F;
 constexpr float kHeadHalf = 0.125F; ///< half the height of the head
@@ -25,7 +27,7 @@ constexpr float kShinLength = 0.44F;
 /// Height of a fitting seat: the lower side of the thighs of somebody of 1.75 m who sits.
 constexpr double kReferenceSeat = 0.41;
 
-/// See headShare(): of a height of kSmallHeight and less.
+/// See headShare(): of a height of kSmallHeight and less, a child of two or three.
 constexpr double kChildHeadShare = 0.19;
 constexpr double kSmallHeight = 0.9; ///< meters
 
@@ -218,7 +220,7 @@ double seatHeight(double height) {
 }
 
 Eigen::Vector2d Walker::position(double time) const {
-  constexpr int kSamples = 9;
+  constexpr int kSamples = 9; // of the rounding, odd: one at the time itself
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int k = 0; k < kSamples; ++k) {
     sum += onWay(way, time + kRounding * ((k + 0.5) / kSamples - 0.5));
@@ -243,7 +245,7 @@ std::vector<BodyPart> bodyParts(const Walker& walker, double time) {
   Eigen::Vector2d going =
       walker.position(time + 0.5 * kHeadingSpan) - walker.position(time - 0.5 * kHeadingSpan);
   const double speed = going.norm() / kHeadingSpan;
-  if (speed < 0.05) { // stands: looks where it came from, or will go
+  if (speed < kStandingSpeed) { // looks where it came from, or will go
     going = walker.way.back().position - walker.way.front().position;
   }
   const Eigen::Vector2d ahead =

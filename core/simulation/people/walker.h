@@ -40,10 +40,13 @@ struct Load {
   Vector3f color = rgb(168, 132, 92);
 };
 
+/// Height of the body that all others are scaled from, meters; chosen: an adult's.
+inline constexpr double kReferenceHeight = 1.75;
+
 /// A person of the simulation, who goes from waypoint to waypoint.
 struct Walker {
   std::string name;
-  double height = 1.75; ///< meters
+  double height = kReferenceHeight; ///< meters
   Clothes clothes;
   std::vector<Waypoint> way;
   std::vector<PostureChange> postures; ///< in the order of their times; none: always stands
@@ -58,13 +61,14 @@ struct Walker {
   double top(double time) const;
 };
 
-/// Height of an adult's head as a part of the height: 0.25 m of 1.75 m, as all bodies had here.
+/// Height of an adult's head as a part of the height: 0.25 m of 1.75 m; drawing books say a seventh
+/// to an eighth.
 inline constexpr double kAdultHeadShare = 1.0 / 7.0;
-/// Up to this height a body has a child's proportions, meters.
+/// Up to this height a body has a child's proportions, meters; chosen: about that of a child of 13.
 inline constexpr double kAdultHeight = 1.6;
 
 /// Height of the head as a part of the height: an adult's from kAdultHeight on, and growing evenly
-/// below it to 0.19 of the height at 0.9 m and less. Our choice, near the drawing rule that the
+/// below it to 0.19 of the height at 0.9 m and less. Chosen, near the drawing rule that the
 /// head of a small child is about a fifth of its height.
 double headShare(double height);
 

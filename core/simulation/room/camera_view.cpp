@@ -15,9 +15,9 @@ namespace {
 /// The direction (z = 1, camera frame) whose image is `pixel`: a fixed point of the projection.
 /// Nothing where the lens model has no such direction.
 std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vector2d& pixel) {
-  /// Iterations of undistorting a pixel.
+  /// Iterations of undistorting a pixel, at most; chosen: it ends when it moves no more.
   constexpr int kIterations = 30;
-  constexpr double kEnough = 1e-4; // pixels
+  constexpr double kEnough = 1e-4; // pixels; far below what a sample can show
   const Intrinsics& k = lens.intrinsics();
   Eigen::Vector3d ray{(pixel.x() - k.centerX) / k.focalX, (pixel.y() - k.centerY) / k.focalY, 1.0};
   for (int i = 0; i < kIterations; ++i) {
@@ -86,7 +86,7 @@ Vector3f CameraView::direction(int column, int row, float right, float down) con
 }
 
 void CameraView::seeRoom(const Room& room) {
-  constexpr int kSide = 2; // 2x2 samples per pixel
+  constexpr int kSide = 2; // 2x2 samples per pixel; chosen: what is at rest is rendered once
   distances.assign(directions.size(), std::numeric_limits<float>::infinity());
   lit.assign(directions.size(), 0.0F);
   background = cv::Mat::zeros(height, width, CV_32FC3);
@@ -113,7 +113,7 @@ void CameraView::seeRoom(const Room& room) {
 }
 
 cv::Rect CameraView::boundsOfSphere(const Eigen::Vector3d& sphere, double radius) const {
-  constexpr int kPoints = 32;
+  constexpr int kPoints = 32;     // of the silhouette; between two it bulges by 0.5 % of the radius
   constexpr double kMargin = 2.0; // pixels; more than the silhouette bulges between the points
   const Eigen::Vector3d eye = center.cast<double>();
   const Eigen::Vector3d way = sphere - eye;

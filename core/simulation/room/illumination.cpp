@@ -12,8 +12,9 @@ Vector3f lightOfLamps(const Illumination& illumination, const Vector3f& point,
                       const Vector3f& normal) {
   Vector3f light = Vector3f::Zero();
   for (const FurtherLamp& lamp : illumination.further) {
-    const float lambert = std::max(0.0F, normal.dot((lamp.position - point).normalized()));
-    light += lambert * lamp.color;
+    const Vector3f way = lamp.position - point;
+    const float lambert = std::max(0.0F, normal.dot(way.normalized()));
+    light += lambert * lamp.falloff(way.norm()) * lamp.color;
   }
   return light;
 }
@@ -38,6 +39,14 @@ int likerNeighbor(const CameraView& view, int column, int row, bool across) {
 }
 
 } // namespace
+
+float FurtherLamp::falloff(float distance) const {
+  if (distance <= reach) {
+    return 1.0F;
+  }
+  const float share = reach / distance;
+  return share * share;
+}
 
 float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time) {
   const auto middle = static_cast<float>(shadow.start + shadow.speed * time);

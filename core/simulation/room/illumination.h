@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,6 +17,13 @@ namespace dewpoint::simulation {
 struct FurtherLamp {
   Vector3f position{0.0F, 0.0F, 1.0F}; ///< world, meters
   Vector3f color{0.0F, 0.0F, 0.0F};    ///< BGR; 1 is full light on a surface square to its rays
+  /// Distance up to which its light is `color`, meters: from there on it falls with the square of
+  /// the distance, so that it lights what is near more than the walls; nearer it is too broad a
+  /// source for that. Infinite: it lights everything as much, as the sun does.
+  float reach = std::numeric_limits<float>::infinity();
+
+  /// Share of `color` that is left at a distance, meters; 1 within its reach.
+  float falloff(float distance) const;
 };
 
 /// The shadow of something tall that passes before the room's lamp: an upright band, which covers
@@ -25,7 +33,7 @@ struct MovingShadow {
   double start = 0.0;                     ///< of the band's middle along `direction` at time 0, m
   double speed = 0.2;                     ///< m/s
   float halfWidth = 0.1F;                 ///< meters, to the middle of its border
-  float edge = 0.03F;                     ///< half width of its soft border, meters
+  float edge = 0.03F;                     ///< half width of its soft border, meters; chosen
   float depth = 0.0F;                     ///< share of the lamp that it takes, 0 to 1
 };
 

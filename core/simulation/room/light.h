@@ -7,7 +7,7 @@
 
 namespace dewpoint::simulation {
 
-/// The light that the simulated sensors are balanced for, kelvin.
+/// The light that the simulated sensors are balanced for, kelvin: daylight, as D55 of CIE 15.
 inline constexpr double kBalancedKelvin = 5500.0;
 
 /// What light of `kelvin` gives a sensor that is balanced for kBalancedKelvin, per channel (BGR)

@@ -13,11 +13,10 @@
 namespace dewpoint::simulation {
 namespace {
 
-// Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-/// Meters: nearer hits are the surface itself.
+/// Meters: nearer hits are the surface itself; far above what rounding makes of 3 m.
 constexpr float kNear = 1e-4F;
-/// Share of full light that comes from everywhere.
+/// Share of full light that comes from everywhere; chosen, see kLampShare.
 constexpr float kAmbient = 0.30F;
 
 /// Slab test; the entry, or the exit when the origin is inside (`inside`: the room's own walls).
@@ -125,17 +124,19 @@ Room::Room(Furnishing furnishing, const RoomDesign& design) {
   Furniture furniture;
   switch (furnishing) {
   case Furnishing::Hall:
-    walls_ = solidOf(Shape::Box, {0.0F, 0.0F, 1.25F}, {2.25F, 2.25F, 1.25F}, plaster, 0.0F);
+    walls_ = solidOf(Shape::Box, {0.0F, 0.0F, 1.25F}, {kHallHalf, kHallHalf, 1.25F}, plaster, 0.0F);
     furnishHall(furniture);
     break;
   case Furnishing::Office:
-    walls_ = solidOf(Shape::Box, {0.0F, 0.0F, 1.35F}, {3.5F, 3.5F, 1.35F}, plaster, 0.0F);
+    walls_ =
+        solidOf(Shape::Box, {0.0F, 0.0F, 1.35F}, {kOfficeHalf, kOfficeHalf, 1.35F}, plaster, 0.0F);
     lamp_ = kOfficeLampPosition;
     furnishOffice(furniture);
     break;
   case Furnishing::Desk:
   case Furnishing::ClutteredDesk:
-    walls_ = solidOf(Shape::Box, {0.4F, 0.4F, 0.65F}, {1.9F, 1.9F, 1.4F}, plaster, 0.0F);
+    walls_ = solidOf(Shape::Box, {kDeskRoomMiddle, kDeskRoomMiddle, 1.4F - kDeskHeight},
+                     {kDeskRoomHalf, kDeskRoomHalf, 1.4F}, plaster, 0.0F);
     furnishDesk(furniture);
     if (furnishing == Furnishing::ClutteredDesk) {
       clutterDesk(furniture);
@@ -176,7 +177,7 @@ Sight Room::sightOf(const Vector3f& origin, const Vector3f& direction, const Hit
   if (!(hit.distance < kInfinity)) {
     return {};
   }
-  constexpr int kRays = 2;
+  constexpr int kRays = 2; // to the lamp, of each of a pixel's samples: soft borders of shadows
   const Vector3f point = origin + hit.distance * direction;
   const Vector3f start = point + 1e-3F * hit.normal;
   float lit = 0.0F;

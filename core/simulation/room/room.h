@@ -11,12 +11,27 @@
 
 namespace dewpoint::simulation {
 
+// The rooms' sizes, chosen; meters.
+
+/// Half the sides of the living room, which lies around the origin.
+inline constexpr float kHallHalf = 2.25F;
+/// Half the sides of the office, around the origin.
+inline constexpr float kOfficeHalf = 3.5F;
+/// Half the sides of the room with the desk, and world x and y of its middle.
+inline constexpr float kDeskRoomHalf = 1.9F;
+inline constexpr float kDeskRoomMiddle = 0.4F;
+/// Of the desk's top, world z = 0, above the floor; within 0.72 to 0.76 m, as desks usually are.
+inline constexpr float kDeskHeight = 0.75F;
+
+// Light, chosen so that shadows are plain but not black.
+
 /// The one lamp: a small area light, so that shadows have soft borders. World frame, meters.
 inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
 /// That of the office, above the heads.
 inline const Vector3f kOfficeLampPosition{0.2F, -0.3F, 2.6F};
+/// Of the lamp, meters: a shade as of a table lamp.
 inline constexpr float kLampRadius = 0.12F;
-inline constexpr float kLampShare = 0.62F; ///< of full light; the rest is ambient
+inline constexpr float kLampShare = 0.62F; ///< of full light; the rest comes from all around
 
 /// Light on a matte surface with unit normal `normal`: ambient, brighter from above, and `lit`
 /// (0 in shadow to 1) times Lambert's share of the lamp.

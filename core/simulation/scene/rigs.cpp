@@ -14,7 +14,7 @@ namespace {
 struct Picture {
   int width = 320;
   int height = 240;
-  double focal = 350.0; ///< pixels
+  double focal = kDeskFocal; ///< pixels
 };
 
 Camera cameraAt(std::size_t index, const Picture& picture, const Eigen::Vector3d& position,
@@ -35,28 +35,28 @@ Camera cameraAt(std::size_t index, const Picture& picture, const Eigen::Vector3d
 
 CameraRig threeCameraDeskRig() {
   CameraRig rig = demoRig();
-  rig.push_back(cameraAt(rig.size(), {}, {0.95, 0.05, 0.5}, {0.5, 0.5, 0.15}));
+  rig.push_back(cameraAt(rig.size(), {}, {0.95, 0.05, 0.5}, kDeskMiddle));
   return rig;
 }
 
 CameraRig deskRing(int count) {
   // Eighths of a turn; two cameras see the volume at right angles, four from all sides.
   static constexpr std::array<int, 8> kSlots{0, 2, 4, 6, 1, 3, 5, 7};
-  constexpr double kDistance = 1.1;
-  const Eigen::Vector3d middle{0.5, 0.5, 0.15};
+  constexpr double kDistance = 1.1; // meters from the middle; chosen: inside the room's walls
   CameraRig rig;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const int slot = kSlots.at(i);
     const double angle = -0.4 + 0.25 * std::numbers::pi * slot;
-    const double height = slot % 2 == 0 ? 0.45 : 0.6;
+    const double height = slot % 2 == 0 ? 0.45 : 0.6; // above the middle, meters
     const double reach = std::sqrt(kDistance * kDistance - height * height);
     const Eigen::Vector3d offset{reach * std::cos(angle), reach * std::sin(angle), height};
-    rig.push_back(cameraAt(i, {}, middle + offset, middle));
+    rig.push_back(cameraAt(i, {}, kDeskMiddle + offset, kDeskMiddle));
   }
   return rig;
 }
 
 CameraRig hallRig(int count) {
+  // World x and y, meters: 0.15 m inside the corners.
   static constexpr std::array<std::array<double, 2>, 4> kCorners{
       {{-2.1, -2.1}, {2.1, -2.1}, {-2.1, 2.1}, {2.1, 2.1}}};
   CameraRig rig;

@@ -17,9 +17,9 @@ namespace dewpoint::simulation {
 namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-/// Of Motion::Fast against Smooth.
+/// Speed of Motion::Fast against Smooth; chosen.
 constexpr double kFastFactor = 5.0;
-/// The ball gathers speed over this part of a period, instead of starting with a jerk.
+/// The ball gathers speed over this part of a period, instead of starting with a jerk; chosen.
 constexpr double kEaseOfPeriod = 0.1;
 
 /// Where the ball is on its path, relative to its position, in units of its extent.
@@ -40,11 +40,11 @@ Eigen::Vector3d jumpOffset(double time, double period, double frameSeconds) {
 }
 
 Camera camera(const char* name, int width, int height, const Eigen::Vector3d& position) {
-  constexpr double kFocal = 350.0;
   Camera result;
   result.name = name;
-  result.intrinsics = {width, height, kFocal, kFocal, (width - 1) / 2.0, (height - 1) / 2.0};
-  result.cameraFromWorld = lookAt(position, Eigen::Vector3d{0.5, 0.5, 0.15});
+  result.intrinsics = {
+      width, height, kDeskFocal, kDeskFocal, (width - 1) / 2.0, (height - 1) / 2.0};
+  result.cameraFromWorld = lookAt(position, kDeskMiddle);
   return result;
 }
 
@@ -130,11 +130,12 @@ Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time) {
 }
 
 Eigen::Vector3d distractorPosition(const Scene& scene, int index) {
-  // At rest on the desk, where at least one camera of the demo rig sees it beside the ball's path.
+  // Meters: at rest on the desk, where at least one camera of the demo rig sees it beside the
+  // ball's path.
   static constexpr std::array<std::array<double, 2>, kMaxDistractors> kPositions{
       {{0.66, 0.62}, {0.36, 0.70}, {0.80, 0.42}, {0.58, 0.78}}};
   const auto& xy = kPositions.at(static_cast<std::size_t>(index));
-  return {xy[0], xy[1], scene.balls.empty() ? 0.035 : scene.balls.front().radius};
+  return {xy[0], xy[1], scene.balls.empty() ? kUsualBallRadius : scene.balls.front().radius};
 }
 
 Eigen::Vector3d occluderPosition(const Scene& scene, double time) {

@@ -3,6 +3,9 @@
 
 #include "core/base/error.h"
 #include "core/geometry/camera.h"
+#include "core/simulation/body/usual_ball.h"
+#include "core/simulation/room/light.h"
+#include "core/simulation/sensor/usual_camera.h"
 
 #include <Eigen/Core>
 
@@ -20,13 +23,20 @@ enum class Motion {
   Jump,   ///< stays, then is somewhere else from one frame to the next, once per period
 };
 
+/// The middle of what is seen at the desk, where all its cameras look: world, meters. Chosen: half
+/// a meter before both cameras of demoRig().
+inline const Eigen::Vector3d kDeskMiddle{0.5, 0.5, 0.15};
+
+/// Focal length of the cameras at the desk, pixels: 49 degrees across 320 pixels; chosen.
+inline constexpr double kDeskFocal = 350.0;
+
 /// A ball whose true position is known at every instant.
 struct SceneBall {
   std::string name = "pink ball";
-  double radius = 0.035;                     ///< meters
-  Eigen::Vector3d color{145.0, 85.0, 245.0}; ///< BGR in full light, [0, 255]
+  double radius = kUsualBallRadius;        ///< meters
+  Eigen::Vector3d color = kUsualBallColor; ///< BGR in full light, [0, 255]
   Motion motion = Motion::Smooth;
-  Eigen::Vector3d position{0.5, 0.5, 0.15}; ///< where it starts, and the middle of its path; meters
+  Eigen::Vector3d position = kDeskMiddle;   ///< where it starts, and the middle of its path; meters
   Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; meters
   double period = 6.0;                      ///< seconds per smooth round, or between two jumps
   double stillSeconds = 0.0;                ///< it rests this long before it starts to move
@@ -44,12 +54,12 @@ struct SceneBall {
 /// The light at one instant; it changes evenly from one to the next (the brightness by equal
 /// factors in equal times) and is as the first says before it, and as the last says after it.
 struct SceneLight {
-  double time = 0.0;       ///< seconds
-  double brightness = 1.0; ///< factor; 1 is full light
-  double kelvin = 5500.0;  ///< color temperature; the cameras are balanced for 5500 K
+  double time = 0.0;               ///< seconds
+  double brightness = 1.0;         ///< factor; 1 is full light
+  double kelvin = kBalancedKelvin; ///< color temperature; the cameras are balanced for 5500 K
 };
 
-/// The most distractors that fit on the desk.
+/// The most distractors: as many positions as there are for them on the desk.
 inline constexpr int kMaxDistractors = 4;
 
 /// A simulated scene: everything that decides its images and its truth. Frame f is taken at
@@ -57,7 +67,7 @@ inline constexpr int kMaxDistractors = 4;
 struct Scene {
   std::string name = "demo";
   CameraRig cameras;
-  double framesPerSecond = 30.0;
+  double framesPerSecond = kUsualFrameRate;
   std::int64_t frameCount = 300;
   std::uint64_t seed = 1;
   std::vector<SceneBall> balls;
@@ -66,8 +76,8 @@ struct Scene {
   bool occluder = false;          ///< a box that passes between the first ball and the first camera
   bool clutter = true;            ///< books, boxes, wood- and skin-colored objects on the desk
   std::vector<SceneLight> lights; ///< in the order of their times; none: full light of 5500 K
-  double noiseSigma = 3.0;        ///< standard deviation of the sensor noise, gray levels
-  double exposureSeconds = 0.01;  ///< how long the shutter is open: the motion blur
+  double noiseSigma = kUsualNoiseSigma;    ///< standard deviation of the sensor noise, gray levels
+  double exposureSeconds = kUsualExposure; ///< how long the shutter is open: the motion blur
 };
 
 /// The set-up of Barrera, Cañas and Matellán (2005): two cameras at the paper's positions, looking

@@ -19,7 +19,7 @@ using simulation::Body;
 using simulation::CameraView;
 using simulation::Vector3f;
 
-/// Width, height and thickness of the occluder, halved; meters.
+/// Width, height and thickness of the occluder, halved; meters; chosen: larger than a ball.
 const Vector3f kOccluderHalf{0.06F, 0.09F, 0.012F};
 
 } // namespace

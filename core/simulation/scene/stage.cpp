@@ -3,6 +3,7 @@
 
 #include "core/simulation/people/people_painter.h"
 #include "core/simulation/sensor/sensor.h"
+#include "core/simulation/sensor/tone_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,16 +136,17 @@ void prepareLight(Stage& stage) {
 
 Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time) {
   /// Stops of linear light per stop of gray level: the inverse of the tone curve's power.
-  constexpr double kStopsPerLevelStop = 1.0 / 0.45;
+  constexpr double kStopsPerLevelStop = 1.0 / kToneCurvePower;
   const Light light = stage.light ? stage.light(camera, time) : Light{};
   if (light.dark) {
     return Eigen::Vector3d::Constant(kDarkStops);
   }
+  constexpr double kLeastGain = 1e-3; // of levels: has a logarithm
   Eigen::Vector3d gain = light.gain;
   if (const RelitView* other = relitOf(stage, *viewAt(stage, camera, time))) {
     gain = gain.cwiseProduct(other->meanGain);
   }
-  return kStopsPerLevelStop * gain.array().max(1e-3).log2().matrix();
+  return kStopsPerLevelStop * gain.array().max(kLeastGain).log2().matrix();
 }
 
 std::vector<MovingPart> StageBody::partsAt(double time) const {

@@ -3,10 +3,12 @@
 
 #include "core/simulation/body/body_painter.h"
 #include "core/simulation/body/moving_part.h"
+#include "core/simulation/body/usual_ball.h"
 #include "core/simulation/people/walker.h"
 #include "core/simulation/room/camera_view.h"
 #include "core/simulation/room/illumination.h"
 #include "core/simulation/sensor/sensor_model.h"
+#include "core/simulation/sensor/usual_camera.h"
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>
@@ -32,17 +34,17 @@ using PartsPath = std::function<std::vector<MovingPart>(double)>;
 struct StageBody {
   std::string name;
   bool box = false;
-  double radius = 0.035;                              ///< of the ball or a body's own ball, meters
+  double radius = kUsualBallRadius;                   ///< of the ball or a body's own ball, meters
   Eigen::Vector3d halfSize = Eigen::Vector3d::Zero(); ///< of the box along its own axes, meters
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< of the box; rows: its axes in the world
-  Eigen::Vector3d color{145.0, 85.0, 245.0};          ///< BGR in full light, [0, 255]
+  Eigen::Vector3d color = kUsualBallColor;            ///< BGR in full light, [0, 255]
   Path path;
   std::function<bool(double)> present; ///< at a time; none: always
   /// None: a plain ball or box. Otherwise it is drawn from its parts alone. Where parts are marked
   /// as target its true position is the centroid of those, elsewhere it is `path` as for a ball.
   PartsPath parts{};
   /// The `radius` that the parts are made for: with another one they are larger or smaller.
-  double partsRadius = 0.035;
+  double partsRadius = kUsualBallRadius;
 
   /// Radius of a sphere around it, meters; of a body of parts around its own ball.
   double bound() const { return box ? halfSize.norm() : radius; }
@@ -79,12 +81,12 @@ struct Stage {
   std::vector<std::shared_ptr<const CameraView>> views; ///< one per camera
   std::vector<MovedCamera> moves;
   std::function<Light(std::size_t camera, double time)> light; ///< none: full light
-  std::vector<cv::Mat> unevenness;  ///< CV_32FC3 gain per pixel, one per camera; empty: even light
-  double noiseSigma = 3.0;          ///< standard deviation of the sensor noise, gray levels
-  double exposureSeconds = 0.01;    ///< of cameras without a model of their own
-  int jpegQuality = 0;              ///< 1 to 100: images go through JPEG; 0: they do not
-  std::vector<SensorModel> sensors; ///< one per camera; empty: ideal ones
-  Illumination illumination;        ///< besides the lamp that `views` were rendered with
+  std::vector<cv::Mat> unevenness; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
+  double noiseSigma = kUsualNoiseSigma;    ///< standard deviation of the sensor noise, gray levels
+  double exposureSeconds = kUsualExposure; ///< of cameras without a model of their own
+  int jpegQuality = 0;                     ///< 1 to 100: images go through JPEG; 0: they do not
+  std::vector<SensorModel> sensors;        ///< one per camera; empty: ideal ones
+  Illumination illumination;               ///< besides the lamp that `views` were rendered with
   /// Who walks behind the bodies: bodies hide people, never the other way round. The lamp alone
   /// lights them.
   std::vector<Walker> people;
@@ -96,7 +98,8 @@ struct Stage {
 void prepareLight(Stage& stage);
 
 /// How much more light than nominal a camera meters at a time, per channel (BGR), in stops: from
-/// the stage's light and illumination, on what is at rest. A blackout counts as kDarkStops.
+/// the stage's light and illumination, on what is at rest. A blackout counts as kDarkStops: a
+/// sixteenth of the light, chosen, beyond what ControlLoop::limit lets a camera make up for.
 Eigen::Vector3d meteredStops(const Stage& stage, std::size_t camera, double time);
 inline constexpr double kDarkStops = -4.0;
 

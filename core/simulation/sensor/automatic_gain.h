@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "core/simulation/sensor/usual_camera.h"
 
 #include <Eigen/Core>
 
@@ -10,7 +10,8 @@
 
 namespace dewpoint::simulation {
 
-/// A camera's control of one quantity: a slow integrator that sees its own effect late.
+/// A camera's control of one quantity: a slow integrator that sees its own effect late. The
+/// defaults are chosen: settled within half a second, without overshooting.
 struct ControlLoop {
   double speed = 0.15;    ///< share of the error corrected per frame; 0: no control
   int lagFrames = 2;      ///< from a measurement to its effect
@@ -32,7 +33,7 @@ struct CameraGain {
 
 /// Gains over a run; after the last frame they stay.
 struct GainCurve {
-  double framesPerSecond = 30.0;
+  double framesPerSecond = kUsualFrameRate;
   std::vector<CameraGain> frames; ///< none: all gains are 1
   CameraGain at(double time) const;
 };

@@ -17,7 +17,7 @@ namespace {
 /// Of blue, green and red pixels to daylight, relative to green: round numbers within what camera
 /// makers publish for CMOS color sensors (0.5 to 0.8).
 constexpr std::array<float, 3> kSensitivity{0.65F, 1.0F, 0.6F};
-/// Full scale of a 12 bit converter.
+/// Full scale of a 12 bit converter; small sensors have 10 or 12 bits.
 constexpr double kFullScale = 4095.0;
 
 /// The channel (of BGR) that a pixel of the array measures.

@@ -9,8 +9,8 @@
 namespace dewpoint::simulation {
 namespace {
 
-/// Rows of a band: of 240 rows read out in 20 ms they take 1.3 ms, in which what crosses such an
-/// image in a third of a second travels 1.3 pixels, a tenth of its motion blur.
+/// Rows of a band, chosen: of 240 rows read out in 20 ms they take 1.3 ms, in which what crosses
+/// such an image in a third of a second travels 1.3 pixels, a tenth of its motion blur.
 constexpr int kBandRows = 16;
 
 } // namespace

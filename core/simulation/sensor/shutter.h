@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "core/simulation/sensor/usual_camera.h"
 
 #include <vector>
 
@@ -9,8 +9,8 @@ namespace dewpoint::simulation {
 
 /// When the rows of an image collect light. The time of a frame is that of the image's middle.
 struct Shutter {
-  double exposureSeconds = 0.01; ///< each row's, centered on the row's time
-  double readoutSeconds = 0.0;   ///< from the first row's time to the last row's; 0: global shutter
+  double exposureSeconds = kUsualExposure; ///< each row's, centered on the row's time
+  double readoutSeconds = 0.0; ///< from the first row's time to the last row's; 0: global shutter
 };
 
 /// Seconds from the frame's time to that of `row` (of `rows`): negative in the upper half.

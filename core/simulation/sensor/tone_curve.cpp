@@ -13,7 +13,7 @@ namespace {
 // ITU-R BT.709-6, item 1.2, with the constants of BT.2020 that make the two pieces meet.
 constexpr double kSlope = 4.5;              ///< of the straight piece near black
 constexpr double kKnee = 0.018053968510807; ///< linear light where it ends
-constexpr double kPower = 0.45;
+constexpr double kPower = kToneCurvePower;
 constexpr double kScale = 1.09929682680944;
 
 /// Entries of a table per gray level: between two the curve is straight to 0.01 levels.

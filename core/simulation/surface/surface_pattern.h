@@ -43,4 +43,7 @@ struct Gloss {
   float at(const Vector3f& normal, const Vector3f& towardsLamp, const Vector3f& direction) const;
 };
 
+/// That of the plain balls; chosen: rubber, on which one just sees where the lamp is.
+inline constexpr Gloss kBallGloss{12.0F, 12.0F};
+
 } // namespace dewpoint::simulation

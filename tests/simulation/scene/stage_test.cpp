@@ -151,6 +151,22 @@ TEST(Illumination, GainAndLampsAddUp) {
   EXPECT_NEAR(field.at(top, up).z(), room + 0.4F, 1e-5F);
 }
 
+TEST(Illumination, LampsFallOffBeyondTheirReach) {
+  FurtherLamp lamp{{0.0F, 0.0F, 1.0F}, Vector3f::Constant(0.5F)};
+  EXPECT_EQ(lamp.falloff(50.0F), 1.0F) << "everywhere the same unless set otherwise";
+  lamp.reach = 1.5F;
+  EXPECT_EQ(lamp.falloff(0.2F), 1.0F);
+  EXPECT_EQ(lamp.falloff(1.5F), 1.0F);
+  EXPECT_FLOAT_EQ(lamp.falloff(3.0F), 0.25F);
+  // On a floor 3 m below it; the room's own light is switched off.
+  Illumination light;
+  light.roomGain = 0.0F;
+  light.further = {lamp};
+  const LightField field{&light, 0.0};
+  EXPECT_NEAR(field.at({0.0F, 0.0F, -2.0F}, Vector3f::UnitZ()).y(), 0.125F, 1e-6F);
+  EXPECT_NEAR(field.at({0.0F, 0.0F, 0.0F}, Vector3f::UnitZ()).y(), 0.5F, 1e-6F);
+}
+
 TEST(Illumination, AShadowTakesTheLampAndMoves) {
   const MovingShadow shadow{Vector3f::UnitX(), 0.1, 0.2, 0.1F, 0.02F, 0.8F};
   // Its middle is at x = 0.5 after two seconds, its border 0.1 m beside that.

@@ -12,54 +12,66 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDegree = std::numbers::pi / 180.0; ///< radians
 
-// The ranges of `room` are those that a user's webcams are within; where no source is named they
-// are chosen. Exposure, readout, delay, blur and JPEG: issue "A suite as hard as life".
+// What a user's webcams are within. Where a line names no source it is chosen, by eye, so that the
+// images look like those of webcams in a room.
 constexpr GradeModel kRoom{
     .name = "room",
+    // From the sharpest lens that a mosaic lets one see to one that is plainly out of focus.
     .psfSigmaPx = {0.5, 2.0},
+    // Small pixels hold 5000 to 10000 electrons; the gain that a room's light needs leaves a part.
     .fullWell = {1000.0, 6000.0},
-    .readElectrons = {2.0, 6.0},
+    .readElectrons = {2.0, 6.0}, // data sheets of small CMOS sensors
+    // A step of a webcam's "gamma" setting to both sides of BT.709.
     .contrast = {0.88, 1.12},
     .sharpening = {0.2, 1.0},
     .sharpeningSigma = {0.8, 1.5},
-    .jpegQuality = {40.0, 90.0},
+    .jpegQuality = {40.0, 90.0}, // motion JPEG of webcams, at a narrow and at a wide bandwidth
+    // The cosine to the fourth takes 43 % at 30 degrees, the corners here; cameras give some back.
     .vignette = {0.1, 0.35},
     .sideFalloff = 0.12,
-    .exposureSeconds = {0.010, 0.033},
-    .levelStops = {-0.3, 0.3},
+    .exposureSeconds = {0.010, 0.033}, // indoors, up to the whole period of 30 frames per second
+    .levelStops = {-0.3, 0.3},         // a step of a camera's exposure compensation
     .firstStops = {-0.3, 0.3},
-    .whiteBalanceStops = {-0.12, 0.12},
+    .whiteBalanceStops = {-0.12, 0.12}, // 8 % of blue or red against green
     .huntingStops = {0.0, 0.2},
     .huntingPeriod = {2.0, 6.0},
+    // Time constants of 0.13 to 0.7 s at 30 frames per second; all pairs are stable, see
+    // ControlLoop.
     .loopSpeed = {0.05, 0.25},
     .loopLag = {1.0, 4.0},
-    .sideLamp = {0.0, 0.6},
+    // None to a lamp somewhat stronger at the ball than the room's (kLampShare). An exposure that
+    // is right for the walls then cuts the red of a ball that is lit from the camera's side.
+    .sideLamp = {0.0, 0.8},
     .coloredLamp = {0.0, 0.2},
-    .coloredKelvin = {2700.0, 9000.0},
+    .coloredKelvin = {2700.0, 9000.0}, // a warm white bulb to the sky in a window
     .shadowDepth = {0.3, 0.9},
-    .shadowHalfWidth = {0.05, 0.3},
+    .shadowHalfWidth = {0.05, 0.3}, // an arm to a person
     .shadowSpeed = {0.1, 0.5},
-    .flickerDepth = {0.0, 0.15},
-    .readoutSeconds = {0.015, 0.030},
-    .delayFrames = {0.0, 0.5},
-    .jitterSeconds = {0.0, 0.003},
+    // Steady light to that of a fluorescent lamp on a magnetic ballast. Exposures of a period and
+    // more leave a fifth of it at most.
+    .flickerDepth = {0.0, 0.35},
+    .readoutSeconds = {0.015, 0.030}, // webcams read out a frame in 15 to 30 ms
+    .delayFrames = {0.0, 0.5}, // cameras that free-run; half a frame is the most between neighbors
+    .jitterSeconds = {0.0, 0.003}, // of a host that is busy with other things
     .dropShare = {0.0, 0.02},
     .doubleShare = {0.0, 0.02},
-    // 1 to 2 pixels at the desk, with one error after the other.
+    // Points measured with a ruler and clicked by hand: 1 to 2 pixels at the desk, with one error
+    // after the other.
     .calibration = {0.005, 0.002, 0.2 * kDegree, 0.01},
-    .driftRadians = {0.0, 0.001},
+    .driftRadians = {0.0, 0.001}, // up to 0.35 pixels at a focal length of 350 pixels
     .driftSettleSeconds = {2.0, 20.0},
 };
 
+// The same, about one and a half times to twice as strong; chosen.
 constexpr GradeModel kWild{
     .name = "wild",
     .psfSigmaPx = {0.7, 3.0},
     .fullWell = {300.0, 3000.0},
     .readElectrons = {3.0, 10.0},
     .contrast = {0.75, 1.3},
-    .sharpening = {0.0, 2.0},
+    .sharpening = {0.2, 2.0},
     .sharpeningSigma = {0.8, 2.0},
     .jpegQuality = {25.0, 80.0},
     .vignette = {0.1, 0.5},
@@ -72,13 +84,13 @@ constexpr GradeModel kWild{
     .huntingPeriod = {1.0, 5.0},
     .loopSpeed = {0.05, 0.3},
     .loopLag = {1.0, 4.0},
-    .sideLamp = {0.0, 1.0},
+    .sideLamp = {0.0, 1.2},
     .coloredLamp = {0.0, 0.4},
-    .coloredKelvin = {2200.0, 12000.0},
+    .coloredKelvin = {2200.0, 12000.0}, // a filament that one can look into to a clear blue sky
     .shadowDepth = {0.5, 1.0},
     .shadowHalfWidth = {0.05, 0.4},
     .shadowSpeed = {0.1, 1.0},
-    .flickerDepth = {0.0, 0.35},
+    .flickerDepth = {0.0, 0.9}, // up to an LED lamp with hardly a capacitor
     .readoutSeconds = {0.015, 0.033},
     .delayFrames = {0.0, 0.5},
     .jitterSeconds = {0.0, 0.006},
@@ -89,8 +101,8 @@ constexpr GradeModel kWild{
     .driftSettleSeconds = {1.0, 10.0},
 };
 
-/// k1 and k2 of lenses that keep the image monotonous to its corners; the third is that of all
-/// cameras of the grade `room` before 2026-11.
+/// k1 and k2 (Brown's model) of lenses that keep the image monotonous to its corners; chosen: from
+/// a webcam that corrects itself to a wide action camera.
 constexpr std::array<std::array<double, 2>, 4> kLenses{
     {{0.0, 0.0}, {-0.08, 0.01}, {-0.15, 0.04}, {-0.25, 0.09}}};
 
@@ -102,7 +114,9 @@ simulation::AutomaticGain drawAutomatic(const GradeModel& model, Draws& draws) {
   simulation::AutomaticGain automatic;
   automatic.exposure.speed = draw(model.loopSpeed, draws);
   automatic.exposure.lagFrames = static_cast<int>(std::lround(draw(model.loopLag, draws)));
-  automatic.whiteBalance.speed = 0.5 * draw(model.loopSpeed, draws); // slower than the exposure
+  /// The white balance is slower than the exposure by this factor; chosen: it must not pulse.
+  constexpr double kWhiteBalanceSpeed = 0.5;
+  automatic.whiteBalance.speed = kWhiteBalanceSpeed * draw(model.loopSpeed, draws);
   automatic.whiteBalance.lagFrames = automatic.exposure.lagFrames;
   automatic.levelStops = draw(model.levelStops, draws);
   automatic.firstStops = draw(model.firstStops, draws);
@@ -130,17 +144,25 @@ simulation::Vector3f beside(const FaultContext& context, double away, double up,
   return (context.middle + offset).cast<float>();
 }
 
+/// From the middle to a lamp, meters.
+float distanceTo(const FaultContext& context, const simulation::Vector3f& lamp) {
+  return (context.middle.cast<float>() - lamp).norm();
+}
+
 simulation::Illumination drawIllumination(const GradeModel& model, const FaultContext& context,
                                           Draws& draws) {
-  constexpr double kAway = 1.5; // of lamps, meters
+  // Above the target's first position, meters: a table lamp or a low window, and a lamp on a wall.
+  constexpr Range kSideHeight{0.1, 0.6};
+  constexpr Range kWallHeight{0.8, 1.8};
   simulation::Illumination light;
-  const simulation::Vector3f side = beside(context, kAway, draws.uniform(0.1, 0.6), draws);
+  const simulation::Vector3f side = beside(context, kLampDistance, draw(kSideHeight, draws), draws);
   const auto white = static_cast<float>(draw(model.sideLamp, draws));
-  light.further.push_back({side, simulation::Vector3f::Constant(white)});
-  const simulation::Vector3f above = beside(context, kAway, draws.uniform(0.8, 1.8), draws);
+  light.further.push_back({side, simulation::Vector3f::Constant(white), distanceTo(context, side)});
+  const simulation::Vector3f above =
+      beside(context, kLampDistance, draw(kWallHeight, draws), draws);
   const double strength = draw(model.coloredLamp, draws);
   const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredKelvin, draws));
-  light.further.push_back({above, (strength * tint).cast<float>()});
+  light.further.push_back({above, (strength * tint).cast<float>(), distanceTo(context, above)});
   simulation::MovingShadow shadow;
   const double heading = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d direction{std::cos(heading), std::sin(heading), 0.0};

@@ -3,6 +3,7 @@
 
 #include "core/experiment/scenarios/draft/sensing_faults.h"
 #include "core/experiment/scenarios/scenario.h"
+#include "core/simulation/sensor/usual_camera.h"
 
 #include <Eigen/Core>
 
@@ -41,8 +42,8 @@ struct GradeModel {
   Range loopLag;           ///< frames
 
   // Light; drawn once per run.
-  Range sideLamp;        ///< white, low, from the side; of full light
-  Range coloredLamp;     ///< of full light in green
+  Range sideLamp;        ///< white, low, from the side; of full light, at the target
+  Range coloredLamp;     ///< of full light in green, at the target
   Range coloredKelvin;   ///< its color temperature
   Range shadowDepth;     ///< share of the room's lamp that the moving shadow takes
   Range shadowHalfWidth; ///< meters
@@ -62,6 +63,11 @@ struct GradeModel {
   Range driftSettleSeconds;
 };
 
+/// Horizontal distance of lamps besides the room's own from the target's first position, meters:
+/// chosen, so that they stand inside the walls of the room with the desk (kDeskRoomHalf) and behind
+/// the cameras.
+inline constexpr double kLampDistance = 1.5;
+
 /// The table of a grade; `Ideal` has none of it: all zeros.
 const GradeModel& gradeModel(Grade grade);
 
@@ -69,9 +75,9 @@ const GradeModel& gradeModel(Grade grade);
 struct FaultContext {
   std::size_t cameras = 0;
   double seconds = 6.0; ///< length of the run
-  double framesPerSecond = 30.0;
-  double exposureSeconds = 0.01;                    ///< the least
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< where the first target begins, world, m
+  double framesPerSecond = simulation::kUsualFrameRate;
+  double exposureSeconds = simulation::kUsualExposure; ///< the least
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();    ///< where the first target begins, world, m
 };
 
 /// Faults of a run in a grade.

@@ -163,7 +163,8 @@ ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int at
   draft.pathScale = wild.pathScale;
   draft.radiusScale = wild.radiusScale;
   drawLenses(Grade::Wild, draft.rig, draws);
-  const simulation::RoomDesign design = drawRoom(recipe.furnishing, draft.rig, draws);
+  const simulation::RoomDesign design =
+      drawRoom(recipe.furnishing, draft.rig, draws, recipe.targetColor);
   const auto room = std::make_shared<const simulation::Room>(recipe.furnishing, design);
   // Not from the cache: no other run has these views.
   for (const Camera& camera : draft.rig) {
@@ -198,7 +199,7 @@ Result<ScenarioRun> runOf(const ScenarioRecipe& recipe, simulation::ViewCache& c
       shrinkBalls(draft);
       Draws people(seed, recipe.name + " people");
       const double seconds = draft.timeOf(draft.frameCount);
-      draft.stage.people = drawPeople(recipe.furnishing, seconds, people);
+      draft.stage.people = drawPeople(recipe.furnishing, seconds, people, recipe.targetColor);
     }
     return runOf(std::move(draft));
   }
@@ -236,8 +237,8 @@ void addTarget(ScenarioDraft& draft, simulation::Path path, double radius) {
 }
 
 void startNearTruth(ScenarioDraft& draft) {
-  constexpr double kOff = 0.05;
-  constexpr double kHalf = 0.1;
+  constexpr double kOff = 0.05; // meters; chosen: as well as somebody points at a ball
+  constexpr double kHalf = 0.1; // meters; chosen: holds the ball wherever in it it is
   const Eigen::Vector3d off =
       draft.draws.inBox(Eigen::Vector3d::Constant(-kOff), Eigen::Vector3d::Constant(kOff));
   draft.startCenter = targetTruth(draft.stage.bodies[draft.targets.front()], 0.0).position + off;
@@ -245,7 +246,7 @@ void startNearTruth(ScenarioDraft& draft) {
 }
 
 void startAroundAll(ScenarioDraft& draft) {
-  constexpr double kAround = 0.05;
+  constexpr double kAround = 0.05; // meters; chosen: more than a radius
   Eigen::AlignedBox3d box;
   for (const std::size_t target : draft.targets) {
     box.extend(draft.stage.bodies[target].path(0.0));

@@ -15,12 +15,12 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Radius of the ball of most scenarios, meters: that of the demo's (SceneBall).
-inline constexpr double kBallRadius = 0.035;
+/// Radius of the ball of most scenarios, meters.
+inline constexpr double kBallRadius = simulation::kUsualBallRadius;
 
 /// When a camera takes its frames: frame j at `offset` + j / `framesPerSecond` seconds.
 struct CameraClock {
-  double framesPerSecond = 30.0;
+  double framesPerSecond = simulation::kUsualFrameRate;
   double offset = 0.0;
 };
 
@@ -36,7 +36,7 @@ struct ScenarioDraft {
   bool radiusKnown = true;               ///< whether methods know how large the targets are
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
   Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();
-  double framesPerSecond = 30.0;
+  double framesPerSecond = simulation::kUsualFrameRate;
   std::int64_t frameCount = 0;
   /// One per camera; empty: all cameras take frame k with set k.
   std::vector<CameraClock> clocks = {};
@@ -71,6 +71,8 @@ struct ScenarioRecipe {
   CameraRig rig;
   simulation::Furnishing furnishing = simulation::Furnishing::ClutteredDesk;
   std::function<bool(ScenarioDraft&)> complete = nullptr;
+  /// Of the target, BGR in full light: some of what stands around in grade `wild` has it, too.
+  Eigen::Vector3d targetColor = simulation::kUsualBallColor;
 };
 
 /// The declaration of a recipe. Runs share the cache's views of the room at rest.

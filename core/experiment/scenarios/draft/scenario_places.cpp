@@ -2,12 +2,11 @@
 #include "core/experiment/scenarios/draft/scenario_places.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::experiment::scenarios {
 
 Eigen::Vector3d RoundPath::operator()(double time) const {
-  const double angle = 2.0 * std::numbers::pi * time / period;
+  const double angle = kFullTurn * time / period;
   return center + Eigen::Vector3d(extent.x() * std::sin(angle + phase.x()),
                                   extent.y() * std::sin(2.0 * angle + phase.y()),
                                   extent.z() * std::sin(3.0 * angle + phase.z()));
@@ -15,7 +14,7 @@ Eigen::Vector3d RoundPath::operator()(double time) const {
 
 bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& center,
                   double radius) {
-  constexpr int kPoints = 12;
+  constexpr int kPoints = 12;     // of the outline, every 30 degrees; chosen
   constexpr double kMargin = 1.1; // of the radius: a little of what is around it is seen as well
   const Eigen::Vector3d eye = view.center.cast<double>();
   const Eigen::Vector3d way = center - eye;
@@ -26,7 +25,7 @@ bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& cen
   const Eigen::Vector3d u = way.unitOrthogonal();
   const Eigen::Vector3d v = way.cross(u) / distance;
   for (int i = 0; i <= kPoints; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kPoints;
+    const double angle = kFullTurn * i / kPoints;
     const double aside = i == kPoints ? 0.0 : kMargin * radius;
     const auto pixel =
         view.projector.project(center + aside * (std::cos(angle) * u + std::sin(angle) * v));
@@ -78,14 +77,15 @@ bool apart(const simulation::CameraView& view, const Eigen::Vector3d& one, doubl
 }
 
 std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius) {
+  /// Half size of a path, meters: about what both cameras of the demo rig show.
+  const Eigen::Vector3d kExtent{0.11, 0.08, 0.05};
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
     RoundPath path;
-    path.center = draws.inBox({0.46, 0.46, 0.12}, {0.56, 0.58, 0.18});
-    path.extent = draft.pathScale * draws.uniform(0.8, 1.1) * Eigen::Vector3d{0.11, 0.08, 0.05};
-    path.phase =
-        draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
-    path.period = fast ? 1.2 : 6.0;
+    path.center = draws.inBox(kPathLow, kPathHigh);
+    path.extent = draft.pathScale * draws.uniform(0.8, 1.1) * kExtent;
+    path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
+    path.period = fast ? kFastRound : kSlowRound;
     if (staysVisible(draft, path, radius)) {
       return path;
     }

@@ -10,9 +10,10 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// What a camera rotates by in the end, radians: 0.35 to 1 pixel at a focal length of 350 pixels.
+/// What a camera rotates by in the end, radians: 0.35 to 1 pixel at a focal length of 350 pixels;
+/// chosen: one to three times the most of grade `room`, so that it can be seen alone.
 constexpr Range kDrift{0.001, 0.003};
-/// Its time constant, seconds: most of it happens within the run.
+/// Its time constant, seconds; chosen: most of it happens within the run.
 constexpr Range kSettle{1.5, 4.0};
 
 bool withCalibration(ScenarioDraft& draft, bool error, bool drift) {

@@ -24,6 +24,7 @@ struct Dropout {
 /// One camera after another, in an order of the seed's, is away for 25 to 35 frames. With at least
 /// 25 frames between two events what one does is over before the next.
 bool withDropouts(ScenarioDraft& draft) {
+  // Frames; chosen: 1.5 s to settle, and 2 s from one camera to the next.
   constexpr std::int64_t kFirst = 45;
   constexpr std::int64_t kApart = 60;
   const auto count = static_cast<int>(draft.rig.size());
@@ -55,9 +56,10 @@ bool withDropouts(ScenarioDraft& draft) {
 /// The camera after a bump: rotated about an axis in its image plane, so that the image shifts by
 /// as much everywhere, and moved anywhere.
 Camera bumped(Camera camera, Draws& draws) {
-  constexpr double kTurn = 1.5 * std::numbers::pi / 180.0;
-  constexpr double kShift = 0.01; // meters
-  const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+  // Chosen: a nudge with the elbow, 9 pixels at a focal length of 350 pixels.
+  constexpr double kTurn = 1.5 * std::numbers::pi / 180.0; // radians
+  constexpr double kShift = 0.01;                          // meters
+  const double angle = draws.uniform(0.0, kFullTurn);
   const Eigen::AngleAxisd turn(kTurn, Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
   const Eigen::Vector3d center = camera.center() + kShift * draws.direction();
   camera.cameraFromWorld.linear() = turn * camera.cameraFromWorld.linear();
@@ -78,8 +80,8 @@ bool staysVisibleSince(const ScenarioDraft& draft, std::int64_t frame,
 }
 
 bool withBump(ScenarioDraft& draft) {
-  constexpr int kBumps = 20;
-  if (!addDeskBall(draft, 180)) {
+  constexpr int kBumps = 20; // that are tried; chosen, as each view is rendered
+  if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const std::int64_t frame = 75 + draft.draws.whole(-15, 15);
@@ -116,7 +118,7 @@ std::vector<ScenarioRecipe> cameraScenarios() {
     ScenarioRecipe recipe{fmt::format("S6-{}", count),
                           fmt::format("The smooth path before {} cameras.", count),
                           deskRing(count)};
-    recipe.complete = [](ScenarioDraft& draft) { return addDeskBall(draft, 180); };
+    recipe.complete = [](ScenarioDraft& draft) { return addDeskBall(draft, kUsualFrames); };
     recipes.push_back(std::move(recipe));
   }
   ScenarioRecipe dropouts{"S6-dropouts",

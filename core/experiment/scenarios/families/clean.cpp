@@ -7,21 +7,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Least distance of a distractor to the target, meters.
+/// Least distance of a distractor to the target, meters; chosen: a radius is between them.
 constexpr double kDistractorDistance = 3.0 * kBallRadius;
 
-/// Radii of balls of unknown size: that of a walnut to that of an orange.
+/// Radii of balls of unknown size, meters: that of a walnut to that of an orange.
 constexpr double kSmallest = 0.02;
 constexpr double kLargest = 0.045;
 
 bool cleanDesk(ScenarioDraft& draft, bool fast) {
-  return addDeskBall(draft, 180, fast);
+  return addDeskBall(draft, kUsualFrames, fast);
 }
 
 /// What hides the target is S2's matter: a twin before the target leaves its middle free.
@@ -72,8 +71,7 @@ bool addDistractor(ScenarioDraft& draft, bool moving) {
     }
     if (moving) {
       distractor.extent = draws.uniform(0.6, 1.1) * Eigen::Vector3d{0.09, 0.07, 0.05};
-      distractor.phase =
-          draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
+      distractor.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
       distractor.period = draws.uniform(4.0, 9.0);
     }
     if (isPossible(draft, distractor)) {

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace dewpoint::experiment::scenarios {
@@ -24,11 +23,11 @@ struct Click {
 
 /// Anywhere on the disc but its rim.
 Click drawClick(Draws& draws, std::size_t cameras) {
-  constexpr double kWithin = 0.8; // of the disc's radius
+  constexpr double kWithin = 0.8; // of the disc's radius; chosen: nobody clicks on the rim itself
   Click click;
   click.camera = static_cast<std::size_t>(draws.whole(0, static_cast<int>(cameras) - 1));
   const double radius = kWithin * std::sqrt(draws.uniform(0.0, 1.0));
-  const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+  const double angle = draws.uniform(0.0, kFullTurn);
   click.aside = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   return click;
 }
@@ -111,12 +110,13 @@ std::vector<ScenarioRecipe> clickedScenarios() {
         fmt::format("S22-{}", word),
         fmt::format("A {} ball whose color is learned from one sloppy click.", word), demoRig()};
     result.complete = [color](ScenarioDraft& draft) { return clicked(draft, color); };
+    result.targetColor = color;
     return result;
   };
-  // BGR in full light.
-  return {recipe("pink", {145.0, 85.0, 245.0}),   recipe("orange", {40.0, 140.0, 245.0}),
-          recipe("blue", {220.0, 90.0, 40.0}),    recipe("red", {40.0, 40.0, 215.0}),
-          recipe("yellow", {50.0, 215.0, 240.0}), recipe("green", {70.0, 170.0, 50.0}),
+  // BGR in full light; chosen: toys and balls as one can buy them.
+  return {recipe("pink", simulation::kUsualBallColor), recipe("orange", {40.0, 140.0, 245.0}),
+          recipe("blue", {220.0, 90.0, 40.0}),         recipe("red", {40.0, 40.0, 215.0}),
+          recipe("yellow", {50.0, 215.0, 240.0}),      recipe("green", {70.0, 170.0, 50.0}),
           recipe("gray", {150.0, 150.0, 150.0})};
 }
 

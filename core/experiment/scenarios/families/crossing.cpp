@@ -4,14 +4,14 @@
 #include "core/simulation/scene/rigs.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kLeastDistance = 2.5 * kBallRadius; // between the centers of two balls
-// All go round in the same time: what does not touch in the first round never does, however long
-// the run is.
+/// Between the centers of two balls, meters; chosen: half a radius is between them.
+constexpr double kLeastDistance = 2.5 * kBallRadius;
+// Seconds; chosen: 2.5 rounds in the shorter scenarios. All go round in the same time: what does
+// not touch in the first round never does, however long the run is.
 constexpr double kPeriod = 8.0;
 
 /// Far enough from all balls that are there, and beside them in every image of the first frame.
@@ -36,8 +36,7 @@ bool addBall(ScenarioDraft& draft) {
     RoundPath path;
     path.center = draws.inBox({0.36, 0.36, 0.12}, {0.64, 0.64, 0.26});
     path.extent = draws.inBox({0.08, 0.08, 0.02}, {0.2, 0.16, 0.08});
-    path.phase =
-        draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
+    path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
     path.period = kPeriod;
     if (keepsClear(draft, path) && staysVisible(draft, path, kBallRadius)) {
       addTarget(draft, path, kBallRadius);

@@ -13,16 +13,17 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Centers at the start are farther apart than this, meters.
+/// Centers at the start are farther apart than this, meters; chosen: they do not quite touch.
 constexpr double kApartAtStart = 2.2 * kBallRadius;
-/// Speeds at the start, m/s.
+/// Speeds at the start, m/s: those of the smooth path.
 constexpr double kSlowestFlight = 0.1;
 constexpr double kFastestFlight = 0.3;
-/// Half size of the box in which the search starts, and how far its center is off, meters.
+/// Half size of the box in which the search starts, and how far its center is off, meters; chosen:
+/// tighter than elsewhere, as no other ball may be in it.
 constexpr double kStartHalf = 0.05;
 constexpr double kStartOff = 0.02;
 
-/// Where the balls' centers fly: every camera of the ring sees all of it.
+/// Where the balls' centers fly, meters; chosen: every camera of the ring sees all of it.
 Eigen::AlignedBox3d crowdRegion() {
   return {Eigen::Vector3d(0.32, 0.32, 0.06), Eigen::Vector3d(0.68, 0.68, 0.28)};
 }
@@ -84,7 +85,7 @@ bool crowd(ScenarioDraft& draft, std::size_t distractors) {
 
 /// Two balls, and a search that starts in the middle between them: nothing tells which is meant.
 bool evenStart(ScenarioDraft& draft) {
-  /// Around the two balls' centers, meters.
+  /// Around the two balls' centers, meters; as startAroundAll().
   constexpr double kAround = 0.05;
   draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;

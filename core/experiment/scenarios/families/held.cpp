@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
@@ -17,13 +16,15 @@ namespace {
 
 using simulation::MovingPart;
 
-/// The fingers hide this much of the disc in every camera.
+/// The fingers hide this share of the disc in every camera: what fingers around a tennis ball
+/// leave.
 constexpr double kLeastHidden = 0.3;
 constexpr double kMostHidden = 0.6;
-/// The hand that comes arrives at this frame, and sets out half a second before.
+/// The hand that comes arrives at this frame, 2 s after the start, and sets out half a second
+/// before.
 constexpr std::int64_t kGraspFrame = 60;
 constexpr std::int64_t kReachFrame = 45;
-/// How far it comes from, meters.
+/// How far it comes from, meters; chosen: outside of most images.
 constexpr double kReachFrom = 0.4;
 /// Hands that are tried around one path: about one in four hundred fits.
 constexpr int kHandsPerPath = 400;
@@ -50,14 +51,16 @@ struct Holding {
 };
 
 simulation::Grip drawGrip(Draws& draws) {
-  /// No hand comes from below: the desk is there. Vertical component of the palm's direction.
+  /// No hand comes from below: the desk is there. Vertical component of the palm's direction;
+  /// chosen.
   constexpr double kLowest = -0.3;
   simulation::Grip grip;
   do {
     grip.palm = draws.direction();
   } while (grip.palm.z() < kLowest);
-  grip.fingers = Eigen::AngleAxisd(draws.uniform(0.0, 2.0 * std::numbers::pi), grip.palm) *
-                 grip.palm.unitOrthogonal();
+  grip.fingers =
+      Eigen::AngleAxisd(draws.uniform(0.0, kFullTurn), grip.palm) * grip.palm.unitOrthogonal();
+  // Radians and meters, around the usual grip, see Grip.
   grip.reach = draws.uniform(1.4, 2.4);
   grip.spread = draws.uniform(0.42, 0.52);
   grip.fingerRadius = draws.uniform(0.008, 0.0095);

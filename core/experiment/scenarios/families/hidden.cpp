@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
@@ -20,8 +19,9 @@ struct Plate {
   Eigen::Vector3d aside = Eigen::Vector3d::UnitY(); ///< towards the hidden half
 };
 
-constexpr double kAlong = 0.4;       // of the way from the eye to the target
-constexpr double kPlateWide = 0.045; // half sizes, meters
+constexpr double kAlong = 0.4; // of the way from the eye to the target; chosen: one camera's alone
+// Half sizes, meters; chosen: seen from the camera the plate is twice as wide as the ball and more.
+constexpr double kPlateWide = 0.045;
 constexpr double kPlateTall = 0.075;
 constexpr double kPlateThick = 0.001;
 
@@ -66,7 +66,7 @@ bool hidesNothingElse(const ScenarioDraft& draft, std::size_t camera, double fro
 /// The plate rests, and the ball moves in the plane of the eye and the plate's edge.
 bool besideStillPlate(ScenarioDraft& draft) {
   const auto camera = static_cast<std::size_t>(draft.draws.whole(0, 1));
-  const Eigen::Vector3d center = draft.draws.inBox({0.46, 0.46, 0.12}, {0.56, 0.58, 0.18});
+  const Eigen::Vector3d center = draft.draws.inBox(kPathLow, kPathHigh);
   const Plate plate = drawPlate(draft, camera, center);
   const double period = draft.draws.uniform(4.0, 7.0);
   const double phase = draft.draws.uniform(0.0, kFullTurn);
@@ -84,9 +84,11 @@ bool besideStillPlate(ScenarioDraft& draft) {
 /// The plate slides in from the side within seconds 0.7 to 1.3 and then stays before half of the
 /// moving ball; its edge wanders by 15 % of the radius about the middle.
 bool withMovingPlate(ScenarioDraft& draft) {
+  // Seconds; chosen: after 20 frames without it.
   constexpr double kBegin = 0.7;
   constexpr double kEnd = 1.3;
-  constexpr double kFar = 0.15;
+  constexpr double kFar = 0.15;    // meters that it comes from
+  constexpr double kWander = 0.15; // of the radius, see above
   const auto camera = static_cast<std::size_t>(draft.draws.whole(0, 1));
   const auto path = drawDeskPath(draft, false);
   if (!path) {
@@ -97,7 +99,7 @@ bool withMovingPlate(ScenarioDraft& draft) {
   const double wander = draft.draws.uniform(1.0, 2.0);
   addPlate(draft, plate, [=, path = *path](double time) -> Eigen::Vector3d {
     const double out = std::clamp((kEnd - time) / (kEnd - kBegin), 0.0, 1.0);
-    const double edge = 0.15 * kBallRadius * kAlong * std::sin(kFullTurn * time / wander);
+    const double edge = kWander * kBallRadius * kAlong * std::sin(kFullTurn * time / wander);
     return plate.eye + kAlong * (path(time) - plate.eye) +
            (kPlateWide + kFar * out * out * (3.0 - 2.0 * out) + edge) * plate.aside;
   });
@@ -105,7 +107,7 @@ bool withMovingPlate(ScenarioDraft& draft) {
 }
 
 bool halfHidden(ScenarioDraft& draft, bool (*arrange)(ScenarioDraft&)) {
-  draft.frameCount = 180;
+  draft.frameCount = kUsualFrames;
   for (int i = 0; i < kMostDraws; ++i) {
     draft.stage.bodies.clear();
     draft.targets.clear();
@@ -126,7 +128,7 @@ struct Blackout {
 
 bool withBlackouts(ScenarioDraft& draft, bool all) {
   constexpr std::int64_t kFrames = 15; // 0.5 s
-  draft.frameCount = 180;
+  draft.frameCount = kUsualFrames;
   const auto path = drawDeskPath(draft, false);
   if (!path) {
     return false;
@@ -157,7 +159,7 @@ bool withBlackouts(ScenarioDraft& draft, bool all) {
 
 /// The ball is taken away and comes back on another path.
 bool withAbsence(ScenarioDraft& draft) {
-  draft.frameCount = 180;
+  draft.frameCount = kUsualFrames;
   const auto before = drawDeskPath(draft, false);
   const auto after = drawDeskPath(draft, false);
   if (!before || !after) {

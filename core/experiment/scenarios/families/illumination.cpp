@@ -10,26 +10,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// A lamp 1.5 m beside the first target's first position, `up` meters above it.
+/// A lamp kLampDistance beside the first target's first position, `up` meters above it, that lights
+/// everything as much.
 simulation::FurtherLamp lampBeside(ScenarioDraft& draft, double up, const Eigen::Vector3d& color) {
-  constexpr double kAway = 1.5; // meters
   const double angle = draft.draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d middle = draft.stage.bodies[draft.targets.front()].path(0.0);
-  const Eigen::Vector3d position =
-      middle + Eigen::Vector3d(kAway * std::cos(angle), kAway * std::sin(angle), up);
+  const Eigen::Vector3d position = middle + Eigen::Vector3d(kLampDistance * std::cos(angle),
+                                                            kLampDistance * std::sin(angle), up);
   return {position.cast<float>(), color.cast<float>()};
 }
 
 /// The side towards a low lamp gets 3 to 4 times the light of the other and is cut at full scale.
 bool withSideLight(ScenarioDraft& draft) {
-  constexpr float kRoomGain = 0.6F;
+  constexpr float kRoomGain = 0.6F; // of the room's light; chosen: the lamp outshines it
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
@@ -45,10 +44,11 @@ bool withSideLight(ScenarioDraft& draft) {
 
 /// A warm bulb or the blue sky of a window beside the lamp that the cameras are balanced for.
 bool withColoredLamp(ScenarioDraft& draft) {
-  constexpr float kRoomGain = 0.8F;
+  constexpr float kRoomGain = 0.8F; // of the room's light; chosen: with the lamp about as light
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
+  // Kelvin: bulbs of 2700 to 3500 K, blue sky of 8000 to 10000 K. Strengths of full light.
   const double kelvin =
       draft.draws.coin() ? draft.draws.uniform(2700.0, 3500.0) : draft.draws.uniform(8e3, 10e3);
   const double strength = draft.draws.uniform(0.3, 0.5);
@@ -63,8 +63,9 @@ bool withColoredLamp(ScenarioDraft& draft) {
 
 /// Exposure and white balance that jump every 0.7 to 1.3 s, each camera's for itself.
 simulation::GainCurve drawSteps(ScenarioDraft& draft) {
-  constexpr double kExposure = 0.7;     // stops to both sides
-  constexpr double kWhiteBalance = 0.2; // stops to both sides
+  // Stops to both sides; chosen: about twice those of grade `room`, all at once.
+  constexpr double kExposure = 0.7;
+  constexpr double kWhiteBalance = 0.2;
   Draws& draws = draft.draws;
   simulation::GainCurve curve;
   curve.framesPerSecond = draft.framesPerSecond;
@@ -98,7 +99,7 @@ bool withExposureSteps(ScenarioDraft& draft) {
 
 /// Lamps on 50 Hz, short exposures, and the rolling shutters without which there are no bands.
 bool withFlicker(ScenarioDraft& draft) {
-  constexpr double kExposureSeconds = 0.004;
+  constexpr double kExposureSeconds = 0.004; // chosen: well below the light's period of 10 ms
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }

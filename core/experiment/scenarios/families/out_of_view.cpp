@@ -19,9 +19,9 @@ namespace {
 
 using simulation::MovingPart;
 
-/// Ways aside that are tried from one path.
+/// Ways aside that are tried from one path; chosen.
 constexpr int kWaysPerPath = 400;
-/// A camera is not nearer to the ball than this, meters.
+/// A camera is not nearer to the ball than this, meters; chosen: its image is not filled by it.
 constexpr double kNearest = 0.15;
 
 /// Above the desk, and not at a camera.
@@ -85,7 +85,7 @@ struct Leaving {
 
 std::optional<Excursion> drawLeaving(ScenarioDraft& draft, const RoundPath& base,
                                      const Leaving& leaving) {
-  /// Directions of leaving and returning differ by this angle at least.
+  /// Directions of leaving and returning differ by this angle at least, radians; chosen.
   constexpr double kOtherSide = 40.0 * std::numbers::pi / 180.0;
   Draws& draws = draft.draws;
   const auto last = static_cast<int>(draft.rig.size()) - 1;
@@ -131,8 +131,7 @@ RoundPath drawSmallPath(Draws& draws, const Eigen::Vector3d& low, const Eigen::V
   RoundPath path;
   path.center = draws.inBox(low, high);
   path.extent = draws.uniform(0.7, 1.0) * extent;
-  path.phase =
-      draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(2.0 * std::numbers::pi));
+  path.phase = draws.inBox(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(kFullTurn));
   path.period = draws.uniform(4.0, 6.0);
   return path;
 }
@@ -142,8 +141,8 @@ RoundPath drawSmallPath(Draws& draws, const Eigen::Vector3d& low, const Eigen::V
 std::optional<Eigen::Vector3d> wayToBorder(const simulation::CameraView& view,
                                            const Eigen::Vector3d& center,
                                            const Eigen::Vector3d& direction) {
-  constexpr double kMost = 0.5;
-  constexpr int kHalvings = 30;
+  constexpr double kMost = 0.5; // meters; chosen: farther off is the room's clutter
+  constexpr int kHalvings = 30; // to a billionth of kMost
   const auto isInside = [&](double length) {
     const auto pixel = view.projector.project(center + length * direction);
     return pixel && pixel->x() >= 0.0 && pixel->y() >= 0.0 && pixel->x() <= view.width - 1.0 &&
@@ -166,8 +165,7 @@ bool hoverOnBorder(ScenarioDraft& draft) {
   draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
-    Excursion path{
-        drawSmallPath(draws, {0.46, 0.46, 0.12}, {0.56, 0.58, 0.18}, {0.02, 0.02, 0.015})};
+    Excursion path{drawSmallPath(draws, kPathLow, kPathHigh, {0.02, 0.02, 0.015})};
     path.begin = 0.7;
     path.hold = 3.0;
     const auto camera =
@@ -205,7 +203,7 @@ bool hoverOnBorder(ScenarioDraft& draft) {
 /// A box that stands on the desk before a point as a camera sees it.
 simulation::StageBody drawScreen(Draws& draws, const Eigen::Vector3d& eye,
                                  const Eigen::Vector3d& point, std::size_t number) {
-  constexpr double kAbove = 0.09; // of its top above the line of sight, meters
+  constexpr double kAbove = 0.09; // of its top above the line of sight, meters: 2.5 radii
   const Eigen::Vector3d onSight = eye + draws.uniform(0.6, 0.72) * (point - eye);
   const double halfHeight = 0.5 * (onSight.z() + kAbove);
   Eigen::Vector3d towards = point - eye;
@@ -275,7 +273,7 @@ bool behindFurniture(ScenarioDraft& draft) {
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
     Excursion path{drawSmallPath(draws, {0.4, 0.4, 0.1}, {0.6, 0.6, 0.16}, {0.03, 0.03, 0.02})};
-    const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+    const double angle = draws.uniform(0.0, kFullTurn);
     path.out = draws.uniform(0.25, 0.4) * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
     path.back = path.out;
     std::vector<simulation::StageBody> boxes;

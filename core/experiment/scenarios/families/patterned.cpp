@@ -7,7 +7,7 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Rounds per second of a ball that rolls in the hand or dangles.
+/// Rounds per second of a ball that rolls in the hand or dangles; chosen.
 constexpr double kSlowestSpin = 0.25;
 constexpr double kFastestSpin = 1.0;
 

@@ -16,13 +16,13 @@ namespace {
 
 using simulation::StageBody;
 
-/// Posters that are tried behind one path.
+/// Posters that are tried behind one path; chosen.
 constexpr int kPostersPerPath = 400;
 
 /// A flat board of the target's color that stands behind the path of the ball as a camera sees it
 /// and faces the camera, up to 20 degrees off.
 StageBody drawPoster(ScenarioDraft& draft, std::size_t camera, const Eigen::Vector3d& center) {
-  constexpr double kTilt = 20.0 * std::numbers::pi / 180.0;
+  constexpr double kTilt = 20.0 * std::numbers::pi / 180.0; // radians
   Draws& draws = draft.draws;
   const Eigen::Vector3d sight = (center - draft.rig[camera].center()).normalized();
   const Eigen::Vector3d right = sight.cross(Eigen::Vector3d::UnitZ()).normalized();
@@ -73,7 +73,7 @@ struct Backing {
 
 Backing backingOf(const ScenarioDraft& draft, std::size_t camera, const RoundPath& path,
                   const StageBody& poster) {
-  constexpr double kWhole = 0.99;
+  constexpr double kWhole = 0.99; // of the disc: but for one of its points, see kDiscPoints
   Backing backing;
   int frames = 0;
   for (std::int64_t frame = 0; frame < draft.frameCount; frame += kShareEvery, ++frames) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::experiment::scenarios {
@@ -22,7 +21,7 @@ void shuffle(std::vector<CameraClock>& clocks, Draws& draws) {
 
 /// Every camera is early by its own part of a frame: one by none, one by half a frame.
 bool withOffsets(ScenarioDraft& draft) {
-  constexpr double kMost = 0.5; // frames
+  constexpr double kMost = 0.5; // frames: cameras that free-run
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
@@ -49,6 +48,8 @@ bool withRates(ScenarioDraft& draft) {
 /// The light's gain `time` seconds after it begins to change: falls for two seconds, then rises for
 /// two, by an equal factor per second each.
 double rampGain(double time) {
+  // Of levels; chosen: a cloud, down to where dark things vanish and up to where light ones are
+  // cut.
   constexpr double kLow = 0.35;
   constexpr double kHigh = 4.0 * kLow;
   constexpr double kEach = 2.0; // seconds
@@ -71,17 +72,16 @@ bool withRamp(ScenarioDraft& draft) {
 }
 
 bool withTemperature(ScenarioDraft& draft) {
-  constexpr double kMiddle = 5500.0;
-  constexpr double kSwing = 1000.0;
+  constexpr double kSwing = 1000.0;    // kelvin; chosen: morning to noon
   constexpr double kSwingPeriod = 6.0; // seconds: the whole run
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
-  const double turn = 2.0 * std::numbers::pi;
+  const double turn = kFullTurn;
   const double phase = draft.draws.uniform(0.0, turn);
   draft.stage.light = [turn, phase](std::size_t, double time) {
     simulation::Light light;
-    light.gain = simulation::temperatureGain(kMiddle +
+    light.gain = simulation::temperatureGain(simulation::kBalancedKelvin +
                                              kSwing * std::sin(turn * time / kSwingPeriod + phase));
     return light;
   };

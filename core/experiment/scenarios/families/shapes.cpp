@@ -19,7 +19,7 @@ using simulation::MovingPart;
 using simulation::Vector3f;
 
 /// Pink as all balls, BGR in full light.
-const Vector3f kPink{145.0F, 85.0F, 245.0F};
+const Vector3f kPink = simulation::kUsualBallColor.cast<float>();
 
 /// What is checked around a mouse, meters: a ball as large as the mouse would go below the desk,
 /// which would then hide it. The images' borders are farther off than the difference.
@@ -28,7 +28,7 @@ constexpr double kMouseBound = 0.024;
 /// An object in its own axes at a time.
 using ObjectAt = std::function<std::vector<MovingPart>(double)>;
 
-/// How an object of a desk scene moves.
+/// How an object of a desk scene moves. Sizes are those of simulation/body/shaped_objects.cpp.
 struct Handling {
   double bound = 0.1;       ///< radius of a ball around it that stays whole in all images, meters
   bool upright = false;     ///< rotates about the vertical only
@@ -42,7 +42,7 @@ ObjectAt always(std::vector<MovingPart> parts) {
 
 /// The glove opens and closes every 1.5 s.
 std::vector<MovingPart> openingGlove(double time) {
-  constexpr double kGripPeriod = 1.5;
+  constexpr double kGripPeriod = 1.5; // seconds; chosen: unhurried
   return simulation::glovedHand(0.5 - 0.5 * std::cos(kFullTurn * time / kGripPeriod), kPink);
 }
 
@@ -92,14 +92,14 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
 
 /// Somebody in a pink shirt who walks through the hall.
 bool walking(ScenarioDraft& draft) {
-  constexpr double kChest = 1.2; // meters above the floor, in the middle of the shirt
+  constexpr double kChest = 1.2; // meters above the floor, of somebody of kReferenceHeight
   constexpr double kBound = 0.4; // radius of a ball around the shirt, meters
   draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   simulation::Walker walker;
   walker.clothes.shirt = kPink;
   walker.height = draws.uniform(1.6, 1.9);
-  const double chest = kChest * walker.height / 1.75;
+  const double chest = kChest * walker.height / simulation::kReferenceHeight;
   for (int i = 0; i < kMostDraws; ++i) {
     walker.way.clear();
     for (const double time : {-1.0, 1.5, 4.0, 7.0}) {

@@ -25,8 +25,9 @@ struct Volume {
   Eigen::Vector3d half() const { return 0.5 * (high - low); }
 };
 
+// Chosen: all of the desk with the air above it, and all of a living room.
 const Volume kDesk{{0.0, 0.0, 0.0}, {1.0, 1.0, 0.5}, kBallRadius, 0.25, 0.2};
-const Volume kHall{{-2.0, -2.0, 0.0}, {2.0, 2.0, 2.0}, 0.10, 1.0, 0.5};
+const Volume kHall{{-2.0, -2.0, 0.0}, {2.0, 2.0, 2.0}, simulation::kHallBallRadius, 1.0, 0.5};
 
 bool farFromCameras(const simulation::Stage& stage, const Volume& volume,
                     const Eigen::Vector3d& position) {
@@ -74,7 +75,7 @@ simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radiu
   const double small = draws.uniform(0.5, 0.7) * radius;
   const double big = draws.uniform(1.6, 2.0) * radius;
   const double other = draws.uniform(1.6, 2.4) * radius;
-  const Eigen::AngleAxisd yaw(draws.uniform(0.0, 2.0 * std::numbers::pi), Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd yaw(draws.uniform(0.0, kFullTurn), Eigen::Vector3d::UnitZ());
   switch (kind) {
   case Distractor::SmallBall:
     body.radius = small;
@@ -107,7 +108,7 @@ simulation::StageBody drawDistractor(Draws& draws, Distractor kind, double radiu
 /// at least `cameras` cameras.
 bool isPossible(const ScenarioDraft& draft, const Volume& volume, const simulation::StageBody& body,
                 const Eigen::Vector3d& position, int cameras) {
-  constexpr double kGap = 0.01; // radians: about 3 pixels
+  constexpr double kGap = 0.01; // radians: about 3 pixels; chosen: blobs do not touch
   const simulation::Path& target = draft.stage.bodies[draft.targets.front()].path;
   const double last = draft.timeOf(draft.frameCount - 1);
   int seen = 0;
@@ -173,7 +174,7 @@ bool startAnywhere(ScenarioDraft& draft, const Volume& volume, bool cloud) {
 }
 
 bool jumpBy(ScenarioDraft& draft, const Volume& volume, double length) {
-  constexpr std::int64_t kJumpFrame = 30;
+  constexpr std::int64_t kJumpFrame = 30; // chosen: a second, in which methods have found it
   draft.frameCount = 60;
   for (int i = 0; i < kMostDraws; ++i) {
     const auto from = drawPosition(draft, volume);

@@ -7,13 +7,12 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Rest before the first throw or fall, seconds.
+/// Rest before the first throw or fall, seconds; chosen: methods find the ball at rest.
 constexpr double kFirstRest = 0.5;
 
 using Append = std::function<void(PiecewisePath&)>;
@@ -64,14 +63,15 @@ std::optional<PiecewisePath> drawThrows(ScenarioDraft& draft) {
 
 /// Dropped, bouncing until it lies, and lifted again.
 std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
-  constexpr double kLift = 0.6;  // seconds
-  constexpr double kPush = 0.15; // m/s along the desk, at most
+  constexpr double kLift = 0.6;  // seconds; chosen: a hand takes it up
+  constexpr double kPush = 0.15; // m/s along the desk, at most; chosen: it stays in the images
   Draws& draws = draft.draws;
+  // Restitution of rubber balls on wood: from a dull one to a lively one.
   const Bounce bounce{kBallRadius, draws.uniform(0.6, 0.85)};
   const Eigen::Vector3d low{0.42, 0.42, kBallRadius + 0.1};
   const Eigen::Vector3d high{0.6, 0.58, kBallRadius + 0.17};
   return drawPath(draft, low, high, [&](PiecewisePath& path) {
-    const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+    const double angle = draws.uniform(0.0, kFullTurn);
     const double speed = draws.uniform(0.0, kPush);
     path.setVelocity({speed * std::cos(angle), speed * std::sin(angle), 0.0});
     addBounces(path, bounce);

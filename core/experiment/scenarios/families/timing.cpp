@@ -47,7 +47,7 @@ bool withUnknownDelays(ScenarioDraft& draft, bool fast) {
   return true;
 }
 
-/// As over a busy USB bus or network.
+/// As over a busy USB bus or network; chosen: five times the most of grade `room`.
 bool withDroppedAndDoubled(ScenarioDraft& draft) {
   constexpr double kShare = 0.1; // of the frames, each
   if (!addDeskBall(draft, kUsualFrames)) {
@@ -64,7 +64,7 @@ bool withDroppedAndDoubled(ScenarioDraft& draft) {
 
 /// One camera shows one image for a second, as a driver that hangs: its time stamps go on.
 bool withFrozenStream(ScenarioDraft& draft) {
-  constexpr std::int64_t kFrozen = 30;
+  constexpr std::int64_t kFrozen = 30; // frames: a second
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }

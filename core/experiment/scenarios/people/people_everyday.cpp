@@ -23,7 +23,7 @@ using simulation::Walker;
 
 // All lengths in meters, all times in seconds; chosen to be what is usual in an office.
 constexpr double kCheckStep = 0.1;   ///< along ways and times, of checks
-constexpr double kLeastPace = 0.8;   ///< m/s
+constexpr double kLeastPace = 0.8;   ///< m/s: strolling
 constexpr double kMostPace = 1.1;    ///< m/s
 constexpr double kAside = 0.6;       ///< least distance of people who do not meet
 constexpr double kBodyRadius = 0.25; ///< of the circle on the floor that somebody needs
@@ -114,7 +114,7 @@ bool keepsOff(const Walker& walker, const Vector2d& center, double radius, doubl
 }
 
 void addStrolls(PeopleScenario& scenario, int count, Draws& draws) {
-  constexpr int kLegs = 2;
+  constexpr int kLegs = 2; // straight ways of each
   for (int k = 0; k < count; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double pace = draws.uniform(kLeastPace, kMostPace);
@@ -133,7 +133,7 @@ void addStrolls(PeopleScenario& scenario, int count, Draws& draws) {
 Walker pausing(int number, Posture posture, const Vector2d& at, double rest, Draws& draws) {
   Walker walker = numberedWalker(number);
   const double pace = draws.uniform(kLeastPace, kMostPace);
-  const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi); // that the person faces
+  const double angle = draws.uniform(0.0, kFullTurn); // that the person faces
   walker.way.push_back({kAppear, drawReachable(at, angle + std::numbers::pi, draws)});
   // A moment to stand still before and after: ways have rounded corners.
   constexpr double kStand = 0.3;
@@ -150,9 +150,9 @@ constexpr double kGlide = 1.0; ///< seconds in which furniture is moved
 /// A piece of furniture that glides from one drawn point to another, from `since` on.
 void addMoved(PeopleScenario& scenario, MovableFurniture furniture, double since, Draws& draws) {
   const Vector2d from = drawPoint(draws);
-  const double yaw = draws.uniform(0.0, 2.0 * std::numbers::pi);
+  const double yaw = draws.uniform(0.0, kFullTurn);
   const double distance = draws.uniform(0.8, 1.5);
-  const Vector2d to = from + distance * headingVector(draws.uniform(0.0, 2.0 * std::numbers::pi));
+  const Vector2d to = from + distance * headingVector(draws.uniform(0.0, kFullTurn));
   furniture.way = {{since, from, yaw}, {since + kGlide, to, yaw + draws.uniform(-0.8, 0.8)}};
   scenario.scene.furniture.push_back(std::move(furniture));
 }
@@ -168,6 +168,7 @@ bool strollsPossible(const PeopleScenario& scenario) {
 }
 
 void giveHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws) {
+  // Meters: a child of 2 to 8, a child of 8 to 13 or a small adult, a tall adult.
   static constexpr std::array<std::array<double, 2>, 3> kRanges{
       {{0.9, 1.3}, {1.3, 1.6}, {1.88, 2.0}}};
   for (std::size_t k = 0; k < kRanges.size(); ++k) {
@@ -176,7 +177,7 @@ void giveHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& dra
 }
 
 void drawSitting(PeopleScenario& scenario, Draws& draws) {
-  constexpr double kLeastRest = 2.0;
+  constexpr double kLeastRest = 2.0; // of somebody who sits; half of it and more of who crouches
   constexpr double kMostRest = 3.5;
   auto& people = scenario.scene.people;
   const Vector2d stool = drawPoint(draws);
@@ -232,7 +233,7 @@ void giveLoads(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws
 }
 
 void drawCrowd(PeopleScenario& scenario, Draws& draws) {
-  constexpr int kFewest = 5;
+  constexpr int kFewest = 5; // people; chosen: as many as find room to walk in the office
   constexpr int kMost = 8;
   constexpr double kMillSeconds = 12.0;
   const int count = draws.whole(kFewest, kMost);
@@ -264,7 +265,7 @@ bool crowdPossible(const PeopleScenario& scenario) {
 
 void giveCrowdHeights(PeopleScenario& scenario, PeopleClothes /*clothes*/, Draws& draws) {
   for (Walker& person : scenario.scene.people) {
-    person.height = draws.uniform(1.5, 2.0);
+    person.height = draws.uniform(1.5, 2.0); // adults
   }
 }
 
@@ -281,7 +282,8 @@ void drawMovedFurniture(PeopleScenario& scenario, Draws& draws) {
   addStrolls(scenario, 2, draws);
   const double since = kAppear + draws.uniform(0.8, 1.8);
   addMoved(scenario, simulation::makeCabinet({0.25F, 0.2F, 0.45F}, rgb(120, 96, 78)), since, draws);
-  addMoved(scenario, simulation::makeStool(simulation::seatHeight(1.75)), since, draws);
+  addMoved(scenario, simulation::makeStool(simulation::seatHeight(simulation::kReferenceHeight)),
+           since, draws);
   // What the furniture leaves behind shows later.
   scenario.after = std::max(scenario.after, since + kGlide) + 1.0;
 }

@@ -12,14 +12,15 @@
 namespace dewpoint::experiment {
 namespace {
 
-/// Draws of ways before a scenario gives up.
+/// Draws of ways before a scenario gives up; chosen.
 constexpr int kMostDraws = 2000;
 
-/// Distances of the paper's scenes, and of contact, meters.
-constexpr Gap kCrossing{0.45, 0.6};
-constexpr Gap kMeeting{0.5, 0.65};
-constexpr Gap kCarrying{0.6, 0.75};
-constexpr Gap kContact{0.15, 0.28};
+// Distances between the middles of two people, meters; chosen, as the paper states none: an adult
+// here is 0.5 m wide and 0.25 m deep.
+constexpr Gap kCrossing{0.45, 0.6}; ///< shoulder by shoulder
+constexpr Gap kMeeting{0.5, 0.65};  ///< to talk
+constexpr Gap kCarrying{0.6, 0.75}; ///< with a box or a bag between them
+constexpr Gap kContact{0.15, 0.28}; ///< an embrace: the bodies touch
 
 void cross(PeopleScenario& scenario, Draws& draws) {
   crossWays(scenario, kCrossing, draws);
@@ -39,13 +40,14 @@ bool waypointsWalkable(const PeopleScenario& scenario) {
                              [](const simulation::Walker& walker) { return isWalkable(walker); });
 }
 
-/// Nobody comes nearer than two bodies can.
+/// Nobody comes nearer than people who walk past each other.
 bool visitPossible(const PeopleScenario& scenario) {
+  constexpr double kCheckEvery = 0.1; // seconds, in which somebody walks 0.1 m
   const auto& people = scenario.scene.people;
-  for (double time = 0.0; time < scenario.after; time += 0.1) {
+  for (double time = 0.0; time < scenario.after; time += kCheckEvery) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        if ((people[a].position(time) - people[b].position(time)).norm() < 0.45) {
+        if ((people[a].position(time) - people[b].position(time)).norm() < kCrossing.least) {
           return false;
         }
       }

@@ -8,6 +8,10 @@
 namespace dewpoint::experiment {
 namespace {
 
+/// Heights of people of whom nothing else is said, meters: most adults.
+constexpr double kLeastAdult = 1.62;
+constexpr double kMostAdult = 1.88;
+
 using simulation::ClothPattern;
 using simulation::rgb;
 using simulation::Vector3f;
@@ -56,7 +60,7 @@ void dress(std::vector<Walker>& people, PeopleClothes clothes, Draws& draws) {
   const double value = draws.uniform(0.5, 0.8);
   const Vector3f trousers = drawTrousers(draws);
   for (Walker& person : people) {
-    person.height = draws.uniform(1.62, 1.88);
+    person.height = draws.uniform(kLeastAdult, kMostAdult);
     if (clothes == PeopleClothes::Different) {
       person.clothes.shirt = colorOf(hue, saturation, value);
       person.clothes.trousers = drawTrousers(draws);

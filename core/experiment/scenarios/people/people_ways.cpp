@@ -19,6 +19,7 @@ Vector2d headingVector(double angle) {
 }
 
 bool isWalkable(const Vector2d& position) {
+  // Meters: the furniture of furnishOffice() with about 0.25 m around it.
   const double x = position.x();
   const double y = position.y();
   const bool desks = std::abs(x) > 1.6 && std::abs(y - std::copysign(0.9, x)) < 1.15;
@@ -39,10 +40,11 @@ Walker numberedWalker(int number) {
 }
 
 void crossWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
-  constexpr double kHalf = 2.1; // seconds from the beginning to the nearest point
+  constexpr double kHalf =
+      2.1; // seconds from the beginning to the nearest point; chosen: 2 m of way
   const double nearest = kAppear + kHalf;
   const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
-  const double angle = draws.uniform(0.0, 2.0 * std::numbers::pi);
+  const double angle = draws.uniform(0.0, kFullTurn);
   const double turn = draws.uniform(1.2, std::numbers::pi);
   const std::array<Vector2d, 2> velocity{draws.uniform(0.85, 1.1) * headingVector(angle),
                                          draws.uniform(0.85, 1.1) * headingVector(angle + turn)};
@@ -62,7 +64,7 @@ void crossWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
 
 void meetWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
   const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
-  const Vector2d line = headingVector(draws.uniform(0.0, 2.0 * std::numbers::pi));
+  const Vector2d line = headingVector(draws.uniform(0.0, kFullTurn));
   const double gap = draws.uniform(gapRange.least, gapRange.most);
   const double stay = draws.uniform(1.0, 2.0);
   const double reach = draws.uniform(1.6, 1.9);
@@ -85,7 +87,7 @@ void meetWays(PeopleScenario& scenario, const Gap& gapRange, Draws& draws) {
 
 void accompanyWays(PeopleScenario& scenario, Draws& draws) {
   const Vector2d middle(draws.uniform(-0.3, 0.3), draws.uniform(-0.3, 0.3));
-  const Vector2d along = headingVector(draws.uniform(0.0, 2.0 * std::numbers::pi));
+  const Vector2d along = headingVector(draws.uniform(0.0, kFullTurn));
   const Vector2d aside(-along.y(), along.x());
   const double gap = draws.uniform(0.5, 0.62);
   const double pace = draws.uniform(0.75, 0.95);

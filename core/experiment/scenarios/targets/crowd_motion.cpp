@@ -9,7 +9,7 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Instants per second. At 0.3 m/s a ball moves by 1.25 mm from one to the next.
+/// Instants per second; chosen. At 0.3 m/s a ball moves by 1.25 mm from one to the next.
 constexpr double kRate = 240.0;
 /// Rounds in which balls that overlap are pushed apart: three in a row need one per pair.
 constexpr int kPushes = 20;

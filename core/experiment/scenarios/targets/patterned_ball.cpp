@@ -42,7 +42,8 @@ void addPatch(SurfacePattern& pattern, const Eigen::Vector3d& axis, double halfA
 }
 
 void addOnePatch(SurfacePattern& pattern, Draws& draws) {
-  constexpr double kLeast = 11.0 / 35.0; // half width in radii
+  // Half width in radii: a patch of 22 to 32 mm on a ball of 35 mm, a label.
+  constexpr double kLeast = 11.0 / 35.0;
   constexpr double kMost = 16.0 / 35.0;
   const double halfAngle = std::asin(draws.uniform(kLeast, kMost));
   addPatch(pattern, draws.direction(), halfAngle, whiteOrDark(draws));
@@ -56,6 +57,7 @@ void addLargePatches(SurfacePattern& pattern, int count, Draws& draws) {
     const double angle = kFullTurn * k / count;
     const Eigen::Vector3d axis =
         std::cos(angle) * frame.row(0).transpose() + std::sin(angle) * frame.row(1).transpose();
+    // Half angles in degrees: the panels of a beach ball.
     addPatch(pattern, axis, draws.uniform(35.0, 45.0) * kFullTurn / 360.0, color);
   }
 }
@@ -63,7 +65,7 @@ void addLargePatches(SurfacePattern& pattern, int count, Draws& draws) {
 void addSixSpots(SurfacePattern& pattern, Draws& draws) {
   const Eigen::Matrix3d frame = drawFrame(draws);
   const Vector3f color = whiteOrDark(draws);
-  const double halfAngle = draws.uniform(14.0, 18.0) * kFullTurn / 360.0;
+  const double halfAngle = draws.uniform(14.0, 18.0) * kFullTurn / 360.0; // of 14 to 18 degrees
   for (int axis = 0; axis < 3; ++axis) {
     addPatch(pattern, frame.row(axis).transpose(), halfAngle, color);
     addPatch(pattern, -frame.row(axis).transpose(), halfAngle, color);
@@ -74,7 +76,7 @@ void addSeams(SurfacePattern& pattern, Draws& draws) {
   const Eigen::Matrix3d frame = drawFrame(draws);
   const Vector3f color = whiteOrDark(draws);
   const auto sine =
-      static_cast<float>(draws.uniform(2.5 / 35.0, 3.5 / 35.0)); // half width in radii
+      static_cast<float>(draws.uniform(2.5 / 35.0, 3.5 / 35.0)); // half width in radii: 5 to 7 mm
   for (const int axis : {0, 1}) {
     pattern.seams.push_back({frame.row(axis).transpose().cast<float>(), sine, color});
   }

@@ -7,7 +7,8 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Seconds for which a hand speeds a ball up or slows it down: 1.2 to 1.6 m/s take 2 to 3 g.
+/// Seconds for which a hand speeds a ball up or slows it down; chosen: 1.2 to 1.6 m/s take 2 to 3
+/// g.
 constexpr double kSwingSeconds = 0.06;
 /// Speed below which a bounce is the last, m/s: it would rise by a millimeter.
 constexpr double kLeastRebound = 0.14;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/scenarios/wild/wild_rig.h"
 
+#include "core/simulation/body/usual_ball.h"
+#include "core/simulation/scene/scene.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,31 +12,44 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-constexpr double kSmallestTarget = 4.0; ///< pixels across
-constexpr double kLargestTarget = 0.5;  ///< of the smaller side of the image
+/// Pixels across: about the smallest disc whose color a mosaic still shows.
+constexpr double kSmallestTarget = 4.0;
+/// Of the smaller side of the image: a ball held towards the camera.
+constexpr double kLargestTarget = 0.5;
 /// The least radius, of the usual one: a marble instead of a tennis ball.
 constexpr double kLeastRadius = 0.4;
 /// The least focal length, of the usual one: 91 degrees across instead of 49.
 constexpr double kLeastFocal = 0.45;
-/// The least resolution, of the usual one.
+/// The least resolution, of the usual one: 160 x 120, the smallest that webcams have.
 constexpr double kLeastResolution = 0.5;
-/// Cameras are within this of the middle of the room, meters, and above the ground.
-constexpr double kWithin = 1.75;
+/// Cameras are within this of the middle of the room along x and y, meters: 0.15 m before the walls
+/// of the room with the desk, 0.1 m before those of the hall.
+constexpr double kWithin = simulation::kDeskRoomHalf - 0.15;
+constexpr double kWithinHall = simulation::kHallHalf - 0.1;
+/// Of cameras above the ground, meters: that of a webcam that stands on the desk.
 constexpr double kLeastHeight = 0.06;
+
+/// No two cameras of a room have quite the same lens: share of the focal length, either way;
+/// chosen.
+constexpr double kLensSpread = 0.1;
+/// Of the size that paths could have with a longer lens: what the lenses' spread and the cameras'
+/// other aim need.
+constexpr double kSpare = 0.8;
 
 /// What the cameras of a rig look at, and what they look for.
 struct RigVolume {
   Eigen::Vector3d middle;
-  Eigen::Vector2d room;  ///< middle of the walls
-  double radius = 0.035; ///< usual radius of the targets
-  double size = 1.0;     ///< of all distances, relative to a desk
+  Eigen::Vector2d room;                         ///< middle of the walls
+  double radius = simulation::kUsualBallRadius; ///< of the targets, before they are shrunk
+  double size = 1.0;                            ///< of all distances, relative to a desk
 };
 
 RigVolume volumeOf(simulation::Furnishing furnishing) {
   if (furnishing == simulation::Furnishing::Hall) {
-    return {{0.0, 0.0, 0.9}, {0.0, 0.0}, 0.10, 4.0};
+    return {{0.0, 0.0, 0.9}, {0.0, 0.0}, simulation::kHallBallRadius, 4.0};
   }
-  return {{0.5, 0.5, 0.15}, {0.4, 0.4}, 0.035, 1.0};
+  return {simulation::kDeskMiddle, Eigen::Vector2d::Constant(simulation::kDeskRoomMiddle),
+          simulation::kUsualBallRadius, 1.0};
 }
 
 /// Pixels across of a target in the middle.
@@ -42,16 +58,17 @@ double targetPixels(const Camera& camera, const RigVolume& volume) {
 }
 
 Camera movedCamera(Camera camera, const RigVolume& volume, Draws& draws) {
-  constexpr double kAround = 0.3;
-  constexpr double kRoll = 0.15;
+  // Chosen: cameras put up by hand, about where the scenario wants them.
+  constexpr double kAround = 0.3;  // radians, either way
+  constexpr double kRoll = 0.15;   // radians, either way
+  constexpr double kAway = 0.15;   // of the distance, either way
   constexpr double kAim = 0.02;    // meters at a desk
   constexpr double kHeight = 0.05; // meters at a desk
   const Eigen::AngleAxisd around(draws.uniform(-kAround, kAround), Eigen::Vector3d::UnitZ());
-  const double scale = draws.uniform(0.85, 1.15);
+  const double scale = draws.uniform(1.0 - kAway, 1.0 + kAway);
   Eigen::Vector3d center = volume.middle + scale * (around * (camera.center() - volume.middle));
   center.z() += volume.size * draws.uniform(-kHeight, kHeight);
-  // Not in a wall: those of all rooms are farther.
-  const double reach = volume.size > 1.0 ? 2.15 : kWithin;
+  const double reach = volume.size > 1.0 ? kWithinHall : kWithin; // not in a wall
   for (int axis = 0; axis < 2; ++axis) {
     center[axis] = std::clamp(center[axis], volume.room[axis] - reach, volume.room[axis] + reach);
   }
@@ -97,11 +114,11 @@ WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int att
     resolution = std::clamp(rest / factor, kLeastResolution, 1.0);
   } else {
     factor = std::pow(factor, 1.0 - static_cast<double>(attempt) / (kMostRigs - 1));
-    result.pathScale = 0.8 / factor;
+    result.pathScale = kSpare / factor;
   }
   for (Camera& camera : result.rig) {
-    // No two cameras of a room have quite the same lens.
-    setSize(camera.intrinsics, resolution, factor * draws.uniform(0.9, 1.1));
+    setSize(camera.intrinsics, resolution,
+            factor * draws.uniform(1.0 - kLensSpread, 1.0 + kLensSpread));
   }
   return result;
 }

@@ -14,7 +14,8 @@ struct WildRig {
   double pathScale = 1.0;   ///< of the smooth paths, so that they stay in the images
 };
 
-/// How often another rig is drawn when a scenario finds no position in one.
+/// How often another rig is drawn when a scenario finds no position in one; chosen: few, as
+/// each needs a room to be rendered.
 inline constexpr int kMostRigs = 6;
 
 /// Another rig than a scenario's own: each camera elsewhere by up to 0.3 radians around the middle

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/scenarios/wild/wild_room.h"
 
-#include "core/simulation/scene/scene.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 
 namespace dewpoint::experiment::scenarios {
@@ -20,10 +17,31 @@ using simulation::Pattern;
 using simulation::Shape;
 using simulation::Vector3f;
 
-/// Share of the clutter that has the target's color, and of walls and shirts.
-constexpr double kTargetColored = 0.15;
+// What is in a room is chosen, unless a line says why: for rooms as different as homes are.
 
-/// The part of a room that clutter stands in. World, meters.
+/// Share of the clutter and of the walls that has the target's color; twice as many posters and
+/// shirts do. So about every second run has several such things.
+constexpr double kTargetColored = 0.15;
+/// How much of full light the target's color has on other things: paint is seldom quite the same.
+constexpr double kDarkestTone = 0.7;
+/// Gray levels of other colors: neither black nor cut at full scale.
+constexpr double kDarkestChannel = 25.0;
+constexpr double kLightestChannel = 235.0;
+/// The darkest that a channel of a wall's paint is, gray levels.
+constexpr double kDarkestWall = 120.0;
+/// Pieces of clutter; some find no position.
+constexpr int kLeastClutter = 8;
+constexpr int kMostClutter = 20;
+/// The least half size of a piece of clutter, of the largest.
+constexpr double kLeastSize = 0.15;
+/// A poster's middle is this far before its wall, meters.
+constexpr float kPosterBefore = 0.015F;
+/// How far people walk from the origin, meters: beyond the desk and the cameras, before the walls.
+constexpr double kPeopleAway = 1.75;
+constexpr int kMostPeople = 3;
+
+/// The part of a room that clutter stands in. World, meters. On the desk: the desk's top (see
+/// furnishDesk()); in the hall: to its walls.
 struct Ground {
   Eigen::Vector2d middle;
   double half = 0.7;  ///< to the sides
@@ -42,22 +60,22 @@ bool chance(double share, Draws& draws) {
   return draws.uniform(0.0, 1.0) < share;
 }
 
-/// BGR: any color, or at times that of the target, a little lighter or darker.
-Vector3f drawColor(double targetColored, Draws& draws) {
+/// BGR: any color, or at times that of the target, or that a little darker.
+Vector3f drawColor(double targetColored, const Eigen::Vector3d& target, Draws& draws) {
   if (chance(targetColored, draws)) {
-    const double tone = draws.uniform(0.7, 1.0);
-    return (tone * simulation::SceneBall().color).cast<float>();
+    const double tone = draws.uniform(kDarkestTone, 1.0);
+    return (tone * target).cast<float>();
   }
-  const Eigen::Vector3d color =
-      draws.inBox(Eigen::Vector3d::Constant(25.0), Eigen::Vector3d::Constant(235.0));
+  const Eigen::Vector3d color = draws.inBox(Eigen::Vector3d::Constant(kDarkestChannel),
+                                            Eigen::Vector3d::Constant(kLightestChannel));
   return color.cast<float>();
 }
 
-Material drawMaterial(Draws& draws) {
+Material drawMaterial(const Eigen::Vector3d& target, Draws& draws) {
   constexpr std::array kPatterns{Pattern::Plain, Pattern::Plain, Pattern::Wood, Pattern::Plaster,
                                  Pattern::Skin};
   const auto pattern = static_cast<std::size_t>(draws.whole(0, 4));
-  return {kPatterns.at(pattern), drawColor(kTargetColored, draws)};
+  return {kPatterns.at(pattern), drawColor(kTargetColored, target, draws)};
 }
 
 /// A position on the ground; nothing when the drawn one is taken.
@@ -71,16 +89,16 @@ std::optional<Eigen::Vector2d> drawSpot(const Ground& ground, const CameraRig& r
   return taken ? std::nullopt : std::optional(spot);
 }
 
-void addClutter(const Ground& ground, const CameraRig& rig, Draws& draws,
-                simulation::Furniture& furniture) {
+void addClutter(const Ground& ground, const CameraRig& rig, const Eigen::Vector3d& target,
+                Draws& draws, simulation::Furniture& furniture) {
   constexpr std::array kShapes{Shape::Box, Shape::Ellipsoid, Shape::Cylinder};
-  const int count = draws.whole(8, 20);
+  const int count = draws.whole(kLeastClutter, kMostClutter);
   for (int i = 0; i < count; ++i) {
     const auto spot = drawSpot(ground, rig, draws);
     const Eigen::Vector3d half =
-        draws.inBox(Eigen::Vector3d::Constant(0.15), Eigen::Vector3d::Ones()) * ground.size;
+        draws.inBox(Eigen::Vector3d::Constant(kLeastSize), Eigen::Vector3d::Ones()) * ground.size;
     const auto shape = kShapes.at(static_cast<std::size_t>(draws.whole(0, 2)));
-    const Material material = drawMaterial(draws);
+    const Material material = drawMaterial(target, draws);
     const double yaw = draws.uniform(0.0, kFullTurn);
     if (!spot) {
       continue;
@@ -94,19 +112,22 @@ void addClutter(const Ground& ground, const CameraRig& rig, Draws& draws,
   }
 }
 
-/// Posters on the two walls that the demo's cameras face.
-void addPosters(simulation::Furnishing furnishing, Draws& draws, simulation::Furniture& furniture) {
-  const float wall = furnishing == simulation::Furnishing::Hall ? 2.24F : 2.28F;
+/// Posters on the two walls that the demo's cameras face; sizes and positions in meters.
+void addPosters(simulation::Furnishing furnishing, const Eigen::Vector3d& target, Draws& draws,
+                simulation::Furniture& furniture) {
+  const bool hall = furnishing == simulation::Furnishing::Hall;
+  const float wall =
+      hall ? simulation::kHallHalf : simulation::kDeskRoomMiddle + simulation::kDeskRoomHalf;
   for (const bool alongX : {true, false}) {
     const auto along = static_cast<float>(draws.uniform(-1.0, 1.8));
     const auto up = static_cast<float>(draws.uniform(0.3, 1.3));
     const auto wide = static_cast<float>(draws.uniform(0.1, 0.5));
     const auto tall = static_cast<float>(draws.uniform(0.1, 0.4));
-    const Material paper{Pattern::Plain, drawColor(2.0 * kTargetColored, draws)};
+    const Material paper{Pattern::Plain, drawColor(2.0 * kTargetColored, target, draws)};
     if (alongX) {
-      furniture.add(Shape::Box, {along, wall, up}, {wide, 0.01F, tall}, paper);
+      furniture.add(Shape::Box, {along, wall - kPosterBefore, up}, {wide, 0.01F, tall}, paper);
     } else {
-      furniture.add(Shape::Box, {wall, along, up}, {0.01F, wide, tall}, paper);
+      furniture.add(Shape::Box, {wall - kPosterBefore, along, up}, {0.01F, wide, tall}, paper);
     }
   }
 }
@@ -114,16 +135,17 @@ void addPosters(simulation::Furnishing furnishing, Draws& draws, simulation::Fur
 } // namespace
 
 simulation::RoomDesign drawRoom(simulation::Furnishing furnishing, const CameraRig& rig,
-                                Draws& draws) {
+                                Draws& draws, const Eigen::Vector3d& targetColor) {
   simulation::RoomDesign design;
   const Ground ground = groundOf(furnishing);
-  addClutter(ground, rig, draws, design.further);
-  addPosters(furnishing, draws, design.further);
-  const Eigen::Vector3d paint =
-      draws.inBox(Eigen::Vector3d::Constant(120.0), Eigen::Vector3d::Constant(235.0));
-  const Vector3f targetColor = drawColor(1.0, draws);
+  addClutter(ground, rig, targetColor, draws, design.further);
+  addPosters(furnishing, targetColor, draws, design.further);
+  const Eigen::Vector3d paint = draws.inBox(Eigen::Vector3d::Constant(kDarkestWall),
+                                            Eigen::Vector3d::Constant(kLightestChannel));
+  const Vector3f likeTarget = drawColor(1.0, targetColor, draws);
   const bool pink = chance(kTargetColored, draws);
-  design.walls = Material{Pattern::Plaster, pink ? targetColor : Vector3f(paint.cast<float>())};
+  design.walls = Material{Pattern::Plaster, pink ? likeTarget : Vector3f(paint.cast<float>())};
+  // From the middle of the ground, meters: below the ceilings, above what stands there.
   const Eigen::Vector3d lamp = draws.inBox({-0.8, -0.8, 1.3}, {0.8, 0.8, 1.9});
   const Vector3f middle{static_cast<float>(ground.middle.x()),
                         static_cast<float>(ground.middle.y()), 0.0F};
@@ -132,24 +154,24 @@ simulation::RoomDesign drawRoom(simulation::Furnishing furnishing, const CameraR
 }
 
 std::vector<simulation::Walker> drawPeople(simulation::Furnishing furnishing, double seconds,
-                                           Draws& draws) {
+                                           Draws& draws, const Eigen::Vector3d& targetColor) {
   std::vector<simulation::Walker> people;
   if (furnishing == simulation::Furnishing::Hall) {
     return people;
   }
-  constexpr double kAway = 1.75; // of their way from the origin, beyond the desk and the cameras
-  const int count = draws.whole(0, 3);
+  const int count = draws.whole(0, kMostPeople);
   for (int i = 0; i < count; ++i) {
     simulation::Walker walker;
     walker.name = fmt::format("passer-by {}", i + 1);
-    walker.height = draws.uniform(1.5, 1.95);
-    walker.clothes.shirt = drawColor(2.0 * kTargetColored, draws);
-    walker.clothes.trousers = drawColor(0.0, draws);
+    walker.height = draws.uniform(1.5, 1.95); // adults, meters
+    walker.clothes.shirt = drawColor(2.0 * kTargetColored, targetColor, draws);
+    walker.clothes.trousers = drawColor(0.0, targetColor, draws);
     const bool alongX = draws.coin();
+    // Along the wall, meters.
     const double from = draws.uniform(-1.0, 1.9);
     const double to = draws.uniform(-1.0, 1.9);
     const auto at = [&](double along) -> Eigen::Vector2d {
-      return alongX ? Eigen::Vector2d(along, kAway) : Eigen::Vector2d(kAway, along);
+      return alongX ? Eigen::Vector2d(along, kPeopleAway) : Eigen::Vector2d(kPeopleAway, along);
     };
     walker.way = {{0.0, at(from)}, {std::max(1.0, seconds), at(to)}};
     people.push_back(walker);
@@ -160,7 +182,7 @@ std::vector<simulation::Walker> drawPeople(simulation::Furnishing furnishing, do
 float floorOf(simulation::Furnishing furnishing) {
   const bool desk = furnishing == simulation::Furnishing::Desk ||
                     furnishing == simulation::Furnishing::ClutteredDesk;
-  return desk ? -0.75F : 0.0F; // the desk's top is z = 0
+  return desk ? -simulation::kDeskHeight : 0.0F; // the desk's top is z = 0
 }
 
 } // namespace dewpoint::experiment::scenarios

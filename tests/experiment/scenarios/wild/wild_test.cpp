@@ -86,6 +86,34 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
   EXPECT_GT(objects, 20U * 7U);
 }
 
+/// Whether a color (BGR) is another one, perhaps darker.
+bool isToneOf(const simulation::Vector3f& color, const Eigen::Vector3d& other) {
+  return color.cast<double>().normalized().dot(other.normalized()) > 0.9999;
+}
+
+TEST(WildRoom, SomeOfItHasTheTargetsColor) {
+  const Eigen::Vector3d blue{220.0, 90.0, 40.0};
+  int objects = 0;
+  int walls = 0;
+  int shirts = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Draws draws(seed, "wild color test");
+    const simulation::RoomDesign design =
+        drawRoom(Furnishing::ClutteredDesk, simulation::demoRig(), draws, blue);
+    for (const simulation::Solid& solid : design.further.solids()) {
+      objects += isToneOf(solid.material.color, blue) ? 1 : 0;
+    }
+    walls += isToneOf(design.walls->color, blue) ? 1 : 0;
+    for (const simulation::Walker& walker : drawPeople(Furnishing::Desk, 6.0, draws, blue)) {
+      shirts += isToneOf(walker.clothes.shirt, blue) ? 1 : 0;
+    }
+  }
+  // 15 % of about 500 objects and of 40 walls, 30 % of about 60 shirts.
+  EXPECT_GT(objects, 40);
+  EXPECT_GT(walls, 0);
+  EXPECT_GT(shirts, 5);
+}
+
 TEST(WildRoom, PeopleWalkBehindTheVolume) {
   std::size_t people = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
