@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables in the pages of the documentation, between `<!-- table: NAME -->` and `<!-- /table -->`, each
 below a line with the commit, the seeds and the state of each method that it is of. The line's form is
-read by tests/experiment/report/table_states.h, too."""
+read by tests/experiment/report/table_states.h, too; so is NOT_MADE, the sentence of a page some of whose
+tables have not been made by script/figures yet."""
 import re
 
+NOT_MADE = "Tables on this page that say *state older* have not been made by `script/figures` yet."
 END = "<!-- /table -->"
 
 
@@ -41,3 +43,9 @@ def replaced(page, name, line, table):
     if count != 1:
         raise ValueError(f"{count} places for the table '{name}'")
     return changed
+
+
+def without_promise(page):
+    """The page without the paragraph NOT_MADE once none of its tables is of an older state."""
+    older = re.search(r"^Commit `.*; state older\.$", page, re.M)
+    return page if older else page.replace(f"\n{NOT_MADE}\n", "", 1)

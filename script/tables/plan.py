@@ -27,6 +27,8 @@ class Catalog:
     people: list  # scenarios with people, as "people-crossing"
     first_seed: int  # of the reporting block
     last_seed: int
+    validation: tuple = (0, 0)  # first and last seed of the validation block
+    experiments: tuple = ()  # names of `dewpoint-cli experiment`
     skipped: list = dataclasses.field(default_factory=list)  # sentences about recordings that are not there
 
 
@@ -36,7 +38,7 @@ class Shard:
 
     name: str
     command: list  # arguments of dewpoint-cli; its folder is shards/<name>
-    kind: str  # "suite", "people", "convergence", "starts", "fingerprint", "bench"
+    kind: str  # "suite", "people", "convergence", "starts", the name of a figure, "fingerprint", a benchmark
     cost: float = 0.0  # seconds of one core
     seeds: tuple = ()  # first and count
     alone: bool = False  # nothing else may run meanwhile
@@ -91,9 +93,9 @@ def amounts(rules, catalog, quick=None):
             unnamed = any(rule["methods"] == ["all"] for rule in mine)
             for method in ["all"] if unnamed else catalog.methods:
                 rule = next((rule for rule in reversed(mine) if matches(rule["methods"], method)), None)
-                if rule is not None:
+                if rule is not None and rule["seeds"] > 0 and not (quick and method in quick["leave_out"]):
                     seeds = min(rule["seeds"], quick["seeds"]) if quick else rule["seeds"]
-                    least = 0 if quick else rule.get("least", rule["seeds"])
+                    least = rule.get("least", rule["seeds"])
                     found.append(Amount(scenario, grade, method, seeds, min(least, seeds),
                                         tuple(rule.get("options", ()))))
     return found
@@ -186,6 +188,19 @@ def study_shards(plan, catalog, costs, quick=None):
                     name, runs * costs.of(name, "-", "run"), (catalog.first_seed, runs))
     yield Shard("fingerprint", ["experiment", "fingerprint"], "fingerprint", costs.of("fingerprint", "-", "run"))
     yield Shard("bench", [], "bench", costs.of("bench", "-", "run"), alone=True)
+    yield Shard("lazy-color", [], "lazy-color", costs.of("lazy-color", "-", "run"), alone=True)
+
+
+def figure_shards(rules, catalog, costs, quick=None):
+    """The papers' figures that the program has."""
+    for rule in rules:
+        name = rule["name"]
+        if name not in catalog.experiments or (quick and not matches(quick["figures"], name)):
+            continue
+        for seed in range(catalog.first_seed, catalog.first_seed + (quick or rule)["seeds"]):
+            arguments = [argument.replace("{seed}", str(seed)) for argument in rule["arguments"]]
+            yield Shard(f"{name}-{seed}", ["experiment", name, *arguments, "--out", f"shards/{name}-{seed}"], name,
+                        costs.of(name, "-", "run"), (seed, 1))
 
 
 @dataclasses.dataclass
@@ -202,32 +217,56 @@ class Plan:
         return ((sum(shard.cost for shard in self.shards) - alone) / self.cores + alone) / 3600.0
 
 
-def make_plan(plan, costs, catalog, quick=False):
-    """The shards that fit into the hours of the plan, the longest first."""
-    short = plan["quick"] if quick else None
-    hours = (short or plan)["hours"]
-    cores = plan["cores"]
-    shard_seconds = 60.0 * plan["shard_minutes"]
+def on_validation_seeds(catalog, first_seed):
+    """The catalog of a plan whose results may be looked at: they are not reported."""
+    first, last = catalog.validation
+    if not first <= first_seed <= last:
+        raise Failure(f"plan.toml: first_seed {first_seed} of [quick] is no validation seed ({first} to {last})")
+    return dataclasses.replace(catalog, first_seed=first_seed, last_seed=last)
+
+
+def notes_of(plan, catalog, quick):
+    """Sentences on what the plan asks for and the program, or this machine, does not have."""
     notes = list(catalog.skipped)
     wanted = sorted({grade for rule in plan["suite"] for grade in rule["grades"] if "*" not in grade})
     for grade in wanted:
         if grade not in catalog.grades:
             notes.append(f"grade {grade}: the program does not have it; left out")
+    for rule in plan["figure"]:
+        if rule["name"] not in catalog.experiments:
+            notes.append(f"figure {rule['name']}: the program does not have it; left out")
+    if quick:
+        notes.append(f"validation seeds, from {catalog.first_seed} on: the tables stay out of the pages")
+    return notes
+
+
+def make_plan(plan, costs, catalog, quick=False):
+    """The shards that fit into the hours of the plan, the longest first."""
+    short = plan["quick"] if quick else None
+    if quick:
+        catalog = on_validation_seeds(catalog, short["first_seed"])
+    hours = (short or plan)["hours"]
+    cores = plan["cores"]
+    shard_seconds = 60.0 * plan["shard_minutes"]
+    notes = notes_of(plan, catalog, quick)
     others = [*people_shards(plan["people"], catalog, costs, shard_seconds, short),
-              *study_shards(plan, catalog, costs, short)]
+              *study_shards(plan, catalog, costs, short),
+              *figure_shards(plan["figure"], catalog, costs, short)]
     found = amounts(plan["suite"], catalog, short)
     most = max([amount.seeds for amount in found]
                + [sum(shard.seeds) - catalog.first_seed for shard in others if shard.seeds], default=0)
     if catalog.first_seed + most - 1 > catalog.last_seed:
-        raise Failure(f"the plan asks for {most} seeds, more than the reporting block has")
+        raise Failure(f"the plan asks for {most} seeds, more than there are from {catalog.first_seed} to {catalog.last_seed}")
     # Shards do not end at the same time: a twentieth is kept for that.
     left = 0.95 * hours * 3600.0 * cores - sum(shard.cost * (cores if shard.alone else 1) for shard in others)
     before = [amount.seeds for amount in found]
+    planned = seconds(found, costs)
     if cut(found, costs, left) > left:
         notes.append("the plan takes longer than it may, although all seeds that may be cut are")
     fewer = sum(1 for seeds, amount in zip(before, found) if amount.seeds < seeds)
     if fewer:
-        notes.append(f"{fewer} of {len(found)} methods and scenarios get fewer seeds than planned, to keep the time")
+        notes.append(f"{fewer} of {len(found)} methods and scenarios get fewer seeds than planned, to keep the time: "
+                     f"all would take {(planned - seconds(found, costs)) / 3600.0 / cores:.2f} h more")
     shards = [*suite_shards(found, costs, catalog.first_seed, shard_seconds), *others]
     shards.sort(key=lambda shard: (shard.alone, -shard.cost, shard.name))
     return Plan(shards, found, hours * 3600.0, cores, notes)
@@ -271,7 +310,11 @@ def read_catalog(cli, plan):
     for grade in dict.fromkeys(grade for rule in plan["suite"] for grade in rule["grades"] if "*" not in grade):
         if printed(cli, "suite", "--list", "--grade", grade) is not None:
             grades.append(grade)
-    people = sorted(set(re.findall(r"^ +(people-[a-z-]+)", printed(cli, "experiment", "--help") or "", re.M)))
-    reporting = next(row for row in csv.DictReader(blocks_of_seeds.splitlines()) if row["block"] == "reporting")
+    offered = printed(cli, "experiment", "--help") or ""
+    experiments = tuple(dict.fromkeys(re.findall(r"^ +([a-z][a-z0-9-]*)", offered, re.M)))
+    people = sorted(name for name in experiments if name.startswith("people-"))
+    block = {row["block"]: (int(row["first"]), int(row["last"])) for row in csv.DictReader(blocks_of_seeds.splitlines())}
+    if "reporting" not in block or "validation" not in block:
+        raise Failure(f"{cli} names no reporting or no validation seeds")
     skipped = re.findall(r"^(\S+ is skipped: .*)$", listed, re.M)
-    return Catalog(scenarios, methods, grades, people, int(reporting["first"]), int(reporting["last"]), skipped)
+    return Catalog(scenarios, methods, grades, people, *block["reporting"], block["validation"], experiments, skipped)

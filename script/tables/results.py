@@ -3,6 +3,8 @@
 import csv
 import json
 import math
+import pathlib
+import re
 
 
 def value(text):
@@ -53,29 +55,51 @@ def mean(numbers):
     return sum(numbers) / len(numbers) if numbers else None
 
 
+def processor(file=pathlib.Path("/proc/cpuinfo")):
+    """What this machine computes with; nothing where that is not known."""
+    names = re.findall(r"^model name\s*: (.*)$", file.read_text(), re.M) if file.is_file() else []
+    return f"{len(names)} x {names[0].strip()}" if names else ""
+
+
 class Results:
     """All that a folder of results holds."""
 
-    def __init__(self, folder, shards):
-        """`shards`: those of the plan; others that lie in the folder are not read."""
+    def __init__(self, folder, shards, recordings=True):
+        """`shards`: those of the plan; others that lie in the folder are not read. `recordings`: all that
+        grade real has are there."""
         self.folder = folder
+        self.recordings = recordings
         self.suite = read_rows(folder / "suite" / "runs.csv")
         report = folder / "suite" / "report.json"
         found = json.loads(report.read_text()) if report.is_file() else {}
         self.requirements = found.get("bars", [])
         self.belief = found.get("belief", [])
-        self.people = []
-        for shard in sorted(shards, key=lambda shard: (shard.seeds, shard.name)):
+        self.people, self.persons = [], []
+        self.shards = sorted(shards, key=lambda shard: (shard.seeds, shard.name))
+        for shard in self.shards:
             if shard.kind == "people":
                 self.people += read_rows(folder / "shards" / shard.name / "runs.csv")
-        self.convergence = read_rows(folder / "shards" / "convergence" / "convergence.csv")
-        self.drift = read_rows(folder / "shards" / "convergence" / "drift.csv")
-        self.start_boxes = read_rows(folder / "shards" / "starts" / "boxes.csv")
-        self.start_points = read_rows(folder / "shards" / "starts" / "points.csv")
+                self.persons += read_rows(folder / "shards" / shard.name / "people.csv")
+        self.convergence = self.study("convergence", "convergence.csv")
+        self.drift = self.study("convergence", "drift.csv")
+        self.start_boxes = self.study("starts", "boxes.csv")
+        self.start_points = self.study("starts", "points.csv")
         self.start_seeds = next((shard.seeds for shard in shards if shard.kind == "starts"), ())
         self.states = {row["method"]: row["fingerprint"] for row in self.fingerprints()}
         bench = folder / "shards" / "bench.json"
         self.bench = json.loads(bench.read_text())["benchmarks"] if bench.is_file() else []
+        lazy = folder / "shards" / "lazy-color.txt"
+        self.lazy_color = lazy.read_text() if lazy.is_file() else ""
+        self.processor = processor()
+
+    def figures(self, kind, file):
+        """(seed, rows) of a file that each shard of a kind has written."""
+        found = [(shard.seeds[0], read_rows(self.folder / "shards" / shard.name / file))
+                 for shard in self.shards if shard.kind == kind]
+        return [(seed, rows) for seed, rows in found if rows]
+
+    def study(self, kind, file):
+        return [row for _, rows in self.figures(kind, file) for row in rows]
 
     def fingerprints(self):
         """Eight digits may look like a number: they stay text."""

@@ -1,59 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tables: each a function of the results. A table without rows is not made."""
-import dataclasses
 import math
-import pathlib
-import re
 
+import studies
+from cells import Made, name, number, percent, worst
 from results import column, distinct, finite, mean, median, quantile, seeds_of
 
 OURS = "dewpoint"
 SMOOTHED = "dewpoint-smoothed"
 QUICK_FRAMES = 5  # a start counts as quick that takes no more (kQuickFrames of the suite)
 ACCURACY, PEOPLE, FIDELITY = "docs/accuracy.md", "docs/people.md", "docs/fidelity.md"
-
-
-@dataclasses.dataclass
-class Made:
-    """A table and what it is of."""
-
-    head: list
-    rows: list
-    methods: list  # whose states it depends on; none: it holds times only
-    seeds: list
-
-
-def number(value):
-    """Three digits, as in the report of the suite."""
-    if value is None or math.isnan(value):
-        return "-"
-    if math.isinf(value):
-        return "never"
-    size = abs(value)
-    if value == round(value) and size < 1e6:
-        return f"{value:.0f}"
-    if size >= 100.0:
-        return f"{value:.0f}"
-    if size >= 10.0:
-        return f"{value:.1f}"
-    return f"{value:.2f}" if size >= 0.01 else f"{value:.1g}"
-
-
-def percent(value):
-    """Whole percents, but never 0 % or 100 % of what is not quite that."""
-    if value is None:
-        return "-"
-    if 0.0 < value < 1.0:
-        return f"{value:.1g} %" if value < 0.95 else "1 %"
-    return f"{value:.1f} %" if 99.0 < value < 100.0 else f"{value:.0f} %"
-
-
-def name(text):
-    return f"`{text}`"
-
-
-def worst(numbers):
-    return max(numbers, default=None)
+BOXES = "docs/method-sugandi.md"
 
 
 def remarks(rows):
@@ -281,12 +238,6 @@ SPEED = (
 )
 
 
-def processor(file=pathlib.Path("/proc/cpuinfo")):
-    """What this machine computes with; nothing where that is not known."""
-    names = re.findall(r"^model name\s*: (.*)$", file.read_text(), re.M) if file.is_file() else []
-    return f"{len(names)} x {names[0].strip()}" if names else ""
-
-
 def people_speed(results):
     times = {}
     for one in results.bench:
@@ -297,52 +248,7 @@ def people_speed(results):
         if key in times and "MOG2" in times:
             ratio = min(times["MOG2"]) / min(times[key])
             table.append([words, f"{ratio:.1f}x faster" if ratio > 1.0 else f"{ratio:.1f}x", bar])
-    return Made([processor(), "against MOG2 alone on the same four images", "bar"], table, [], [1])
-
-
-def point(row, what):
-    return "(" + ", ".join(f"{row[f'{what}_{axis}_m']:g}" for axis in "xyz") + ")"
-
-
-def start_words(row):
-    half = [row[f"half_{axis}_m"] for axis in "xyz"]
-    if not any(half):
-        return point(row, "start")
-    return "evenly spread, " + " x ".join(f"{2.0 * size:g}" for size in half) + " m around " + point(row, "start")
-
-
-def convergence(results):
-    table = []
-    for row in results.convergence:
-        found = int(row["converged"])
-        near = [f"{int(row['within'])}"] if "within" in row else []
-        table.append([row["case"], start_words(row), point(row, "ball"), f"{found} of {int(row['runs'])}", *near,
-                      number(row["median_iterations"]),
-                      "-" if row["rmse_mm"] is None else f"{row['rmse_mm']:.1f} mm",
-                      "-" if row["depth_bias_mm"] is None else f"{row['depth_bias_mm']:+.1f} mm"])
-    head = ["case", "start", "ball", "converged", "iterations (median)", "RMSE", "bias in depth"]
-    if results.convergence and "within" in results.convergence[0]:
-        head.insert(4, "of these within 3 cm")
-    seeds = [int(row["first_seed"] + add) for row in results.convergence for add in (0, row["runs"] - 1)]
-    return Made(head, table, ["barrera"], sorted(set(seeds)))
-
-
-def starts(results):
-    found = [("evenly spread in a cube around the ball, half its edge", row["half_edge_m"], row)
-             for row in results.start_boxes]
-    found += [("(0.5, y, 0.15), at and beyond the ball, y =", row["y_m"], row) for row in results.start_points]
-    shown = [(key, title) for key, title in (("share", "converged"), ("share_within_3_cm", "and within 3 cm"))
-             if any(key in row for _, _, row in found)]
-    table = [[where, f"{size:g} m", *[percent(100.0 * row[key]) for key, _ in shown]] for where, size, row in found]
-    first, count = results.start_seeds or (0, 1)
-    return Made(["start", "", *[title for _, title in shown]], table, ["barrera"], sorted({first, first + count - 1}))
-
-
-def drift(results):
-    table = [[f"first {int(row['iterations'])}", str(int(row["runs"])), f"{row['mm_per_iteration']:.1f} mm"]
-             for row in results.drift]
-    seeds = [int(row["first_seed"] + add) for row in results.drift for add in (0, row["runs"] - 1)]
-    return Made(["iterations", "runs", "away from the camera, per iteration"], table, ["barrera"], sorted(set(seeds)))
+    return Made([results.processor, "against MOG2 alone on the same four images", "bar"], table, [], [1])
 
 
 # (page, name, how it is made)
@@ -360,11 +266,21 @@ TABLES = (
     (ACCURACY, "smoothed", smoothed),
     (PEOPLE, "people-identities", people_identities),
     (PEOPLE, "people-quality", people_quality),
+    (PEOPLE, "people-heights", studies.people_heights),
+    (PEOPLE, "masks", studies.masks),
     (PEOPLE, "people-speed", people_speed),
-    (FIDELITY, "convergence", convergence),
-    (FIDELITY, "starts", starts),
-    (FIDELITY, "drift", drift),
+    (FIDELITY, "convergence", studies.convergence),
+    (FIDELITY, "cloud", studies.cloud),
+    (FIDELITY, "in-images", studies.in_images),
+    (FIDELITY, "starts", studies.starts),
+    (FIDELITY, "drift", studies.drift),
+    (FIDELITY, "cone", studies.cone),
+    (FIDELITY, "lazy-color", studies.lazy_color),
+    (BOXES, "boxes", studies.boxes),
 )
+
+# Tables that need recordings: where some are not there, those of the pages stay as they are.
+RECORDED = ("real", "peers-real", "boxes")
 
 
 def all_made(results):
@@ -372,4 +288,7 @@ def all_made(results):
     for page, title, make in TABLES:
         made = make(results)
         if made.rows:
+            if title in ("requirements", "belief") and not results.recordings:
+                made.rows.append(["grade `real`: not measured, recordings are missing",
+                                  *["-" for _ in made.head[1:]]])
             yield page, title, made

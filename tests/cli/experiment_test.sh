@@ -62,4 +62,4 @@ cmp out.txt fingerprint.csv || fail "the fingerprint is another one each time"
 expectExit $kUsage experiment fingerprint --method magic
 
 expectExit 0 experiment seeds
-expectText out.txt block,first,last tuning,0, reporting,1005001,1006000, reserve,
+expectText out.txt block,first,last tuning,0, reporting,1006001,1007000, reserve,

@@ -21,4 +21,5 @@ print(plan.plan_table(plan.make_plan(declared, costs, catalog)))
 print(*catalog.scenarios, *catalog.methods, *catalog.grades, *catalog.people, catalog.first_seed)
 END
 expectText out.txt S0-slow S4-desk-cloud S10-clean dewpoint-smoothed triangulation-kalman ideal room \
-  people-crossing people-enter-leave 1005001 "of one core"
+  people-crossing people-enter-leave 1006001 "of one core"
+! grep "^figure .* does not have it" out.txt || fail "a figure of the plan has another name"

@@ -126,18 +126,30 @@ std::string particlesCsv(const std::map<int, Instant>& instants) {
   return text;
 }
 
-/// What the table of instants says, as CSV.
+/// How many particles lie in the images of camera 1 and 2, by iteration.
+using InsideCounts = std::map<int, std::array<int, 2>>;
+
+/// What the table of instants says, as CSV; without counts, without their columns.
 std::string instantsCsv(const std::map<int, Instant>& instants, const ConvergenceCase& setup,
-                        const Eigen::Vector3d& axis) {
-  std::vector<std::vector<double>> columns(4);
+                        const Eigen::Vector3d& axis, const InsideCounts& inside = {}) {
+  std::vector<std::string> names{"iteration", "error_m", "spread_along_axis_1_m",
+                                 "spread_across_it_m"};
+  std::vector<std::vector<double>> columns(names.size());
   for (const auto& [iteration, instant] : instants) {
     columns[0].push_back(iteration);
     columns[1].push_back((instant.estimate.mean - setup.ball).norm());
     columns[2].push_back(depthSpread(instant.estimate, axis));
     columns[3].push_back(sideSpread(instant.estimate, axis));
   }
-  return numbersAsCsv({"iteration", "error_m", "spread_along_axis_1_m", "spread_across_it_m"},
-                      columns);
+  if (!inside.empty()) {
+    names.insert(names.end(), {"particles_in_image_1", "particles_in_image_2"});
+    columns.resize(names.size());
+    for (const auto& [iteration, counts] : inside) {
+      columns[4].push_back(counts[0]);
+      columns[5].push_back(counts[1]);
+    }
+  }
+  return numbersAsCsv(names, columns);
 }
 
 constexpr const char* kSpreadSentence =
@@ -199,7 +211,7 @@ Status barreraFigure3(const ExperimentOptions& options) {
   const CameraRig& rig = setup.cameras;
   FigurePage page("Particles in both images (figure 3)", kSilent);
   std::vector<std::vector<std::string>> rows;
-  std::map<int, std::array<int, 2>> inside;
+  InsideCounts inside;
   for (auto& [iteration, instant] : *instants) {
     for (std::size_t camera = 0; camera < rig.size(); ++camera) {
       inside[iteration].at(camera) =
@@ -218,7 +230,7 @@ Status barreraFigure3(const ExperimentOptions& options) {
   if (const auto judged = judgeFigure3(*instants, setup, inside[2], options, page); !judged) {
     return judged;
   }
-  page.data("instants.csv", instantsCsv(*instants, setup, rig.front().opticalAxis()));
+  page.data("instants.csv", instantsCsv(*instants, setup, rig.front().opticalAxis(), inside));
   page.data("particles.csv", particlesCsv(*instants));
   return page.write(options.folder);
 }

@@ -24,7 +24,8 @@ TEST(SeedBlocks, SeedsThatWereLookedAtAreNotReported) {
   for (const std::uint64_t seed : {1U, 30U, 5001U, 5020U}) {
     EXPECT_EQ(seedBlockOf(seed).use, SeedUse::Tuning) << seed;
   }
-  for (const std::uint64_t seed : {1000001U, 1002456U, 1003152U, 1004001U, 1004500U}) {
+  for (const std::uint64_t seed :
+       {1000001U, 1002456U, 1003152U, 1004001U, 1004500U, 1005001U, 1005020U}) {
     EXPECT_EQ(seedBlockOf(seed).use, SeedUse::Validation) << seed;
   }
   EXPECT_EQ(seedBlockOf(ExperimentOptions().firstSeed).use, SeedUse::Reporting);
@@ -34,11 +35,11 @@ TEST(SeedBlocks, SeedsThatWereLookedAtAreNotReported) {
 TEST(SeedBlocks, ASentenceNamesTheBlockAndWarns) {
   EXPECT_EQ(seedSentence({}), "none");
   EXPECT_EQ(seedSentence(kFirstReportingSeed, 20),
-            "1005001 to 1005020, 20 in all: reporting seeds, on which no method was tuned");
+            "1006001 to 1006020, 20 in all: reporting seeds, on which no method was tuned");
   EXPECT_NE(seedSentence(1, 3).find("1 to 3, 3 in all: TUNING"), std::string::npos);
   EXPECT_NE(seedSentence(1004001, 1).find("VALIDATION"), std::string::npos);
   EXPECT_NE(seedSentence(7700001, 1).find("RESERVE"), std::string::npos);
-  EXPECT_NE(seedSentence({7, 1005001}).find("tuning and reporting seeds mixed"), std::string::npos);
+  EXPECT_NE(seedSentence({7, 1006001}).find("tuning and reporting seeds mixed"), std::string::npos);
 }
 
 TEST(SeedBlocks, OnlyTheReportingBlockIsQuoted) {

@@ -21,7 +21,7 @@ TEST(ConvergenceCsv, HasARowPerCase) {
   // The first case: the ball at (0.5, 0.5, 0.15), the paper's start (0.4, 0.1, 0.2), a point.
   EXPECT_EQ(convergenceCsv({result}),
             std::string(kHead) + "\"" + result.setup.name + "\"" +
-                ",0.5,0.5,0.15,0.4,0.1,0.2,0,0,0,1005001,7,5,4,16.5,4.3,-1\n");
+                ",0.5,0.5,0.15,0.4,0.1,0.2,0,0,0,1006001,7,5,4,16.5,4.3,-1\n");
 }
 
 TEST(ConvergenceCsv, SaysNothingOfRunsThatThereAreNot) {
