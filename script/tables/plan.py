@@ -157,7 +157,7 @@ def suite_shards(found, costs, first_seed, shard_seconds):
             named = [] if methods == ["all"] else ["--method", ",".join(methods)]
             more = [option.replace("{root}", str(HERE.parent.parent)) for option in options[scenario, grade]]
             command = ["suite", "--scenario", scenario, "--grade", grade, *named, "--first-seed", str(seed),
-                       "--seeds", str(count), *more, "--out", f"shards/{name}"]
+                       "--seeds", str(count), *more, "--part", "--out", f"shards/{name}"]
             yield Shard(name, command, "suite", count * each, (seed, count))
 
 

@@ -45,6 +45,7 @@ def remarks(rows):
 # does not write are left out.
 BELIEF = (
     ("rmse_px", "RMSE in images (px)", lambda numbers: number(median(numbers))),
+    ("jitter_mm", "jitter (mm)", lambda numbers: number(median(numbers))),
     ("success", "success", lambda numbers: f"{mean(numbers):.3f}"),
     ("lost_percent", "lost", lambda numbers: percent(mean(numbers))),
     ("false_alarm_percent", "false alarms", lambda numbers: percent(mean(numbers))),
@@ -72,6 +73,30 @@ def scenarios(grade):
         return Made(head, table, [OURS], seeds_of(rows))
 
     return make
+
+
+# Columns of runs.csv that are measured by the target's size: (name, head, text of the rows' numbers).
+SIZES = (
+    ("near_centroid_percent", "centroid within a quarter of the target", lambda numbers: percent(mean(numbers))),
+    ("centroid_error_percent", "error of the centroid, share of the half axis", lambda numbers: percent(median(numbers))),
+    ("size_error_percent", "error of the size", lambda numbers: percent(median(numbers))),
+)
+
+
+def sizes(results):
+    """Targets that are no balls of a known radius, method dewpoint."""
+    table, used = [], []
+    for grade in distinct(results.runs(method=OURS), "grade"):
+        for scenario in distinct(results.runs(grade=grade, method=OURS), "scenario"):
+            if not scenario.startswith("S21-"):
+                continue
+            rows = results.runs(grade=grade, scenario=scenario, method=OURS)
+            cells = [(column(rows, key), text) for key, _, text in SIZES]
+            if any(numbers for numbers, _ in cells):
+                used += rows
+                table.append([name(scenario), grade, str(len(rows)),
+                              *[text(numbers) if numbers else "-" for numbers, text in cells]])
+    return Made(["scenario", "grade", "runs", *[one[1] for one in SIZES]], table, [OURS], seeds_of(used))
 
 
 def error_words(rows):
@@ -263,6 +288,7 @@ TABLES = (
     (ACCURACY, "peers-real", peers("real")),
     (ACCURACY, "ideal", scenarios("ideal")),
     (ACCURACY, "peers-ideal", peers("ideal")),
+    (ACCURACY, "sizes", sizes),
     (ACCURACY, "smoothed", smoothed),
     (PEOPLE, "people-identities", people_identities),
     (PEOPLE, "people-quality", people_quality),
