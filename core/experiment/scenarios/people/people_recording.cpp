@@ -36,7 +36,8 @@ FrameSetPtr idealFrames(const OfficeRenderer& renderer, std::int64_t frame) {
 }
 
 /// What is wrong with a recording, in the light of the lamp that hangs at `lamp`.
-scenarios::SensingFaults officeFaults(const ScenarioDraft& draft, const simulation::Vector3f& lamp) {
+scenarios::SensingFaults officeFaults(const ScenarioDraft& draft,
+                                      const simulation::Vector3f& lamp) {
   const scenarios::GradeModel& model = scenarios::gradeModel(draft.grade);
   Draws draws(draft.seed, draft.name + " " + model.name);
   scenarios::FaultContext context;
