@@ -68,7 +68,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"scenarios/draft", {"scenarios", "scenarios/wild"}},
         {"scenarios/targets", {"scenarios", "scenarios/draft"}},
         {"scenarios/families", {"scenarios", "scenarios/draft", "scenarios/targets"}},
-        {"scenarios/people", {"scenarios"}},
+        {"scenarios/people", {"scenarios", "scenarios/draft"}},
         {"clips", {"scenarios"}},
         {"baselines", {"scenarios"}},
         {"suite", {"baselines", "metrics", "report", "scenarios"}},

@@ -18,6 +18,11 @@ expectExit 0 experiment apart --seed 1 --seeds 1 --clothes similar --method peop
 expectText apart/report.html "People: apart" similar-people-1.jpg "so far yes" "silhouette recall" "TUNING seeds"
 expectText apart/people.csv height_m,found,silhouette_recall
 expectText out.txt "1 to 1, 1 in all: TUNING"
+expectText apart/runs.csv "apart,ideal,similar,people,1,"
+expectExit 0 experiment apart --seed 1 --seeds 1 --clothes similar --method people --grade room --out room
+expectText room/report.html "Grade room:"
+expectText room/runs.csv "apart,room,similar,people,1,"
+expectExit $kUsage experiment apart --grade dim
 [[ -s apart/similar-people-1.jpg && -s apart/runs.csv ]] || fail "files are missing"
 for name in crossing meet-and-turn side-by-side enter-leave heights sitting carrying crowd \
   two-cameras contact furniture-moved room-clothes patterned-clothes; do
@@ -29,6 +34,7 @@ expectSentence body_points
 expectExit $kUsage experiment people-apart --set particles=0.5
 expectSentence particles
 expectExit $kUsage experiment people-apart --record office --set particles=50
+expectExit $kUsage experiment people-apart --record office --grade room
 [[ ! -e office ]] || fail "a refused command left its folder behind"
 
 # Every figure has its numbers beside it.

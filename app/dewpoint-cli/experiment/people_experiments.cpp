@@ -6,6 +6,7 @@
 #include "app/dewpoint-cli/simulate/record_office.h"
 #include "core/experiment/report/report_folder.h"
 #include "core/experiment/report/seed_blocks.h"
+#include "core/experiment/scenarios/grade.h"
 #include "core/experiment/studies/study_experiments.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -24,6 +25,7 @@ struct StudyOptions {
   std::optional<std::uint64_t> seed; ///< the first one
   int seeds = 30;
   std::string clothes = "both";
+  std::string grade = "ideal";
   std::vector<std::string> methods;
   std::vector<std::string> settings;
   std::string folder;
@@ -38,6 +40,7 @@ Error ofSettings(Error error) {
 Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
   PeopleStudySetup setup;
   setup.scenario = options.scenario;
+  setup.grade = gradeNamed(options.grade).value_or(Grade::Ideal); // names are checked
   if (!options.methods.empty()) {
     setup.methods = options.methods;
   }
@@ -126,6 +129,11 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
     command->add_option("--clothes", options->clothes, "Clothes: different, similar or both")
         ->check(CLI::IsMember({"different", "similar", "both"}))
         ->capture_default_str();
+    command
+        ->add_option("--grade", options->grade,
+                     "How rough images, time stamps and calibration are: ideal, room or wild")
+        ->check(CLI::IsMember({"ideal", "room", "wild"}))
+        ->capture_default_str();
     command->add_option("--method", options->methods, "Method; all unless given")
         ->delimiter(',')
         ->check(CLI::IsMember(PeopleStudySetup().methods));
@@ -136,8 +144,9 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         "Folder for report.html, its pictures, runs.csv and people.csv; it is made");
     command
         ->add_option("--record", options->record,
-                     "Only write the scene of --seed into this folder, as a project to track")
-        ->excludes("--set", "--method", "--out", "--seeds");
+                     "Only write the scene of --seed into this folder, as a project to track; of "
+                     "grade ideal")
+        ->excludes("--set", "--method", "--out", "--seeds", "--grade");
     command->callback([options, &exitCode] {
       exitCode = options->record.empty() ? studyScenario(*options) : recordScenario(*options);
     });

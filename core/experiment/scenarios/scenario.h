@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/capture/frame.h"
 #include "core/experiment/scenarios/box_clips.h"
+#include "core/experiment/scenarios/grade.h"
 #include "core/geometry/camera.h"
 #include "core/simulation/sensor/usual_camera.h"
 #include "core/tracking/tracker.h"
@@ -18,12 +19,6 @@
 #include <vector>
 
 namespace dewpoint::experiment {
-
-/// How rough the images, time stamps and calibration of a run are: `Ideal` has sensor noise,
-/// shading and clutter, and nothing wrong; `Room` has what webcams in a room have (GradeModel says
-/// what, with numbers); `Wild` has more of it, and other cameras, furniture, lamps and people in
-/// each run; `Real` are recordings of real cameras.
-enum class Grade { Ideal, Room, Wild, Real };
 
 /// Something that happens at a frame and that metrics refer to.
 struct ScenarioEvent {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/office_instant.h"
 
-#include <memory>
-#include <utility>
-
 namespace dewpoint::experiment {
 namespace {
 
@@ -19,15 +16,14 @@ std::vector<cv::Mat> silhouettesIn(const OfficeRenderer& renderer, std::size_t c
 
 } // namespace
 
-OfficeInstant renderInstant(const OfficeRenderer& renderer, std::int64_t frame) {
+OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRenderer& renderer,
+                            std::int64_t frame) {
   const OfficeScene& scene = renderer.scene();
   OfficeInstant instant;
   instant.camerasSeeing.assign(scene.people.size(), 0);
-  FrameSet set{frame, timeStamp(scene.timeOf(frame)), {}};
+  instant.frames = recording.frames(frame);
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-    cv::Mat who;
-    set.frames.push_back(
-        std::make_shared<const Frame>(Frame{frame, set.time, renderer.render(k, frame, &who)}));
+    const cv::Mat who = renderer.visible(k, frame);
     for (std::size_t person = 0; person < scene.people.size(); ++person) {
       const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kVisiblePixels;
       instant.camerasSeeing[person] += seen ? 1 : 0;
@@ -37,7 +33,6 @@ OfficeInstant renderInstant(const OfficeRenderer& renderer, std::int64_t frame) 
       instant.silhouettes.push_back(silhouettesIn(renderer, k, frame));
     }
   }
-  instant.frames = std::make_shared<const FrameSet>(std::move(set));
   return instant;
 }
 

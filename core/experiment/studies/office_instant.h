@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/frame.h"
+#include "core/experiment/scenarios/people/people_recording.h"
 #include "core/simulation/people/office.h"
 
 #include <opencv2/core.hpp>
@@ -19,9 +20,10 @@ inline constexpr int kVisiblePixels = 150;
 /// third of a second.
 inline constexpr std::int64_t kSilhouetteEvery = 5;
 
-/// The images of one instant of a scene with people, and who is seen in them.
+/// One instant of a scene with people: its images, and who is seen by the true cameras at that
+/// time, however late the images are.
 struct OfficeInstant {
-  FrameSetPtr frames;
+  FrameSetPtr frames;             ///< as they come, see PeopleRecording
   std::vector<int> camerasSeeing; ///< per person: how many see at least kVisiblePixels
   std::vector<cv::Mat> who;       ///< per camera: see paintPeople()
   /// Per camera, then per person: whole silhouettes; empty between the instants that are compared.
@@ -33,6 +35,8 @@ struct OfficeInstant {
   }
 };
 
-OfficeInstant renderInstant(const OfficeRenderer& renderer, std::int64_t frame);
+/// `renderer`: of the recording's scene and views.
+OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRenderer& renderer,
+                            std::int64_t frame);
 
 } // namespace dewpoint::experiment

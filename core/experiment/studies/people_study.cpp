@@ -4,6 +4,7 @@
 #include "core/experiment/metrics/clear_mot.h"
 #include "core/experiment/metrics/gospa.h"
 #include "core/experiment/metrics/hota.h"
+#include "core/experiment/scenarios/people/people_recording.h"
 #include "core/experiment/studies/office_instant.h"
 #include "core/filter/assignment.h"
 #include "core/session/run/frame_loop.h"
@@ -69,10 +70,11 @@ private:
 class EvaluatedTracker {
 public:
   /// The run is of a method that finds people.
-  EvaluatedTracker(std::string method, TrackingRun run, const OfficeScene& scene)
-      : method_(std::move(method)), run_(std::move(run)), tallies_(scene.people.size()) {
-    projectors_.reserve(scene.cameras.size());
-    for (const Camera& camera : scene.cameras) {
+  EvaluatedTracker(std::string method, TrackingRun run, const PeopleRecording& recording)
+      : method_(std::move(method)), run_(std::move(run)), rig_(recording.rig),
+        tallies_(recording.scene.people.size()) {
+    projectors_.reserve(recording.scene.cameras.size());
+    for (const Camera& camera : recording.scene.cameras) {
       projectors_.emplace_back(camera);
     }
   }
@@ -93,8 +95,7 @@ public:
     for (const PeopleInstant& pictured : picturedInstants) {
       if (pictured.frame == instant.frames->index) {
         pictures_.push_back(
-            {pictured.words, peoplePicture(found(), *instant.frames, renderer.scene().cameras,
-                                           frames_.back().truth)});
+            {pictured.words, peoplePicture(found(), *instant.frames, rig_, frames_.back().truth)});
       }
     }
     return {};
@@ -103,6 +104,7 @@ public:
   PeopleTrial trial(const PeopleStudySetup& setup, const PeopleScenario& scenario) const {
     PeopleTrial result;
     result.scenario = setup.scenario;
+    result.grade = setup.grade;
     result.clothes = setup.clothes;
     result.method = method_;
     result.seed = setup.seed;
@@ -232,7 +234,8 @@ private:
 
   std::string method_;
   TrackingRun run_;
-  std::vector<Projector> projectors_; ///< per camera
+  CameraRig rig_;                     ///< as the method believes it
+  std::vector<Projector> projectors_; ///< per true camera
   std::vector<PersonTally> tallies_;  ///< per person
   PersonTally everybody_;
   std::vector<TrackFrame> frames_;
@@ -251,7 +254,7 @@ bool declares(const std::string& method, const std::string& key) {
 }
 
 Result<std::vector<EvaluatedTracker>> contestants(const PeopleStudySetup& setup,
-                                                  const OfficeScene& scene) {
+                                                  const PeopleRecording& recording) {
   std::vector<EvaluatedTracker> all;
   for (const std::string& method : setup.methods) {
     ParameterValues parameters(methodParameters(method));
@@ -266,13 +269,13 @@ Result<std::vector<EvaluatedTracker>> contestants(const PeopleStudySetup& setup,
     RunDefinition definition;
     definition.method = method;
     definition.parameters = std::move(parameters);
-    definition.rig = std::make_shared<const CameraRig>(scene.cameras);
+    definition.rig = std::make_shared<const CameraRig>(recording.rig);
     definition.seed = setup.seed;
     auto run = TrackingRun::create(std::make_shared<const RunDefinition>(std::move(definition)), 1);
     if (!run) {
       return tl::make_unexpected(run.error());
     }
-    all.emplace_back(method, std::move(*run), scene);
+    all.emplace_back(method, std::move(*run), recording);
   }
   return all;
 }
@@ -313,15 +316,17 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   if (const auto checked = checkPeopleParameters(setup); !checked) {
     return tl::make_unexpected(checked.error());
   }
-  auto all = contestants(setup, scenario->scene);
+  const PeopleRecording recording =
+      recordPeople(setup.scenario, scenario->scene, setup.grade, views);
+  auto all = contestants(setup, recording);
   if (!all) {
     return tl::make_unexpected(all.error());
   }
-  const OfficeRenderer renderer(scenario->scene, views);
+  const OfficeRenderer renderer(recording.scene, recording.views);
   const auto picturedInstants =
       setup.pictures ? tellingInstants(*scenario) : std::vector<PeopleInstant>();
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
-    const OfficeInstant instant = renderInstant(renderer, frame);
+    const OfficeInstant instant = renderInstant(recording, renderer, frame);
     for (EvaluatedTracker& one : *all) {
       if (const auto seen = one.see(renderer, instant, picturedInstants); !seen) {
         return tl::make_unexpected(seen.error());

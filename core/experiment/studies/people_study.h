@@ -3,6 +3,7 @@
 
 #include "core/experiment/metrics/track_frame.h"
 #include "core/experiment/report/seed_blocks.h"
+#include "core/experiment/scenarios/grade.h"
 #include "core/experiment/scenarios/people/people_scenario.h"
 #include "core/experiment/studies/people_pictures.h"
 #include "core/experiment/studies/person_tally.h"
@@ -26,6 +27,7 @@ struct PeoplePicture {
 /// kPeopleGate.
 struct PeopleTrial {
   std::string scenario;
+  Grade grade = Grade::Ideal;
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
   std::uint64_t seed = 0;
@@ -50,6 +52,7 @@ inline constexpr double kPeopleGate = 0.5;
 
 struct PeopleStudySetup {
   std::string scenario;
+  Grade grade = Grade::Ideal; ///< any but Real
   PeopleClothes clothes = PeopleClothes::Different;
   std::vector<std::string> methods = methodNames(TargetsFrom::Images); ///< they find people
   std::uint64_t seed = kFirstTuningSeed;
@@ -62,8 +65,9 @@ struct PeopleStudySetup {
 /// is the parameter's key.
 Status checkPeopleParameters(const PeopleStudySetup& setup);
 
-/// Renders one scene and lets all methods see it; one trial per method. Errors of the scene's, the
-/// method's and the parameters' names.
+/// Renders one scene in a grade and lets all methods see it with the cameras that they believe in;
+/// one trial per method. Positions and silhouettes are compared with the truth in the true cameras.
+/// Errors of the scene's, the method's and the parameters' names.
 Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
                                              simulation::ViewCache& views);
 

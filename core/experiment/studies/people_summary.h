@@ -10,9 +10,10 @@
 
 namespace dewpoint::experiment {
 
-/// What the trials of one scenario, kind of clothes and method add up to.
+/// What the trials of one scenario, grade, kind of clothes and method add up to.
 struct PeopleSummary {
   std::string scenario;
+  Grade grade = Grade::Ideal;
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
   int runs = 0;

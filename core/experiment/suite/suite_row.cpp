@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -14,13 +13,6 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr std::size_t kKeyFields = 4;
-/// The grades and their names, the easiest first.
-struct NamedGrade {
-  Grade grade;
-  const char* name;
-};
-constexpr std::array kGrades{NamedGrade{Grade::Ideal, "ideal"}, NamedGrade{Grade::Room, "room"},
-                             NamedGrade{Grade::Wild, "wild"}, NamedGrade{Grade::Real, "real"}};
 constexpr const char* kKeyHeader = "scenario,grade,method,seed";
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -90,20 +82,6 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
 }
 
 } // namespace
-
-const char* gradeName(Grade grade) {
-  const auto* const found = std::ranges::find(kGrades, grade, &NamedGrade::grade);
-  return found != kGrades.end() ? found->name : "";
-}
-
-std::optional<Grade> gradeNamed(const std::string& name) {
-  for (const NamedGrade& grade : kGrades) {
-    if (name == grade.name) {
-      return grade.grade;
-    }
-  }
-  return std::nullopt;
-}
 
 std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names) {
   std::set<Grade> grades;

@@ -23,9 +23,6 @@ inline constexpr double kQuickFrames = 5.0;
 /// Bins of the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// "ideal", "room", "wild" or "real".
-const char* gradeName(Grade grade);
-std::optional<Grade> gradeNamed(const std::string& name);
 /// The grades of a list of names, each once, the easiest first; "both" stands for ideal and room.
 /// Nothing if a name is unknown or the list is empty.
 std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);

@@ -31,7 +31,11 @@ OfficeRenderer::OfficeRenderer(OfficeScene scene, simulation::ViewCache& views)
   }
 }
 
-cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
+OfficeRenderer::OfficeRenderer(OfficeScene scene,
+                               std::vector<std::shared_ptr<const simulation::CameraView>> views)
+    : scene_(std::move(scene)), views_(std::move(views)) {}
+
+cv::Mat OfficeRenderer::painted(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
   const auto& view = *views_.at(camera);
   std::vector<std::vector<simulation::BodyPart>> people;
   people.reserve(scene_.people.size() + scene_.furniture.size());
@@ -45,9 +49,20 @@ cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* 
   }
   cv::Mat image = view.background.clone();
   paintPeople(view, people, simulation::kOfficeLampPosition, image, who);
+  return image;
+}
+
+cv::Mat OfficeRenderer::render(std::size_t camera, std::int64_t frame, cv::Mat* who) const {
+  const cv::Mat image = painted(camera, frame, who);
   const RandomStream noise(scene_.seed, static_cast<std::uint32_t>(frame),
                            static_cast<std::uint32_t>(camera), RandomPurpose::Simulation);
   return simulation::develop(image, scene_.noiseSigma, noise);
+}
+
+cv::Mat OfficeRenderer::visible(std::size_t camera, std::int64_t frame) const {
+  cv::Mat who;
+  painted(camera, frame, &who);
+  return who;
 }
 
 cv::Mat OfficeRenderer::silhouette(std::size_t camera, std::int64_t frame,

@@ -38,10 +38,15 @@ class OfficeRenderer {
 public:
   /// The views of the empty office come from `views`, so that many scenes share them.
   OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
+  /// With the views of the scene's cameras on the room at rest, in their order.
+  OfficeRenderer(OfficeScene scene,
+                 std::vector<std::shared_ptr<const simulation::CameraView>> views);
 
   const OfficeScene& scene() const { return scene_; }
   /// CV_8UC3, BGR: a pure function of its arguments. `who`: as paintPeople().
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
+  /// Who is seen where, without rendering the image: as `who` of paintPeople().
+  cv::Mat visible(std::size_t camera, std::int64_t frame) const;
   /// The whole silhouette of a person, whether or not something hides it: CV_8UC1, 255 on the body,
   /// without a load; all 0 while the person is not there. What is visible of it: `who` of render().
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
@@ -54,6 +59,9 @@ public:
   Eigen::Vector3d middle(std::size_t person, double time) const;
 
 private:
+  /// The light at the sensor (CV_32FC3).
+  cv::Mat painted(std::size_t camera, std::int64_t frame, cv::Mat* who) const;
+
   OfficeScene scene_;
   std::vector<std::shared_ptr<const simulation::CameraView>> views_;
 };

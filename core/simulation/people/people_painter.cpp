@@ -103,10 +103,11 @@ void forEachPixelOf(const CameraView& view, const BodyPart& part, const PartRay&
 
 class Canvas {
 public:
-  Canvas(const CameraView& view, const Vector3f& lamp, cv::Mat& image, cv::Mat* who)
-      : view_(view), lamp_(lamp), image_(image), who_(who), depth_(view.distances) {}
+  Canvas(const CameraView& view, cv::Mat& image, cv::Mat* who)
+      : view_(view), image_(image), who_(who), depth_(view.distances) {}
 
-  void paint(const BodyPart& part, std::uint8_t person) {
+  /// `lit(point, normal, color)`: the color that is seen of a surface of a color in full light.
+  template <class Lit> void paint(const BodyPart& part, std::uint8_t person, const Lit& lit) {
     const PartRay ray(part, view_.center);
     forEachPixelOf(view_, part, ray, [&](int row, int column, std::size_t pixel, float distance) {
       if (distance >= depth_[pixel]) {
@@ -115,8 +116,7 @@ public:
       depth_[pixel] = distance;
       const Vector3f& direction = view_.directions[pixel];
       const Vector3f point = view_.center + distance * direction;
-      const Vector3f color =
-          shade(point, ray.normal(distance, direction), 1.0F, lamp_) * colorAt(part, point);
+      const Vector3f color = lit(point, ray.normal(distance, direction), colorAt(part, point));
       image_.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
       if (who_ != nullptr) {
         who_->at<std::uint8_t>(row, column) = part.ofBody ? person : 0;
@@ -126,7 +126,6 @@ public:
 
 private:
   const CameraView& view_;
-  const Vector3f& lamp_;
   cv::Mat& image_;
   cv::Mat* who_;
   std::vector<float> depth_;
@@ -153,6 +152,38 @@ void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lam
                      });
 }
 
+/// The share of the lamp that people hide, per pixel (CV_32FC1).
+cv::Mat shadowsOf(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+                  const Vector3f& lamp) {
+  cv::Mat covered = cv::Mat::zeros(view.height, view.width, CV_32FC1);
+  for (const auto& parts : people) {
+    for (const BodyPart& part : parts) {
+      addShadow(view, part, lamp, covered);
+    }
+  }
+  return covered;
+}
+
+/// Calls `darken(row, column, share)` for the pixels in a shadow.
+template <class Darken> void forEachCovered(const cv::Mat& covered, const Darken& darken) {
+  for (int row = 0; row < covered.rows; ++row) {
+    for (int column = 0; column < covered.cols; ++column) {
+      if (const float share = covered.at<float>(row, column); share > 0.0F) {
+        darken(row, column, share);
+      }
+    }
+  }
+}
+
+template <class Lit>
+void paintAll(const std::vector<std::vector<BodyPart>>& people, Canvas& canvas, const Lit& lit) {
+  for (std::size_t person = 0; person < people.size(); ++person) {
+    for (const BodyPart& part : people[person]) {
+      canvas.paint(part, static_cast<std::uint8_t>(person + 1), lit);
+    }
+  }
+}
+
 } // namespace
 
 cv::Mat wholeSilhouette(const CameraView& view, const std::vector<BodyPart>& parts) {
@@ -176,25 +207,36 @@ void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>
   if (people.empty()) {
     return;
   }
-  cv::Mat covered = cv::Mat::zeros(image.size(), CV_32FC1);
-  for (const auto& parts : people) {
-    for (const BodyPart& part : parts) {
-      addShadow(view, part, lamp, covered);
-    }
+  forEachCovered(shadowsOf(view, people, lamp), [&](int row, int column, float share) {
+    image.at<cv::Vec3f>(row, column) *= 1.0F - share * view.lit[view.index(column, row)];
+  });
+  Canvas canvas(view, image, who);
+  paintAll(people, canvas,
+           [&](const Vector3f& point, const Vector3f& normal, const Vector3f& color) -> Vector3f {
+             return shade(point, normal, 1.0F, lamp) * color;
+           });
+}
+
+void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+                 const PeopleLight& light, cv::Mat& image) {
+  if (people.empty()) {
+    return;
   }
-  for (int row = 0; row < image.rows; ++row) {
-    for (int column = 0; column < image.cols; ++column) {
-      if (const float share = covered.at<float>(row, column); share > 0.0F) {
-        image.at<cv::Vec3f>(row, column) *= 1.0F - share * view.lit[view.index(column, row)];
-      }
-    }
-  }
-  Canvas canvas(view, lamp, image, who);
-  for (std::size_t person = 0; person < people.size(); ++person) {
-    for (const BodyPart& part : people[person]) {
-      canvas.paint(part, static_cast<std::uint8_t>(person + 1));
-    }
-  }
+  const Illumination& illumination = *light.field.illumination;
+  const cv::Mat& direct = light.background->direct;
+  forEachCovered(shadowsOf(view, people, illumination.lamp), [&](int row, int column, float share) {
+    const std::size_t pixel = view.index(column, row);
+    const Vector3f point = view.center + view.distances[pixel] * view.directions[pixel];
+    const float passing =
+        illumination.shadow ? shadowAt(*illumination.shadow, point, light.field.time) : 0.0F;
+    image.at<cv::Vec3f>(row, column) -=
+        share * (1.0F - passing) * direct.at<cv::Vec3f>(row, column);
+  });
+  Canvas canvas(view, image, nullptr);
+  paintAll(people, canvas,
+           [&](const Vector3f& point, const Vector3f& normal, const Vector3f& color) -> Vector3f {
+             return light.field.at(point, normal).cwiseProduct(color);
+           });
 }
 
 } // namespace dewpoint::simulation

@@ -3,6 +3,7 @@
 
 #include "core/simulation/people/walker.h"
 #include "core/simulation/room/camera_view.h"
+#include "core/simulation/room/illumination.h"
 
 #include <opencv2/core.hpp>
 
@@ -17,6 +18,19 @@ namespace dewpoint::simulation {
 /// else 1 + the index of the person whose body is seen.
 void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
                  const Vector3f& lamp, cv::Mat& image, cv::Mat* who = nullptr);
+
+/// The light that people walk in where it is more than that of the room's lamp.
+struct PeopleLight {
+  LightField field;
+  /// What the lamp gives the room at rest directly, in the pixels of the view; what takes it away
+  /// leaves the light of the others.
+  const RelitBackground* background = nullptr;
+};
+
+/// The same in all of the light: further lamps light people, too, and reach into their shadows; the
+/// moving shadow falls on them. `image`: from backgroundAt() with the same light and time.
+void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+                 const PeopleLight& light, cv::Mat& image);
 
 /// The whole silhouette of a body as `view` sees it when nothing stands before it: CV_8UC1, 255 on
 /// the body, else 0. Loads and furniture are left out.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene/stage.h"
 
+#include "core/simulation/people/people_exposure.h"
 #include "core/simulation/people/people_painter.h"
 #include "core/simulation/sensor/sensor.h"
 #include "core/simulation/sensor/tone_curve.h"
@@ -54,15 +55,20 @@ const RelitView* relitOf(const Stage& stage, const CameraView& view) {
   return found != stage.relit.end() ? &*found : nullptr;
 }
 
-/// The people of the stage at a time, by their parts.
+/// The people of the stage at a time, and what they move, by their parts.
 std::vector<std::vector<BodyPart>> peopleAt(const Stage& stage, double time) {
   std::vector<std::vector<BodyPart>> people;
+  for (const MovableFurniture& piece : stage.furniture) {
+    people.push_back(furnitureParts(piece, time));
+  }
   for (const Walker& walker : stage.people) {
     if (!walker.presentAt(time)) {
       continue;
     }
     people.push_back(bodyParts(walker, time));
-    for (BodyPart& part : people.back()) {
+  }
+  for (std::vector<BodyPart>& parts : people) {
+    for (BodyPart& part : parts) {
       part.center.z() += stage.floorHeight;
     }
   }
@@ -71,11 +77,17 @@ std::vector<std::vector<BodyPart>> peopleAt(const Stage& stage, double time) {
 
 /// The room as a camera that has rotated sees it, without the bodies.
 cv::Mat roomAt(const Stage& stage, const CameraView& view, double time,
-               const Eigen::Matrix3d& rotation) {
+               const Eigen::Matrix3d& rotation, const Shutter& shutter) {
   const RelitView* other = relitOf(stage, view);
   cv::Mat image = other != nullptr ? backgroundAt(view, other->background, stage.illumination, time)
                                    : view.background.clone();
-  paintPeople(view, peopleAt(stage, time), stage.illumination.lamp, image);
+  if (stage.peopleExposed && other != nullptr) {
+    const PeopleLight light{{&stage.illumination, time}, &other->background};
+    exposePeople(
+        view, [&](double instant) { return peopleAt(stage, instant); }, light, shutter, image);
+  } else {
+    paintPeople(view, peopleAt(stage, time), stage.illumination.lamp, image);
+  }
   return rotation == Eigen::Matrix3d::Identity() ? image : rotatedImage(view, image, rotation);
 }
 
@@ -88,7 +100,7 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
     return cv::Mat::zeros(view.height, view.width, CV_32FC3);
   }
   const Eigen::Matrix3d rotation = rotationAt(sensor.drift, time);
-  cv::Mat image = roomAt(stage, view, time, rotation);
+  cv::Mat image = roomAt(stage, view, time, rotation, sensor.shutter);
   const LightField field{&stage.illumination, time};
   const LightField* own = stage.illumination.plain() ? nullptr : &field;
   const Eigen::Vector3d eye = view.center.cast<double>();

@@ -4,6 +4,7 @@
 #include "core/simulation/body/body_painter.h"
 #include "core/simulation/body/moving_part.h"
 #include "core/simulation/body/usual_ball.h"
+#include "core/simulation/people/movable_furniture.h"
 #include "core/simulation/people/walker.h"
 #include "core/simulation/room/camera_view.h"
 #include "core/simulation/room/illumination.h"
@@ -88,8 +89,12 @@ struct Stage {
   std::vector<SensorModel> sensors;        ///< one per camera; empty: ideal ones
   Illumination illumination;               ///< besides the lamp that `views` were rendered with
   /// Who walks behind the bodies: bodies hide people, never the other way round. The lamp alone
-  /// lights them.
+  /// lights them, and no exposure blurs them.
   std::vector<Walker> people;
+  std::vector<MovableFurniture> furniture; ///< that people move; seen as they are
+  /// The people are what is recorded: all of the illumination lights them, and shutter and exposure
+  /// of the cameras with a model of their own blur them. Needs an illumination that is not plain.
+  bool peopleExposed = false;
   float floorHeight = 0.0F;     ///< world z of the floor that they walk on, meters
   std::vector<RelitView> relit; ///< of all views, where the illumination is not plain
 };

@@ -114,6 +114,23 @@ TEST(PeopleStudy, MotionAloneLosesTwoWhoWalkTogetherAndColorKeepsThem) {
   EXPECT_TRUE((*trials)[1].kept);
 }
 
+TEST(PeopleStudy, RunsInARoomAsItDoesInAnIdealOne) {
+  simulation::ViewCache views;
+  PeopleStudySetup setup;
+  setup.scenario = "apart";
+  setup.grade = Grade::Room;
+  setup.methods = {"people"};
+  setup.seed = 1;
+  setup.pictures = true;
+  const auto trials = studyPeople(setup, views);
+  ASSERT_TRUE(trials);
+  const PeopleTrial& trial = trials->front();
+  EXPECT_EQ(trial.grade, Grade::Room);
+  EXPECT_EQ(trial.persons.size(), 2U);
+  EXPECT_TRUE(std::isfinite(trial.everybody.found)); // two cameras see somebody at times
+  EXPECT_EQ(trial.pictures.size(), 3U);
+}
+
 TEST(PeopleStudy, NamesABadParameter) {
   simulation::ViewCache views;
   PeopleStudySetup setup;
@@ -189,6 +206,34 @@ TEST(PeopleReport, AFewRunsAreNoVerdict) {
   EXPECT_NE(many.find("chip bad'>no<"), std::string::npos);
 }
 
+TEST(PeopleReport, NamesTheGrade) {
+  PeopleTrial ideal = trialOf("apart", "people", true);
+  PeopleTrial room = trialOf("apart", "people", false);
+  room.grade = Grade::Room;
+  const auto sums = summarize({ideal, room});
+  ASSERT_EQ(sums.size(), 2U); // grades are not mixed
+  EXPECT_EQ(sums[0].kept, 1);
+  EXPECT_EQ(sums[1].grade, Grade::Room);
+  EXPECT_EQ(sums[1].kept, 0);
+  EXPECT_NE(peopleTableRow(sums[1]).find("room"), std::string::npos);
+  const std::string page = peopleReport("apart", {ideal, room}).html();
+  EXPECT_NE(page.find("Grade ideal:"), std::string::npos);
+  EXPECT_NE(page.find("Grade room:"), std::string::npos);
+  EXPECT_EQ(page.find("Grade wild:"), std::string::npos);
+  EXPECT_NE(peopleTrialsCsv({room}).find("scenario,grade,clothes,method,seed,kept"),
+            std::string::npos);
+  EXPECT_NE(peopleTrialsCsv({room}).find("apart,room,different,people,0,0"), std::string::npos);
+}
+
+TEST(PeopleReport, RequiresTheSameInARoomAndNothingOfWildRooms) {
+  PeopleTrial trial = trialOf("contact", "people", false);
+  trial.grade = Grade::Room;
+  EXPECT_NE(peopleReport("contact", {trial}).html().find("contact, grade room, different clothes"),
+            std::string::npos);
+  trial.grade = Grade::Wild;
+  EXPECT_EQ(peopleReport("contact", {trial}).html().find("of 30 runs"), std::string::npos);
+}
+
 TEST(PeopleReport, IdentitiesOfThoseWhoComeAndGoAreJudgedToo) {
   const std::string page =
       peopleReport("enter-leave", {trialOf("enter-leave", "people", false)}).html();
@@ -221,8 +266,8 @@ TEST(PeopleReport, GroupsPeopleByHeightWhereSomeAreSmall) {
   EXPECT_NE(page.find("By height"), std::string::npos);
   EXPECT_NE(page.find("below 1.3 m"), std::string::npos);
   const std::string table = peoplePersonsCsv({trial});
-  EXPECT_NE(table.find("heights,different,people,0,1,1.1,0,nan"), std::string::npos);
-  EXPECT_NE(table.find("heights,different,people,0,2,1.9,0.75,0.8,0.7,0.6,0.02"),
+  EXPECT_NE(table.find("heights,ideal,different,people,0,1,1.1,0,nan"), std::string::npos);
+  EXPECT_NE(table.find("heights,ideal,different,people,0,2,1.9,0.75,0.8,0.7,0.6,0.02"),
             std::string::npos);
 }
 

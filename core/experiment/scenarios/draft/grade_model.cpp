@@ -155,11 +155,12 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   constexpr Range kSideHeight{0.1, 0.6};
   constexpr Range kWallHeight{0.8, 1.8};
   simulation::Illumination light;
-  const simulation::Vector3f side = beside(context, kLampDistance, draw(kSideHeight, draws), draws);
+  const simulation::Vector3f side =
+      beside(context, context.lampDistance, draw(kSideHeight, draws), draws);
   const auto white = static_cast<float>(draw(model.sideLamp, draws));
   light.further.push_back({side, simulation::Vector3f::Constant(white), distanceTo(context, side)});
   const simulation::Vector3f above =
-      beside(context, kLampDistance, draw(kWallHeight, draws), draws);
+      beside(context, context.lampDistance, draw(kWallHeight, draws), draws);
   const double strength = draw(model.coloredLamp, draws);
   const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredKelvin, draws));
   light.further.push_back({above, (strength * tint).cast<float>(), distanceTo(context, above)});

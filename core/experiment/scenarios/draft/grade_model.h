@@ -78,6 +78,7 @@ struct FaultContext {
   double framesPerSecond = simulation::kUsualFrameRate;
   double exposureSeconds = simulation::kUsualExposure; ///< the least
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();    ///< where the first target begins, world, m
+  double lampDistance = kLampDistance; ///< of further lamps from there, horizontally, meters
 };
 
 /// Faults of a run in a grade.
