@@ -4,6 +4,7 @@ import csv
 import dataclasses
 import fnmatch
 import hashlib
+import itertools
 import pathlib
 import re
 import subprocess
@@ -42,6 +43,7 @@ class Shard:
     cost: float = 0.0  # seconds of one core
     seeds: tuple = ()  # first and count
     alone: bool = False  # nothing else may run meanwhile
+    grade: str = "*"  # of people
 
 
 def matches(patterns, text):
@@ -162,21 +164,22 @@ def suite_shards(found, costs, first_seed, shard_seconds):
 
 
 def people_shards(rules, catalog, costs, shard_seconds, quick=None):
-    for scenario in catalog.people:
-        rule = next((rule for rule in reversed(rules) if matches(rule["scenarios"], scenario)), None)
+    for scenario, grade in itertools.product(catalog.people, catalog.grades):
+        rule = next((rule for rule in reversed(rules)
+                     if matches(rule["scenarios"], scenario) and matches(rule["grades"], grade)), None)
         if rule is None or (quick and not matches(quick["people"], scenario)):
             continue
         seeds = min(rule["seeds"], quick["seeds"]) if quick else rule["seeds"]
-        each = costs.of("people", "-", "run")
+        each = costs.of("people", grade, "run")
         step = max(1, int(shard_seconds / each))
         for clothes in ("different", "similar"):
             for begin in range(0, seeds, step):
                 count = min(step, seeds - begin)
                 seed = catalog.first_seed + begin
-                name = f"{scenario}-{clothes}-{seed}-{count}"
-                command = ["experiment", scenario, "--clothes", clothes, "--seed", str(seed),
+                name = f"{scenario}-{grade}-{clothes}-{seed}-{count}"
+                command = ["experiment", scenario, "--grade", grade, "--clothes", clothes, "--seed", str(seed),
                            "--seeds", str(count), "--out", f"shards/{name}"]
-                yield Shard(name, command, "people", count * each, (seed, count))
+                yield Shard(name, command, "people", count * each, (seed, count), grade=grade)
 
 
 def study_shards(plan, catalog, costs, quick=None):

@@ -201,7 +201,7 @@ def results_of(folder, **files):
         file = folder / name.replace("__", "/").replace("_csv", ".csv").replace("_json", ".json")
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(textwrap.dedent(text))
-    people = plans.Shard("people-crossing-different-1006001-2", [], "people", seeds=(1006001, 2))
+    people = plans.Shard("people-crossing-ideal-different-1006001-2", [], "people", seeds=(1006001, 2))
     starts = plans.Shard("starts", [], "starts", seeds=(1006001, 5))
     studies = [plans.Shard("convergence", [], "convergence", seeds=(1006001, 20))]
     for name, seeds in (("barrera-fig3", 1), ("barrera-fig4", 2), ("barrera-fig5", 1), ("mohedano-fig1", 1),
@@ -257,15 +257,15 @@ class Tables(unittest.TestCase):
                                                     ["room", "coverage95 percent", "-", "-", "-"]])
 
     def test_people(self):
-        made = results_of(self.folder, **{"shards__people-crossing-different-1006001-2__runs_csv": """\
-            scenario,clothes,method,seed,kept,mota,motp_m,hota,identity_switches,longest_ghost_s,longest_missed_s
-            crossing,different,people,1006001,1,1,0.02,0.9,0,0,0.8
-            crossing,different,people,1006002,0,0.5,nan,0.7,2,0.1,0.4
+        made = results_of(self.folder, **{"shards__people-crossing-ideal-different-1006001-2__runs_csv": """\
+            scenario,grade,clothes,method,seed,kept,mota,motp_m,hota,identity_switches,longest_ghost_s,longest_missed_s
+            crossing,room,different,people,1006001,1,1,0.02,0.9,0,0,0.8
+            crossing,room,different,people,1006002,0,0.5,nan,0.7,2,0.1,0.4
             """})
-        self.assertEqual(tables.people_identities(made).rows, [["`crossing`", "different", "2", "1"]])
+        self.assertEqual(tables.people_identities(made).rows, [["`crossing`", "room", "different", "2", "1"]])
         self.assertEqual(tables.studies.people_heights(made).rows, [])  # none of that scene
         self.assertEqual(tables.people_quality(made).rows,
-                         [["`crossing`", "different", "`people`", "2", "0.750", "0.800", "20", "0.10", "0.80"]])
+                         [["`crossing`", "room", "different", "`people`", "2", "0.750", "0.800", "20", "0.10", "0.80"]])
 
     def test_fidelity(self):
         made = results_of(self.folder, shards__convergence__convergence_csv="""\
@@ -291,15 +291,15 @@ class Tables(unittest.TestCase):
 
 
     def test_heights(self):
-        made = results_of(self.folder, **{"shards__people-crossing-different-1006001-2__people_csv": """\
-            scenario,clothes,method,seed,person,height_m,found,silhouette_recall,silhouette_precision,silhouette_iou,height_error_m
-            heights,different,people,1006001,1,1.1,0,nan,nan,nan,nan
-            heights,different,people,1006001,2,1.95,1,0.8,0.8,0.7,-0.02
-            heights,different,people,1006002,2,1.9,0.5,0.7,0.8,0.7,0.03
+        made = results_of(self.folder, **{"shards__people-crossing-ideal-different-1006001-2__people_csv": """\
+            scenario,grade,clothes,method,seed,person,height_m,found,silhouette_recall,silhouette_precision,silhouette_iou,height_error_m
+            heights,room,different,people,1006001,1,1.1,0,nan,nan,nan,nan
+            heights,room,different,people,1006001,2,1.95,1,0.8,0.8,0.7,-0.02
+            heights,room,different,people,1006002,2,1.9,0.5,0.7,0.8,0.7,0.03
             """})
         self.assertEqual(tables.studies.people_heights(made).rows,
-                         [["different", "`people`", "below 1.3 m", "1", "0 %", "-", "-"],
-                          ["different", "`people`", "1.6 m and more", "2", "75 %", "0.75", "5"]])
+                         [["room", "different", "`people`", "below 1.3 m", "1", "0 %", "-", "-"],
+                          ["room", "different", "`people`", "1.6 m and more", "2", "75 %", "0.75", "5"]])
 
     def test_figures_of_the_papers(self):
         instants = "iteration,error_m,spread_along_axis_1_m,spread_across_it_m"
@@ -399,7 +399,7 @@ elif words[1] == "barrera-fig4":
 elif words[1] == "fingerprint":
     print("method,fingerprint\\ndewpoint,1a2b3c4d\\ntriangulation,00000001\\npeople,12345678\\nbarrera,0e000001")
 elif words[1] == "people-crossing":
-    write(out, "runs.csv", ["scenario,clothes,method,seed,kept", f"crossing,{option('--clothes')},people,{option('--seed')},1"])
+    write(out, "runs.csv", ["scenario,grade,clothes,method,seed,kept", f"crossing,{option('--grade')},{option('--clothes')},people,{option('--seed')},1"])
 elif words[1] == "convergence":
     write(out, "drift.csv", ["first_seed,runs,iterations,mm_per_iteration", option("--seed") + ",50,5,5.9"])
 elif words[1] == "starts":
@@ -557,7 +557,7 @@ class SavedCosts(unittest.TestCase):
         costs = plans.Costs.read(file)
         self.assertEqual([costs.of(scenario, "room", "render") for scenario in ("S0-slow", "S8-ramp", "S4-desk-cloud")],
                          [2.0, 3.0, 0.4])
-        self.assertEqual(costs.of("people", "-", "run"), 7.0)
+        self.assertEqual(costs.of("people", "wild", "run"), 7.0)
         self.assertEqual(file.read_text().count("S0-slow"), 1)
 
 

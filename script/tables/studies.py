@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of the papers' experiments and of people, each a function of the results."""
+import itertools
 import re
 
 from cells import Made, name, number, percent
@@ -139,19 +140,18 @@ def people_heights(results):
     """Who is found, in the scene with people of all heights."""
     mine = [row for row in results.persons if row["scenario"] == "heights"]
     table = []
-    for clothes in distinct(mine, "clothes"):
-        for method in distinct(mine, "method"):
-            for title, low, high in HEIGHTS:
-                rows = [row for row in mine if row["clothes"] == clothes and row["method"] == method
-                        and low <= row["height_m"] < high]
-                if rows:
-                    found, recall, error = (finite(column(rows, key))
-                                            for key in ("found", "silhouette_recall", "height_error_m"))
-                    table.append([clothes, name(method), title, str(len(rows)),
-                                  percent(100.0 * mean(found)) if found else "-",
-                                  f"{mean(recall):.2f}" if recall else "-",
-                                  f"{METER * mean(error):.0f}" if error else "-"])
-    return Made(["clothes", "method", "height", "people", "found", "silhouette recall", "height error (mm)"], table,
+    for grade, clothes, method in itertools.product(*[distinct(mine, key) for key in ("grade", "clothes", "method")]):
+        for title, low, high in HEIGHTS:
+            rows = [row for row in mine if (row["grade"], row["clothes"], row["method"]) == (grade, clothes, method)
+                    and low <= row["height_m"] < high]
+            if rows:
+                found, recall, error = (finite(column(rows, key))
+                                        for key in ("found", "silhouette_recall", "height_error_m"))
+                table.append([grade, clothes, name(method), title, str(len(rows)),
+                              percent(100.0 * mean(found)) if found else "-",
+                              f"{mean(recall):.2f}" if recall else "-",
+                              f"{METER * mean(error):.0f}" if error else "-"])
+    return Made(["grade", "clothes", "method", "height", "people", "found", "silhouette recall", "height error (mm)"], table,
                 distinct(mine, "method"), sorted({int(row["seed"]) for row in mine}))
 
 

@@ -208,23 +208,25 @@ def smoothed(results):
 
 
 def people_cells(results):
-    for scenario in distinct(results.people, "scenario"):
-        for clothes in ("different", "similar"):
-            rows = [row for row in results.people if row["scenario"] == scenario and row["clothes"] == clothes]
-            if rows:
-                yield scenario, clothes, rows
+    for grade in distinct(results.people, "grade"):
+        for scenario in distinct(results.people, "scenario"):
+            for clothes in ("different", "similar"):
+                rows = [row for row in results.people
+                        if (row["grade"], row["scenario"], row["clothes"]) == (grade, scenario, clothes)]
+                if rows:
+                    yield [name(scenario), grade, clothes], rows
 
 
 def people_identities(results):
     methods = distinct(results.people, "method")
     table = []
-    for scenario, clothes, rows in people_cells(results):
-        line = [name(scenario), clothes, str(len(seeds_of(rows)))]
+    for what, rows in people_cells(results):
+        line = [*what, str(len(seeds_of(rows)))]
         for method in methods:
             kept = [row["kept"] for row in rows if row["method"] == method]
             line.append(f"{sum(kept):.0f}" if kept else "-")
         table.append(line)
-    return Made(["scenario", "clothes", "seeds", *map(name, methods)], table, methods, seeds_of(results.people))
+    return Made(["scenario", "grade", "clothes", "seeds", *map(name, methods)], table, methods, seeds_of(results.people))
 
 
 # Columns of a people study's runs.csv: (name, head, text of the rows' numbers).
@@ -244,13 +246,13 @@ PEOPLE_COLUMNS = (
 def people_quality(results):
     shown = [one for one in PEOPLE_COLUMNS if finite(column(results.people, one[0]))]
     table = []
-    for scenario, clothes, rows in people_cells(results) if shown else ():
+    for what, rows in people_cells(results) if shown else ():
         for method in distinct(rows, "method"):
             mine = [row for row in rows if row["method"] == method]
             cells = [finite(column(mine, key)) for key, _, _ in shown]
-            table.append([name(scenario), clothes, name(method),
+            table.append([*what, name(method),
                           *[text(numbers) if numbers else "-" for numbers, (_, _, text) in zip(cells, shown)]])
-    return Made(["scenario", "clothes", "method", *[one[1] for one in shown]], table,
+    return Made(["scenario", "grade", "clothes", "method", *[one[1] for one in shown]], table,
                 distinct(results.people, "method"), seeds_of(results.people))
 
 

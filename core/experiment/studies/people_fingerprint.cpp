@@ -15,8 +15,7 @@ constexpr double kShareStep = 0.001; // of probabilities
 constexpr double kMeterStep = 1e-4;  // m
 constexpr double kVolumeStep = 1e-4; // m³
 
-std::string fingerprintOf(const PeopleTrial& trial) {
-  Fingerprint fingerprint;
+void add(const PeopleTrial& trial, Fingerprint& fingerprint) {
   fingerprint.add(trial.kept ? "kept" : "not kept");
   fingerprint.add(trial.identitySwitches, 1.0);
   const PersonResult& everybody = trial.everybody;
@@ -28,7 +27,6 @@ std::string fingerprintOf(const PeopleTrial& trial) {
   fingerprint.add(trial.motp, kMeterStep);
   fingerprint.add(trial.gospa, kMeterStep);
   fingerprint.add(trial.hullVolume, kVolumeStep);
-  return fingerprint.text();
 }
 
 } // namespace
@@ -47,13 +45,20 @@ peopleFingerprints(const std::vector<std::string>& methods) {
     setup.methods = methods;
   }
   simulation::ViewCache views;
-  const auto trials = studyPeople(setup, views);
-  if (!trials) {
-    return tl::make_unexpected(trials.error());
+  std::map<std::string, Fingerprint> fingerprints;
+  for (const Grade grade : {Grade::Ideal, Grade::Room}) {
+    setup.grade = grade;
+    const auto trials = studyPeople(setup, views);
+    if (!trials) {
+      return tl::make_unexpected(trials.error());
+    }
+    for (const PeopleTrial& trial : *trials) {
+      add(trial, fingerprints[trial.method]);
+    }
   }
   std::map<std::string, std::string> texts;
-  for (const PeopleTrial& trial : *trials) {
-    texts[trial.method] = fingerprintOf(trial);
+  for (const auto& [method, fingerprint] : fingerprints) {
+    texts[method] = fingerprint.text();
   }
   return texts;
 }
