@@ -24,17 +24,17 @@ constexpr double kDarkestPoster = 25.0;
 constexpr double kLightest = 235.0;
 
 Camera putUpElsewhere(Camera camera, Draws& draws) {
-  constexpr double kAside = 0.6;    // meters along x and y, either way
-  constexpr double kAim = 0.3;      // meters along each axis, either way
-  constexpr double kRoll = 0.1;     // radians, either way
-  constexpr double kLowest = 1.9;   // meters: on a cupboard
-  constexpr double kHighest = 2.55; // meters: below the ceiling
-  constexpr double kShortest = 0.8; // of the focal length: 82 degrees across
-  constexpr double kLongest = 1.15; // 62 degrees
+  constexpr double kMovedAside = 0.6; // meters along x and y, either way
+  constexpr double kAim = 0.3;        // meters along each axis, either way
+  constexpr double kRoll = 0.1;       // radians, either way
+  constexpr double kLowest = 1.9;     // meters: on a cupboard
+  constexpr double kHighest = 2.55;   // meters: below the ceiling
+  constexpr double kShortest = 0.8;   // of the focal length: 82 degrees across
+  constexpr double kLongest = 1.15;   // 62 degrees
   Eigen::Vector3d center = camera.center();
   for (int axis = 0; axis < 2; ++axis) {
-    center[axis] =
-        std::clamp(center[axis] + draws.uniform(-kAside, kAside), -kMostAside, kMostAside);
+    center[axis] = std::clamp(center[axis] + draws.uniform(-kMovedAside, kMovedAside), -kMostAside,
+                              kMostAside);
   }
   center.z() = draws.uniform(kLowest, kHighest);
   const Eigen::Vector3d aim = Eigen::Vector3d::Constant(kAim);
