@@ -207,7 +207,7 @@ TEST(SourceRules, RoomsInsideARoomKeepTheirOrder) {
   EXPECT_EQ(complaints(scenarios + "wild/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "draft/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "targets/a.h", "\"" + scenarios + "families/b.h\""), 1U);
-  EXPECT_EQ(complaints(scenarios + "people/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "people/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "cellar/a.h", "<vector>"), 1U) << "no such room";
 }

@@ -3,7 +3,7 @@
 
 #include "core/base/angle.h"
 #include "core/calibration/wand/wand_gauge.h"
-#include "core/experiment/scenarios/draft/scenario_draft.h"
+#include "core/experiment/scenarios/pink_target.h"
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/setup/wand_views.h"
 #include "core/simulation/room/view_cache.h"

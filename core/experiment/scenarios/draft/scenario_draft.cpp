@@ -4,9 +4,9 @@
 #include "core/experiment/scenarios/draft/draft_frames.h"
 #include "core/experiment/scenarios/draft/grade_model.h"
 #include "core/experiment/scenarios/draft/target_truth.h"
+#include "core/experiment/scenarios/pink_target.h"
 #include "core/experiment/scenarios/wild/wild_rig.h"
 #include "core/experiment/scenarios/wild/wild_room.h"
-#include "core/simulation/scene/scene.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -175,13 +175,6 @@ ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::
     return runOf(recipe, *cache, seed, grade);
   };
   return declaration;
-}
-
-Target pinkTarget(const std::string& name, double radius) {
-  const SceneBall pink;
-  return {name, radius,
-          ColorRange{pink.hueMin, pink.hueMax, pink.saturationMin, pink.saturationMax,
-                     pink.intensityMin, pink.intensityMax}};
 }
 
 void addTarget(ScenarioDraft& draft, simulation::Path path, double radius) {

@@ -78,9 +78,6 @@ struct ScenarioRecipe {
 /// The declaration of a recipe. Runs share the cache's views of the room at rest.
 ScenarioDeclaration declared(ScenarioRecipe recipe, std::shared_ptr<simulation::ViewCache> cache);
 
-/// The target: the pink ball of the paper's kind, with the color range that holds its pixels.
-Target pinkTarget(const std::string& name, double radius);
-
 /// Adds a pink ball that is to be tracked ("ball 1", "ball 2", ...).
 void addTarget(ScenarioDraft& draft, simulation::Path path, double radius = kBallRadius);
 
