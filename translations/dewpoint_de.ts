@@ -2217,6 +2217,17 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::AddPersonTool</name>
+    <message>
+        <source>Click the person</source>
+        <translation>Die Person anklicken</translation>
+    </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>Bild von Kamera %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass dort eine Person ist</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
@@ -2229,6 +2240,97 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Kein 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::BoardCalibrationPage</name>
+    <message>
+        <source>Board</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>Was zu finden ist</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>Die Tafel in der Aufnahme suchen und die Kameras damit kalibrieren; ein Schritt, der sich zurücknehmen lässt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>Abbrechen; die bisherige Kalibrierung bleibt</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>Die Kalibrierung ins Projekt übernehmen; ein Schritt, der sich zurücknehmen lässt</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>Eine Seite mit Residuen, Abdeckung und Fehlern aller Bilder speichern und öffnen</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>Wie weit die Kalibrierung ist</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>Zeigen Sie den Kameras eine gedruckte Tafel: Sie erfahren, was als Nächstes zu zeigen ist; aufgenommen wird, wenn Sie still halten.</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>Eine Aufnahme, in der eine gedruckte Tafel an vielen Orten still vor die Kameras gehalten wird, nah und geneigt, kalibriert sie.</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>Livekameras</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>Diese Aufnahme</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ Die Kameras sind kalibriert (Strg+Z nimmt es zurück).</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>Suche die Tafel: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Berechne</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Seite (*.html)</translation>
+    </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>Trotzdem verwenden</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -2532,97 +2634,6 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::BoardCalibrationPage</name>
-    <message>
-        <source>Board</source>
-        <translation>Tafel</translation>
-    </message>
-    <message>
-        <source>What to find</source>
-        <translation>Was zu finden ist</translation>
-    </message>
-    <message>
-        <source>Calibrate</source>
-        <translation>Kalibrieren</translation>
-    </message>
-    <message>
-        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
-        <translation>Die Tafel in der Aufnahme suchen und die Kameras damit kalibrieren; ein Schritt, der sich zurücknehmen lässt</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop; the former calibration is kept</source>
-        <translation>Abbrechen; die bisherige Kalibrierung bleibt</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
-        <source>Take the calibration into the project; one step that can be undone</source>
-        <translation>Die Kalibrierung ins Projekt übernehmen; ein Schritt, der sich zurücknehmen lässt</translation>
-    </message>
-    <message>
-        <source>Report…</source>
-        <translation>Bericht…</translation>
-    </message>
-    <message>
-        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
-        <translation>Eine Seite mit Residuen, Abdeckung und Fehlern aller Bilder speichern und öffnen</translation>
-    </message>
-    <message>
-        <source>How far the calibration is</source>
-        <translation>Wie weit die Kalibrierung ist</translation>
-    </message>
-    <message>
-        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
-        <translation>Zeigen Sie den Kameras eine gedruckte Tafel: Sie erfahren, was als Nächstes zu zeigen ist; aufgenommen wird, wenn Sie still halten.</translation>
-    </message>
-    <message>
-        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
-        <translation>Eine Aufnahme, in der eine gedruckte Tafel an vielen Orten still vor die Kameras gehalten wird, nah und geneigt, kalibriert sie.</translation>
-    </message>
-    <message>
-        <source>Live cameras</source>
-        <translation>Livekameras</translation>
-    </message>
-    <message>
-        <source>This recording</source>
-        <translation>Diese Aufnahme</translation>
-    </message>
-    <message>
-        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
-        <translation>✓ Die Kameras sind kalibriert (Strg+Z nimmt es zurück).</translation>
-    </message>
-    <message>
-        <source>Looking for the board: %p %</source>
-        <translation>Suche die Tafel: %p %</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>Berechne</translation>
-    </message>
-    <message>
-        <source>Save the report</source>
-        <translation>Bericht speichern</translation>
-    </message>
-    <message>
-        <source>Page (*.html)</source>
-        <translation>Seite (*.html)</translation>
-    </message>
-    <message>
-        <source>Use it anyway</source>
-        <translation>Trotzdem verwenden</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gespeichert.</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
@@ -2806,41 +2817,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CalibrationMode</name>
+    <name>dewpoint::ui::CalibrationDock</name>
     <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::CameraMotionAlerts</name>
-    <message>
-        <source>%1 was %2 (frame %3).</source>
-        <translation>%1 wurde %2 (Bild %3).</translation>
-    </message>
-    <message>
-        <source>Its new pose is being worked out.</source>
-        <translation>Ihre neue Lage wird gerade bestimmt.</translation>
-    </message>
-    <message>
-        <source>Its pose can be solved again from what it sees.</source>
-        <translation>Ihre Lage lässt sich aus dem, was sie sieht, neu bestimmen.</translation>
-    </message>
-    <message>
-        <source>Re-solve %1</source>
-        <translation>%1 neu bestimmen</translation>
-    </message>
-    <message>
-        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
-        <translation>Aus dem, was sie sieht, lässt sich das nicht neu bestimmen: neu kalibrieren oder zurückstellen.</translation>
-    </message>
-    <message>
-        <source>Calibrate %1…</source>
-        <translation>%1 kalibrieren…</translation>
-    </message>
-    <message>
-        <source>%1 stands again as it was calibrated.</source>
-        <translation>%1 steht wieder so, wie sie kalibriert wurde.</translation>
+        <source>Ways to calibrate</source>
+        <translation>Arten zu kalibrieren</translation>
     </message>
 </context>
 <context>
@@ -3090,10 +3070,10 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CalibrationDock</name>
+    <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>Arten zu kalibrieren</translation>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
     </message>
 </context>
 <context>
@@ -3304,6 +3284,37 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraMotionAlerts</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 wurde %2 (Bild %3).</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>Ihre neue Lage wird gerade bestimmt.</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>Ihre Lage lässt sich aus dem, was sie sieht, neu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 neu bestimmen</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>Aus dem, was sie sieht, lässt sich das nicht neu bestimmen: neu kalibrieren oder zurückstellen.</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 kalibrieren…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 steht wieder so, wie sie kalibriert wurde.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraPanel</name>
     <message>
         <source>Rename camera</source>
@@ -3495,6 +3506,33 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ColorLearner</name>
+    <message>
+        <source>This camera shows no image to learn from.</source>
+        <translation>Diese Kamera zeigt kein Bild, aus dem gelernt werden kann.</translation>
+    </message>
+    <message>
+        <source>Click the target first; then exclude what is not it.</source>
+        <translation>Erst das Ziel anklicken; dann ausschließen, was es nicht ist.</translation>
+    </message>
+    <message>
+        <source>Exclude color</source>
+        <translation>Farbe ausschließen</translation>
+    </message>
+    <message>
+        <source>Add color sample</source>
+        <translation>Farbprobe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>Farbe lernen</translation>
+    </message>
+    <message>
+        <source>Remove color sample</source>
+        <translation>Farbprobe entfernen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorPanel</name>
     <message>
         <source>Looking at the images…</source>
@@ -3614,33 +3652,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Range of intensity</source>
         <translation>Bereich der Intensität</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::ColorLearner</name>
-    <message>
-        <source>This camera shows no image to learn from.</source>
-        <translation>Diese Kamera zeigt kein Bild, aus dem gelernt werden kann.</translation>
-    </message>
-    <message>
-        <source>Click the target first; then exclude what is not it.</source>
-        <translation>Erst das Ziel anklicken; dann ausschließen, was es nicht ist.</translation>
-    </message>
-    <message>
-        <source>Exclude color</source>
-        <translation>Farbe ausschließen</translation>
-    </message>
-    <message>
-        <source>Add color sample</source>
-        <translation>Farbprobe hinzufügen</translation>
-    </message>
-    <message>
-        <source>Learn color</source>
-        <translation>Farbe lernen</translation>
-    </message>
-    <message>
-        <source>Remove color sample</source>
-        <translation>Farbprobe entfernen</translation>
     </message>
 </context>
 <context>
@@ -4364,6 +4375,17 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::MainWindow</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>%1[*] – Dewpoint</source>
+        <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>Three points are held already: click one of them to let go of it</source>
@@ -4450,17 +4472,6 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::MainWindow</name>
-    <message>
-        <source>Dewpoint</source>
-        <translation>Dewpoint</translation>
-    </message>
-    <message>
-        <source>%1[*] – Dewpoint</source>
-        <translation>%1[*] – Dewpoint</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::ui::MarkEditor</name>
     <message>
         <source>Name of the mark</source>
@@ -4481,271 +4492,6 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Rename a mark</source>
         <translation>Marke umbenennen</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::PeopleDock</name>
-    <message>
-        <source>People</source>
-        <translation>Personen</translation>
-    </message>
-    <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>Jemanden in einem Kamerabild oder den Boden in der Vogelperspektive anklicken. Esc beendet es.</translation>
-    </message>
-    <message>
-        <source>Folder for the tables of people</source>
-        <translation>Ordner für die Tabellen der Personen</translation>
-    </message>
-    <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>In %1 liegen Tabellen eines anderen Laufs. Ersetzen?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-    <message>
-        <source>That run is over; the tables of its people were not written.</source>
-        <translation>Dieser Lauf ist vorbei; die Tabellen seiner Personen wurden nicht geschrieben.</translation>
-    </message>
-    <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>Orte, Volumen, Hüllen und Dichten der Personen liegen in %1 (Bilder: %2).</translation>
-    </message>
-    <message>
-        <source>Writing the tables of people…</source>
-        <translation>Die Tabellen der Personen werden geschrieben…</translation>
-    </message>
-    <message>
-        <source>Add a person</source>
-        <translation>Person hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove a person</source>
-        <translation>Person entfernen</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::PlannerInstaller</name>
-    <message>
-        <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>%1 in der Vogelperspektive verschieben</translation>
-    </message>
-    <message>
-        <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>%1 in der Vogelperspektive drehen</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::ProjectController</name>
-    <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
-    </message>
-    <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>Klicken Sie in irgendeinem Bild auf das, was verfolgt werden soll: Seine Farbe wird gelernt, und die Verfolgung beginnt.</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Ein Projekt öffnen</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml);;All files (*)</source>
-        <translation>Dewpoint-Projekte (*.toml);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Das Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml)</source>
-        <translation>Dewpoint-Projekte (*.toml)</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Nicht gespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>Save the changes to this project?</source>
-        <translation>Die Änderungen an diesem Projekt speichern?</translation>
-    </message>
-    <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RecentMenu</name>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Noch nichts</translation>
-    </message>
-    <message>
-        <source>Forget these</source>
-        <translation>Diese vergessen</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RecoveryOffer</name>
-    <message>
-        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
-        <translation>Dewpoint wurde nicht ordentlich beendet. Ungespeicherte Arbeit an „%1“ ist von %2.</translation>
-    </message>
-    <message>
-        <source>Recover it</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>Ungespeicherte Arbeit an „%1“ wurde verworfen.</translation>
-    </message>
-    <message>
-        <source>Take it back</source>
-        <translation>Zurückholen</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RunAlerts</name>
-    <message>
-        <source>No camera was bumped.</source>
-        <translation>Keine Kamera wurde verdreht.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be solved again now.</source>
-        <translation>%1 lässt sich jetzt nicht neu bestimmen.</translation>
-    </message>
-    <message>
-        <source>Re-solve %1</source>
-        <translation>%1 neu bestimmen</translation>
-    </message>
-    <message>
-        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
-        <translation>%1 ist jetzt so kalibriert, wie sie steht. Rückgängig nimmt es zurück.</translation>
-    </message>
-    <message>
-        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
-        <translation>Das Ziel lag %1 px neben dem, wo die anderen es sehen, jetzt %2 px.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::UncertaintyMapForm</name>
-    <message>
-        <source>Show the map in the bird&apos;s-eye view</source>
-        <translation>Die Karte in der Vogelperspektive zeigen</translation>
-    </message>
-    <message>
-        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
-        <translation>Wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt; folgt jeder Bewegung einer Kamera</translation>
-    </message>
-    <message>
-        <source>Colors show</source>
-        <translation>Farben zeigen</translation>
-    </message>
-    <message>
-        <source>the expected error</source>
-        <translation>den erwarteten Fehler</translation>
-    </message>
-    <message>
-        <source>the number of cameras</source>
-        <translation>die Zahl der Kameras</translation>
-    </message>
-    <message>
-        <source>What the colors show</source>
-        <translation>Was die Farben zeigen</translation>
-    </message>
-    <message>
-        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
-        <translation>Der erwartete Fehler (Standardabweichung in der schlechtesten Richtung), oder wie viele Kameras einen Ort sehen</translation>
-    </message>
-    <message>
-        <source>Good enough</source>
-        <translation>Gut genug</translation>
-    </message>
-    <message>
-        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
-        <translation>Der Fehler, der gut genug ist: bis dahin ist die Karte blau, und danach richten sich der Satz und die Suche nach einem Ort</translation>
-    </message>
-    <message>
-        <source>Error of a sighting</source>
-        <translation>Fehler einer Sichtung</translation>
-    </message>
-    <message>
-        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
-        <translation>Wie weit daneben ein Ziel im Bild gefunden wird, in Pixeln (eine Standardabweichung)</translation>
-    </message>
-    <message>
-        <source>Layer at</source>
-        <translation>Schicht bei</translation>
-    </message>
-    <message>
-        <source>Show the map in a horizontal layer</source>
-        <translation>Die Karte in einer waagrechten Schicht zeigen</translation>
-    </message>
-    <message>
-        <source>Height of the layer</source>
-        <translation>Höhe der Schicht</translation>
-    </message>
-    <message>
-        <source>Height of the layer above the floor</source>
-        <translation>Höhe der Schicht über dem Boden</translation>
-    </message>
-    <message>
-        <source>Height of the layer in meters</source>
-        <translation>Höhe der Schicht in Metern</translation>
-    </message>
-    <message>
-        <source>Volume: surfaces around what is good and what is fair</source>
-        <translation>Raum: Flächen um Gutes und Brauchbares</translation>
-    </message>
-    <message>
-        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
-        <translation>Im ganzen Raum zeigen, wo der Fehler höchstens das 0,4-, 1- und 2-fache dessen ist, was gut genug ist, oder wo zwei, drei und vier Kameras sehen</translation>
-    </message>
-    <message>
-        <source>Volume from x, y, z</source>
-        <translation>Raum von x, y, z</translation>
-    </message>
-    <message>
-        <source>to x, y, z</source>
-        <translation>bis x, y, z</translation>
-    </message>
-    <message>
-        <source>Volume from %1</source>
-        <translation>Raum von %1</translation>
-    </message>
-    <message>
-        <source>Where the volume begins, in meters</source>
-        <translation>Wo der Raum beginnt, in Metern</translation>
-    </message>
-    <message>
-        <source>Volume to %1</source>
-        <translation>Raum bis %1</translation>
-    </message>
-    <message>
-        <source>Where the volume ends, in meters</source>
-        <translation>Wo der Raum endet, in Metern</translation>
-    </message>
-    <message>
-        <source>Like the reference grid</source>
-        <translation>Wie das Bezugsgitter</translation>
-    </message>
-    <message>
-        <source>The volume above the reference grid, up to the highest camera</source>
-        <translation>Der Raum über dem Bezugsgitter, bis zur höchsten Kamera</translation>
-    </message>
-    <message>
-        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
-        <translation>%1 des Raums innerhalb von %2, %3 von weniger als zwei Kameras gesehen</translation>
     </message>
 </context>
 <context>
@@ -4942,6 +4688,49 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::PeopleDock</name>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>Jemanden in einem Kamerabild oder den Boden in der Vogelperspektive anklicken. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>Ordner für die Tabellen der Personen</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>In %1 liegen Tabellen eines anderen Laufs. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>That run is over; the tables of its people were not written.</source>
+        <translation>Dieser Lauf ist vorbei; die Tabellen seiner Personen wurden nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>Orte, Volumen, Hüllen und Dichten der Personen liegen in %1 (Bilder: %2).</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>Die Tabellen der Personen werden geschrieben…</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a person</source>
+        <translation>Person entfernen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::PeoplePanel</name>
     <message>
         <source>People who are there</source>
@@ -5037,21 +4826,26 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::AddPersonTool</name>
+    <name>dewpoint::ui::PlanPage</name>
     <message>
-        <source>Click the person</source>
-        <translation>Die Person anklicken</translation>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>Wie gut werden diese Kameras messen, und wo hülfe eine weitere? Eine Kamera in der Vogelperspektive ziehen: die Karte folgt.</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>Bild von Kamera %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass dort eine Person ist</translation>
+        <source>Map of expected errors</source>
+        <translation>Karte der erwarteten Fehler</translation>
     </message>
-</context>
-<context>
-    <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>%1 hierher: x %2, y %3, z %4 m. Dann liegen %5 des Raums innerhalb von %6, statt %7.</translation>
+        <source>Planned cameras</source>
+        <translation>Geplante Kameras</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>Geplante Kameras werden nicht mit dem Projekt gespeichert und gehören nicht zum Lauf. Die Karte berücksichtigt nichts im Raum, was einen Ort verdeckt.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planen</translation>
     </message>
 </context>
 <context>
@@ -5178,26 +4972,14 @@ bei %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::PlanPage</name>
+    <name>dewpoint::ui::PlannerInstaller</name>
     <message>
-        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
-        <translation>Wie gut werden diese Kameras messen, und wo hülfe eine weitere? Eine Kamera in der Vogelperspektive ziehen: die Karte folgt.</translation>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>%1 in der Vogelperspektive verschieben</translation>
     </message>
     <message>
-        <source>Map of expected errors</source>
-        <translation>Karte der erwarteten Fehler</translation>
-    </message>
-    <message>
-        <source>Planned cameras</source>
-        <translation>Geplante Kameras</translation>
-    </message>
-    <message>
-        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
-        <translation>Geplante Kameras werden nicht mit dem Projekt gespeichert und gehören nicht zum Lauf. Die Karte berücksichtigt nichts im Raum, was einen Ort verdeckt.</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Planen</translation>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>%1 in der Vogelperspektive drehen</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +5216,113 @@ bei %4, %5, %6 m</translation>
     <message>
         <source>Turn or mirror the images of this camera so, and solve again</source>
         <translation>Die Bilder dieser Kamera so drehen oder spiegeln und neu bestimmen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectController</name>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>Klicken Sie in irgendeinem Bild auf das, was verfolgt werden soll: Seine Farbe wird gelernt, und die Verfolgung beginnt.</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Ein Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml);;All files (*)</source>
+        <translation>Dewpoint-Projekte (*.toml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Dewpoint-Projekte (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>Die Änderungen an diesem Projekt speichern?</translation>
+    </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentMenu</name>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Diese vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecoveryOffer</name>
+    <message>
+        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
+        <translation>Dewpoint wurde nicht ordentlich beendet. Ungespeicherte Arbeit an „%1“ ist von %2.</translation>
+    </message>
+    <message>
+        <source>Recover it</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>Ungespeicherte Arbeit an „%1“ wurde verworfen.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Zurückholen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RigPlanner</name>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 hierher: x %2, y %3, z %4 m. Dann liegen %5 des Raums innerhalb von %6, statt %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunAlerts</name>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>Keine Kamera wurde verdreht.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 lässt sich jetzt nicht neu bestimmen.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 neu bestimmen</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 ist jetzt so kalibriert, wie sie steht. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>Das Ziel lag %1 px neben dem, wo die anderen es sehen, jetzt %2 px.</translation>
     </message>
 </context>
 <context>
@@ -5975,6 +5864,117 @@ Effektive Stichprobengröße %8 von %9</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::UncertaintyMapForm</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>Die Karte in der Vogelperspektive zeigen</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>Wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt; folgt jeder Bewegung einer Kamera</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>Farben zeigen</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>den erwarteten Fehler</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>die Zahl der Kameras</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>Was die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>Der erwartete Fehler (Standardabweichung in der schlechtesten Richtung), oder wie viele Kameras einen Ort sehen</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Gut genug</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>Der Fehler, der gut genug ist: bis dahin ist die Karte blau, und danach richten sich der Satz und die Suche nach einem Ort</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>Fehler einer Sichtung</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>Wie weit daneben ein Ziel im Bild gefunden wird, in Pixeln (eine Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>Schicht bei</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>Die Karte in einer waagrechten Schicht zeigen</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>Höhe der Schicht</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>Höhe der Schicht über dem Boden</translation>
+    </message>
+    <message>
+        <source>Height of the layer in meters</source>
+        <translation>Höhe der Schicht in Metern</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>Raum: Flächen um Gutes und Brauchbares</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>Im ganzen Raum zeigen, wo der Fehler höchstens das 0,4-, 1- und 2-fache dessen ist, was gut genug ist, oder wo zwei, drei und vier Kameras sehen</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>Raum von x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>bis x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>Raum von %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in meters</source>
+        <translation>Wo der Raum beginnt, in Metern</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>Raum bis %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in meters</source>
+        <translation>Wo der Raum endet, in Metern</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>Wie das Bezugsgitter</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>Der Raum über dem Bezugsgitter, bis zur höchsten Kamera</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>%1 des Raums innerhalb von %2, %3 von weniger als zwei Kameras gesehen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ViewButtons</name>
     <message>
         <source>Above</source>
@@ -6022,6 +6022,37 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Saved the picture %1.</source>
         <translation>Das Bild %1 wurde gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WandCalibrationPage</name>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
+        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Schwenken Sie dann den Ball oder einen Stab mit zwei Bällen durch den ganzen Raum, und verfeinern Sie.</translation>
+    </message>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
+        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Die Aufnahme eines Balls oder eines Stabs mit zwei Bällen, durch den ganzen Raum geschwenkt, macht sie dann genau.</translation>
+    </message>
+    <message>
+        <source>Where the floor is</source>
+        <translation>Wo der Boden ist</translation>
+    </message>
+    <message>
+        <source>Waving</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -6350,37 +6381,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
         <translation>Wie sehr Kameras verspätet sind, steht nun im Projekt: Bilder werden ab jetzt danach zusammengestellt.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::WandCalibrationPage</name>
-    <message>
-        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
-        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Schwenken Sie dann den Ball oder einen Stab mit zwei Bällen durch den ganzen Raum, und verfeinern Sie.</translation>
-    </message>
-    <message>
-        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
-        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Die Aufnahme eines Balls oder eines Stabs mit zwei Bällen, durch den ganzen Raum geschwenkt, macht sie dann genau.</translation>
-    </message>
-    <message>
-        <source>Where the floor is</source>
-        <translation>Wo der Boden ist</translation>
-    </message>
-    <message>
-        <source>Waving</source>
-        <translation>Schwenken</translation>
-    </message>
-    <message>
-        <source>Refine</source>
-        <translation>Verfeinern</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Schwenken</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gespeichert.</translation>
     </message>
 </context>
 <context>

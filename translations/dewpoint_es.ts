@@ -2217,6 +2217,17 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::AddPersonTool</name>
+    <message>
+        <source>Click the person</source>
+        <translation>Haga clic en la persona</translation>
+    </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro dice que allí hay una persona</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
@@ -2229,6 +2240,97 @@ De %2 a %3%4; por defecto %5%4.</translation>
     <message>
         <source>No 3D: %1</source>
         <translation>Sin 3D: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::BoardCalibrationPage</name>
+    <message>
+        <source>Board</source>
+        <translation>Tablero</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>Qué buscar</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Calibrar</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>Buscar el tablero en la grabación y calibrar con él las cámaras; un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>Detener; se conserva la calibración anterior</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>Llevar la calibración al proyecto; un paso que se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Informe…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>Guardar y abrir una página con residuos, cobertura y errores de todas las imágenes</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>Avance de la calibración</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>Muestre un tablero impreso a las cámaras: se le indica qué mostrar después y se captura cuando lo mantiene quieto.</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>Una grabación en la que se muestra un tablero impreso a las cámaras, quieto en muchos lugares, cerca e inclinado, las calibra.</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>Cámaras en vivo</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>Esta grabación</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ Las cámaras están calibradas (Ctrl+Z lo deshace).</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>Buscando el tablero: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Calculando</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Guardar el informe</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Página (*.html)</translation>
+    </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>Usarla de todos modos</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
     </message>
 </context>
 <context>
@@ -2532,97 +2634,6 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::BoardCalibrationPage</name>
-    <message>
-        <source>Board</source>
-        <translation>Tablero</translation>
-    </message>
-    <message>
-        <source>What to find</source>
-        <translation>Qué buscar</translation>
-    </message>
-    <message>
-        <source>Calibrate</source>
-        <translation>Calibrar</translation>
-    </message>
-    <message>
-        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
-        <translation>Buscar el tablero en la grabación y calibrar con él las cámaras; un paso que se puede deshacer</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
-        <source>Stop; the former calibration is kept</source>
-        <translation>Detener; se conserva la calibración anterior</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>Take the calibration into the project; one step that can be undone</source>
-        <translation>Llevar la calibración al proyecto; un paso que se puede deshacer</translation>
-    </message>
-    <message>
-        <source>Report…</source>
-        <translation>Informe…</translation>
-    </message>
-    <message>
-        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
-        <translation>Guardar y abrir una página con residuos, cobertura y errores de todas las imágenes</translation>
-    </message>
-    <message>
-        <source>How far the calibration is</source>
-        <translation>Avance de la calibración</translation>
-    </message>
-    <message>
-        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
-        <translation>Muestre un tablero impreso a las cámaras: se le indica qué mostrar después y se captura cuando lo mantiene quieto.</translation>
-    </message>
-    <message>
-        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
-        <translation>Una grabación en la que se muestra un tablero impreso a las cámaras, quieto en muchos lugares, cerca e inclinado, las calibra.</translation>
-    </message>
-    <message>
-        <source>Live cameras</source>
-        <translation>Cámaras en vivo</translation>
-    </message>
-    <message>
-        <source>This recording</source>
-        <translation>Esta grabación</translation>
-    </message>
-    <message>
-        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
-        <translation>✓ Las cámaras están calibradas (Ctrl+Z lo deshace).</translation>
-    </message>
-    <message>
-        <source>Looking for the board: %p %</source>
-        <translation>Buscando el tablero: %p %</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>Calculando</translation>
-    </message>
-    <message>
-        <source>Save the report</source>
-        <translation>Guardar el informe</translation>
-    </message>
-    <message>
-        <source>Page (*.html)</source>
-        <translation>Página (*.html)</translation>
-    </message>
-    <message>
-        <source>Use it anyway</source>
-        <translation>Usarla de todos modos</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>Se guardó %1.</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
@@ -2806,41 +2817,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CalibrationMode</name>
+    <name>dewpoint::ui::CalibrationDock</name>
     <message>
-        <source>Calibration</source>
-        <translation>Calibración</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::CameraMotionAlerts</name>
-    <message>
-        <source>%1 was %2 (frame %3).</source>
-        <translation>%1 fue %2 (fotograma %3).</translation>
-    </message>
-    <message>
-        <source>Its new pose is being worked out.</source>
-        <translation>Se está calculando su nueva pose.</translation>
-    </message>
-    <message>
-        <source>Its pose can be solved again from what it sees.</source>
-        <translation>Su pose puede resolverse de nuevo a partir de lo que ve.</translation>
-    </message>
-    <message>
-        <source>Re-solve %1</source>
-        <translation>Resolver de nuevo %1</translation>
-    </message>
-    <message>
-        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
-        <translation>No puede resolverse de nuevo a partir de lo que ve: calíbrela otra vez o devuélvala a su sitio.</translation>
-    </message>
-    <message>
-        <source>Calibrate %1…</source>
-        <translation>Calibrar %1…</translation>
-    </message>
-    <message>
-        <source>%1 stands again as it was calibrated.</source>
-        <translation>%1 vuelve a estar como se calibró.</translation>
+        <source>Ways to calibrate</source>
+        <translation>Formas de calibrar</translation>
     </message>
 </context>
 <context>
@@ -3090,10 +3070,10 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CalibrationDock</name>
+    <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>Formas de calibrar</translation>
+        <source>Calibration</source>
+        <translation>Calibración</translation>
     </message>
 </context>
 <context>
@@ -3304,6 +3284,37 @@ De %2 a %3%4; por defecto %5%4.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraMotionAlerts</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 fue %2 (fotograma %3).</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>Se está calculando su nueva pose.</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>Su pose puede resolverse de nuevo a partir de lo que ve.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>Resolver de nuevo %1</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>No puede resolverse de nuevo a partir de lo que ve: calíbrela otra vez o devuélvala a su sitio.</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>Calibrar %1…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 vuelve a estar como se calibró.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraPanel</name>
     <message>
         <source>Rename camera</source>
@@ -3495,6 +3506,33 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ColorLearner</name>
+    <message>
+        <source>This camera shows no image to learn from.</source>
+        <translation>Esta cámara no muestra ninguna imagen de la que aprender.</translation>
+    </message>
+    <message>
+        <source>Click the target first; then exclude what is not it.</source>
+        <translation>Primero haga clic en el objetivo; después excluya lo que no lo es.</translation>
+    </message>
+    <message>
+        <source>Exclude color</source>
+        <translation>Excluir color</translation>
+    </message>
+    <message>
+        <source>Add color sample</source>
+        <translation>Añadir muestra de color</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>Aprender color</translation>
+    </message>
+    <message>
+        <source>Remove color sample</source>
+        <translation>Quitar muestra de color</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorPanel</name>
     <message>
         <source>Looking at the images…</source>
@@ -3614,33 +3652,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Range of intensity</source>
         <translation>Intervalo de intensidad</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::ColorLearner</name>
-    <message>
-        <source>This camera shows no image to learn from.</source>
-        <translation>Esta cámara no muestra ninguna imagen de la que aprender.</translation>
-    </message>
-    <message>
-        <source>Click the target first; then exclude what is not it.</source>
-        <translation>Primero haga clic en el objetivo; después excluya lo que no lo es.</translation>
-    </message>
-    <message>
-        <source>Exclude color</source>
-        <translation>Excluir color</translation>
-    </message>
-    <message>
-        <source>Add color sample</source>
-        <translation>Añadir muestra de color</translation>
-    </message>
-    <message>
-        <source>Learn color</source>
-        <translation>Aprender color</translation>
-    </message>
-    <message>
-        <source>Remove color sample</source>
-        <translation>Quitar muestra de color</translation>
     </message>
 </context>
 <context>
@@ -4364,6 +4375,17 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::MainWindow</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>%1[*] – Dewpoint</source>
+        <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>Three points are held already: click one of them to let go of it</source>
@@ -4450,17 +4472,6 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::MainWindow</name>
-    <message>
-        <source>Dewpoint</source>
-        <translation>Dewpoint</translation>
-    </message>
-    <message>
-        <source>%1[*] – Dewpoint</source>
-        <translation>%1[*] – Dewpoint</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::ui::MarkEditor</name>
     <message>
         <source>Name of the mark</source>
@@ -4481,271 +4492,6 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Rename a mark</source>
         <translation>Renombrar una marca</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::PeopleDock</name>
-    <message>
-        <source>People</source>
-        <translation>Personas</translation>
-    </message>
-    <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>Haga clic en alguien en una imagen de cámara, o en el suelo en la vista de pájaro. Esc lo termina.</translation>
-    </message>
-    <message>
-        <source>Folder for the tables of people</source>
-        <translation>Carpeta para las tablas de personas</translation>
-    </message>
-    <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>En %1 hay tablas de otra ejecución. ¿Reemplazarlas?</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>That run is over; the tables of its people were not written.</source>
-        <translation>Esa ejecución terminó; las tablas de sus personas no se escribieron.</translation>
-    </message>
-    <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>Los lugares, volúmenes, envolventes y densidades de las personas están en %1 (fotogramas: %2).</translation>
-    </message>
-    <message>
-        <source>Writing the tables of people…</source>
-        <translation>Escribiendo las tablas de personas…</translation>
-    </message>
-    <message>
-        <source>Add a person</source>
-        <translation>Añadir una persona</translation>
-    </message>
-    <message>
-        <source>Remove a person</source>
-        <translation>Quitar una persona</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::PlannerInstaller</name>
-    <message>
-        <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>Mover %1 en la vista aérea</translation>
-    </message>
-    <message>
-        <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>Girar %1 en la vista aérea</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::ProjectController</name>
-    <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
-    </message>
-    <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir: se aprende su color y empieza el seguimiento.</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>Abrir un proyecto</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml);;All files (*)</source>
-        <translation>Proyectos de Dewpoint (*.toml);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Guardar el proyecto</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml)</source>
-        <translation>Proyectos de Dewpoint (*.toml)</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>Se guardó %1.</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Cambios sin guardar</translation>
-    </message>
-    <message>
-        <source>Save the changes to this project?</source>
-        <translation>¿Guardar los cambios de este proyecto?</translation>
-    </message>
-    <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RecentMenu</name>
-    <message>
-        <source>Nothing yet</source>
-        <translation>Nada todavía</translation>
-    </message>
-    <message>
-        <source>Forget these</source>
-        <translation>Olvidar estos</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RecoveryOffer</name>
-    <message>
-        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
-        <translation>Dewpoint no terminó correctamente. El trabajo sin guardar en «%1» es de %2.</translation>
-    </message>
-    <message>
-        <source>Recover it</source>
-        <translation>Recuperarlo</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Descartarlo</translation>
-    </message>
-    <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>El trabajo sin guardar en «%1» se ha descartado.</translation>
-    </message>
-    <message>
-        <source>Take it back</source>
-        <translation>Recuperarlo</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RunAlerts</name>
-    <message>
-        <source>No camera was bumped.</source>
-        <translation>No se ha movido ninguna cámara.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be solved again now.</source>
-        <translation>%1 no puede resolverse de nuevo ahora.</translation>
-    </message>
-    <message>
-        <source>Re-solve %1</source>
-        <translation>Resolver de nuevo %1</translation>
-    </message>
-    <message>
-        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
-        <translation>%1 queda calibrada como está ahora. Deshacer lo revierte.</translation>
-    </message>
-    <message>
-        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
-        <translation>El objetivo estaba a %1 px de donde lo ven las demás, y ahora a %2 px.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::UncertaintyMapForm</name>
-    <message>
-        <source>Show the map in the bird&apos;s-eye view</source>
-        <translation>Mostrar el mapa en la vista de pájaro</translation>
-    </message>
-    <message>
-        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
-        <translation>Cuánto se espera que se desvíe un objetivo en cada lugar; sigue cada movimiento de una cámara</translation>
-    </message>
-    <message>
-        <source>Colors show</source>
-        <translation>Los colores muestran</translation>
-    </message>
-    <message>
-        <source>the expected error</source>
-        <translation>el error esperado</translation>
-    </message>
-    <message>
-        <source>the number of cameras</source>
-        <translation>el número de cámaras</translation>
-    </message>
-    <message>
-        <source>What the colors show</source>
-        <translation>Qué muestran los colores</translation>
-    </message>
-    <message>
-        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
-        <translation>El error esperado (desviación estándar en la peor dirección), o cuántas cámaras ven un lugar</translation>
-    </message>
-    <message>
-        <source>Good enough</source>
-        <translation>Suficiente</translation>
-    </message>
-    <message>
-        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
-        <translation>El error que basta: hasta él el mapa es azul, y por él se rigen la frase y la búsqueda de un lugar</translation>
-    </message>
-    <message>
-        <source>Error of a sighting</source>
-        <translation>Error de una observación</translation>
-    </message>
-    <message>
-        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
-        <translation>Cuánto se desvía el objetivo hallado en una imagen, en píxeles (una desviación estándar)</translation>
-    </message>
-    <message>
-        <source>Layer at</source>
-        <translation>Capa a</translation>
-    </message>
-    <message>
-        <source>Show the map in a horizontal layer</source>
-        <translation>Mostrar el mapa en una capa horizontal</translation>
-    </message>
-    <message>
-        <source>Height of the layer</source>
-        <translation>Altura de la capa</translation>
-    </message>
-    <message>
-        <source>Height of the layer above the floor</source>
-        <translation>Altura de la capa sobre el suelo</translation>
-    </message>
-    <message>
-        <source>Height of the layer in meters</source>
-        <translation>Altura de la capa en metros</translation>
-    </message>
-    <message>
-        <source>Volume: surfaces around what is good and what is fair</source>
-        <translation>Volumen: superficies en torno a lo bueno y lo aceptable</translation>
-    </message>
-    <message>
-        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
-        <translation>Mostrar en toda la sala dónde el error es como mucho 0,4, 1 y 2 veces lo suficiente, o dónde ven dos, tres y cuatro cámaras</translation>
-    </message>
-    <message>
-        <source>Volume from x, y, z</source>
-        <translation>Volumen desde x, y, z</translation>
-    </message>
-    <message>
-        <source>to x, y, z</source>
-        <translation>hasta x, y, z</translation>
-    </message>
-    <message>
-        <source>Volume from %1</source>
-        <translation>Volumen desde %1</translation>
-    </message>
-    <message>
-        <source>Where the volume begins, in meters</source>
-        <translation>Dónde empieza el volumen, en metros</translation>
-    </message>
-    <message>
-        <source>Volume to %1</source>
-        <translation>Volumen hasta %1</translation>
-    </message>
-    <message>
-        <source>Where the volume ends, in meters</source>
-        <translation>Dónde acaba el volumen, en metros</translation>
-    </message>
-    <message>
-        <source>Like the reference grid</source>
-        <translation>Como la cuadrícula de referencia</translation>
-    </message>
-    <message>
-        <source>The volume above the reference grid, up to the highest camera</source>
-        <translation>El volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
-    </message>
-    <message>
-        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
-        <translation>%1 del volumen dentro de %2, %3 visto por menos de dos cámaras</translation>
     </message>
 </context>
 <context>
@@ -4942,6 +4688,49 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::PeopleDock</name>
+    <message>
+        <source>People</source>
+        <translation>Personas</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>Haga clic en alguien en una imagen de cámara, o en el suelo en la vista de pájaro. Esc lo termina.</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>Carpeta para las tablas de personas</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>En %1 hay tablas de otra ejecución. ¿Reemplazarlas?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>That run is over; the tables of its people were not written.</source>
+        <translation>Esa ejecución terminó; las tablas de sus personas no se escribieron.</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>Los lugares, volúmenes, envolventes y densidades de las personas están en %1 (fotogramas: %2).</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>Escribiendo las tablas de personas…</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Añadir una persona</translation>
+    </message>
+    <message>
+        <source>Remove a person</source>
+        <translation>Quitar una persona</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::PeoplePanel</name>
     <message>
         <source>People who are there</source>
@@ -5037,21 +4826,26 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::AddPersonTool</name>
+    <name>dewpoint::ui::PlanPage</name>
     <message>
-        <source>Click the person</source>
-        <translation>Haga clic en la persona</translation>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>¿Qué tal medirán estas cámaras, y dónde ayudaría otra? Arrastre una cámara en la vista de pájaro: el mapa la sigue.</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro dice que allí hay una persona</translation>
+        <source>Map of expected errors</source>
+        <translation>Mapa de errores esperados</translation>
     </message>
-</context>
-<context>
-    <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>Ponga %1 aquí: x %2, y %3, z %4 m. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
+        <source>Planned cameras</source>
+        <translation>Cámaras planeadas</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>Las cámaras planeadas no se guardan con el proyecto ni forman parte de la ejecución. El mapa no tiene en cuenta nada de la sala que oculte un lugar.</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planificar</translation>
     </message>
 </context>
 <context>
@@ -5178,26 +4972,14 @@ en %4, %5, %6 m</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::PlanPage</name>
+    <name>dewpoint::ui::PlannerInstaller</name>
     <message>
-        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
-        <translation>¿Qué tal medirán estas cámaras, y dónde ayudaría otra? Arrastre una cámara en la vista de pájaro: el mapa la sigue.</translation>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>Mover %1 en la vista aérea</translation>
     </message>
     <message>
-        <source>Map of expected errors</source>
-        <translation>Mapa de errores esperados</translation>
-    </message>
-    <message>
-        <source>Planned cameras</source>
-        <translation>Cámaras planeadas</translation>
-    </message>
-    <message>
-        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
-        <translation>Las cámaras planeadas no se guardan con el proyecto ni forman parte de la ejecución. El mapa no tiene en cuenta nada de la sala que oculte un lugar.</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>Planificar</translation>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>Girar %1 en la vista aérea</translation>
     </message>
 </context>
 <context>
@@ -5434,6 +5216,113 @@ en %4, %5, %6 m</translation>
     <message>
         <source>Turn or mirror the images of this camera so, and solve again</source>
         <translation>Girar o reflejar así las imágenes de esta cámara y resolver de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectController</name>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir: se aprende su color y empieza el seguimiento.</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>Abrir un proyecto</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml);;All files (*)</source>
+        <translation>Proyectos de Dewpoint (*.toml);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Proyectos de Dewpoint (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>¿Guardar los cambios de este proyecto?</translation>
+    </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentMenu</name>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Nada todavía</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Olvidar estos</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecoveryOffer</name>
+    <message>
+        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
+        <translation>Dewpoint no terminó correctamente. El trabajo sin guardar en «%1» es de %2.</translation>
+    </message>
+    <message>
+        <source>Recover it</source>
+        <translation>Recuperarlo</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Descartarlo</translation>
+    </message>
+    <message>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>El trabajo sin guardar en «%1» se ha descartado.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Recuperarlo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RigPlanner</name>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>Ponga %1 aquí: x %2, y %3, z %4 m. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunAlerts</name>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>No se ha movido ninguna cámara.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 no puede resolverse de nuevo ahora.</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>Resolver de nuevo %1</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 queda calibrada como está ahora. Deshacer lo revierte.</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>El objetivo estaba a %1 px de donde lo ven las demás, y ahora a %2 px.</translation>
     </message>
 </context>
 <context>
@@ -5975,6 +5864,117 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::UncertaintyMapForm</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>Mostrar el mapa en la vista de pájaro</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>Cuánto se espera que se desvíe un objetivo en cada lugar; sigue cada movimiento de una cámara</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>Los colores muestran</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>el error esperado</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>el número de cámaras</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>Qué muestran los colores</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>El error esperado (desviación estándar en la peor dirección), o cuántas cámaras ven un lugar</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Suficiente</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>El error que basta: hasta él el mapa es azul, y por él se rigen la frase y la búsqueda de un lugar</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>Error de una observación</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>Cuánto se desvía el objetivo hallado en una imagen, en píxeles (una desviación estándar)</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>Capa a</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>Mostrar el mapa en una capa horizontal</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>Altura de la capa</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>Altura de la capa sobre el suelo</translation>
+    </message>
+    <message>
+        <source>Height of the layer in meters</source>
+        <translation>Altura de la capa en metros</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>Volumen: superficies en torno a lo bueno y lo aceptable</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>Mostrar en toda la sala dónde el error es como mucho 0,4, 1 y 2 veces lo suficiente, o dónde ven dos, tres y cuatro cámaras</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>Volumen desde x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>hasta x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>Volumen desde %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in meters</source>
+        <translation>Dónde empieza el volumen, en metros</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>Volumen hasta %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in meters</source>
+        <translation>Dónde acaba el volumen, en metros</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>Como la cuadrícula de referencia</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>El volumen sobre la cuadrícula de referencia, hasta la cámara más alta</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>%1 del volumen dentro de %2, %3 visto por menos de dos cámaras</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ViewButtons</name>
     <message>
         <source>Above</source>
@@ -6022,6 +6022,37 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Saved the picture %1.</source>
         <translation>Se guardó la imagen %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WandCalibrationPage</name>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una vara con dos pelotas, por todo el volumen y refine.</translation>
+    </message>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. La grabación de una pelota, o de una vara con dos pelotas, agitada por todo el volumen las hace exactas.</translation>
+    </message>
+    <message>
+        <source>Where the floor is</source>
+        <translation>Dónde está el suelo</translation>
+    </message>
+    <message>
+        <source>Waving</source>
+        <translation>Agitar</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>Refinar</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>Agitar</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
     </message>
 </context>
 <context>
@@ -6350,37 +6381,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
         <translation>El retraso de las cámaras queda en el proyecto: desde ahora las imágenes se emparejan según él.</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::WandCalibrationPage</name>
-    <message>
-        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
-        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una vara con dos pelotas, por todo el volumen y refine.</translation>
-    </message>
-    <message>
-        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
-        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. La grabación de una pelota, o de una vara con dos pelotas, agitada por todo el volumen las hace exactas.</translation>
-    </message>
-    <message>
-        <source>Where the floor is</source>
-        <translation>Dónde está el suelo</translation>
-    </message>
-    <message>
-        <source>Waving</source>
-        <translation>Agitar</translation>
-    </message>
-    <message>
-        <source>Refine</source>
-        <translation>Refinar</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Agitar</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>Se guardó %1.</translation>
     </message>
 </context>
 <context>

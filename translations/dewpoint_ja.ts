@@ -2217,6 +2217,17 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::AddPersonTool</name>
+    <message>
+        <source>Click the person</source>
+        <translation>人物をクリック</translation>
+    </message>
+    <message>
+        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>カメラ %1 の画像：矢印キーで十字を動かし、Enter でそこに人物がいると伝えます</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>
@@ -2229,6 +2240,97 @@ From %2 to %3%4; default %5%4.</source>
     <message>
         <source>No 3D: %1</source>
         <translation>3D 表示なし：%1</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::BoardCalibrationPage</name>
+    <message>
+        <source>Board</source>
+        <translation>ボード</translation>
+    </message>
+    <message>
+        <source>What to find</source>
+        <translation>求めるもの</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>キャリブレーション</translation>
+    </message>
+    <message>
+        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
+        <translation>録画からボードを探してカメラをキャリブレーションします。1つの取り消せる手順です</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Stop; the former calibration is kept</source>
+        <translation>中止します。以前のキャリブレーションは保たれます</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>適用</translation>
+    </message>
+    <message>
+        <source>Take the calibration into the project; one step that can be undone</source>
+        <translation>キャリブレーションをプロジェクトに取り込みます。1つの取り消せる手順です</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>レポート…</translation>
+    </message>
+    <message>
+        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <translation>残差、カバー範囲、全画像の誤差のページを保存して開きます</translation>
+    </message>
+    <message>
+        <source>How far the calibration is</source>
+        <translation>キャリブレーションの進み具合</translation>
+    </message>
+    <message>
+        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
+        <translation>印刷したボードをカメラに見せてください。次に何を見せるかが示され、静止させると取り込まれます。</translation>
+    </message>
+    <message>
+        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
+        <translation>印刷したボードを多くの場所で、近づけたり傾けたりして静止させながらカメラに見せた録画から、キャリブレーションします。</translation>
+    </message>
+    <message>
+        <source>Live cameras</source>
+        <translation>ライブカメラ</translation>
+    </message>
+    <message>
+        <source>This recording</source>
+        <translation>この録画</translation>
+    </message>
+    <message>
+        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <translation>✓ カメラをキャリブレーションしました（Ctrl+Zで取り消せます）。</translation>
+    </message>
+    <message>
+        <source>Looking for the board: %p %</source>
+        <translation>ボードを探しています: %p %</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>計算中</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>レポートを保存</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>ページ (*.html)</translation>
+    </message>
+    <message>
+        <source>Use it anyway</source>
+        <translation>それでも使う</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
     </message>
 </context>
 <context>
@@ -2532,97 +2634,6 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::BoardCalibrationPage</name>
-    <message>
-        <source>Board</source>
-        <translation>ボード</translation>
-    </message>
-    <message>
-        <source>What to find</source>
-        <translation>求めるもの</translation>
-    </message>
-    <message>
-        <source>Calibrate</source>
-        <translation>キャリブレーション</translation>
-    </message>
-    <message>
-        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
-        <translation>録画からボードを探してカメラをキャリブレーションします。1つの取り消せる手順です</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
-        <source>Stop; the former calibration is kept</source>
-        <translation>中止します。以前のキャリブレーションは保たれます</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>適用</translation>
-    </message>
-    <message>
-        <source>Take the calibration into the project; one step that can be undone</source>
-        <translation>キャリブレーションをプロジェクトに取り込みます。1つの取り消せる手順です</translation>
-    </message>
-    <message>
-        <source>Report…</source>
-        <translation>レポート…</translation>
-    </message>
-    <message>
-        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
-        <translation>残差、カバー範囲、全画像の誤差のページを保存して開きます</translation>
-    </message>
-    <message>
-        <source>How far the calibration is</source>
-        <translation>キャリブレーションの進み具合</translation>
-    </message>
-    <message>
-        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
-        <translation>印刷したボードをカメラに見せてください。次に何を見せるかが示され、静止させると取り込まれます。</translation>
-    </message>
-    <message>
-        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
-        <translation>印刷したボードを多くの場所で、近づけたり傾けたりして静止させながらカメラに見せた録画から、キャリブレーションします。</translation>
-    </message>
-    <message>
-        <source>Live cameras</source>
-        <translation>ライブカメラ</translation>
-    </message>
-    <message>
-        <source>This recording</source>
-        <translation>この録画</translation>
-    </message>
-    <message>
-        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
-        <translation>✓ カメラをキャリブレーションしました（Ctrl+Zで取り消せます）。</translation>
-    </message>
-    <message>
-        <source>Looking for the board: %p %</source>
-        <translation>ボードを探しています: %p %</translation>
-    </message>
-    <message>
-        <source>Solving</source>
-        <translation>計算中</translation>
-    </message>
-    <message>
-        <source>Save the report</source>
-        <translation>レポートを保存</translation>
-    </message>
-    <message>
-        <source>Page (*.html)</source>
-        <translation>ページ (*.html)</translation>
-    </message>
-    <message>
-        <source>Use it anyway</source>
-        <translation>それでも使う</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 を保存しました。</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::ui::BoxExportDialog</name>
     <message>
         <source>Export boxes</source>
@@ -2805,41 +2816,10 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CalibrationMode</name>
+    <name>dewpoint::ui::CalibrationDock</name>
     <message>
-        <source>Calibration</source>
-        <translation>校正</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::CameraMotionAlerts</name>
-    <message>
-        <source>%1 was %2 (frame %3).</source>
-        <translation>%1 が %2 しました（フレーム %3）。</translation>
-    </message>
-    <message>
-        <source>Its new pose is being worked out.</source>
-        <translation>新しい姿勢を計算しています。</translation>
-    </message>
-    <message>
-        <source>Its pose can be solved again from what it sees.</source>
-        <translation>見えているものから姿勢を解き直せます。</translation>
-    </message>
-    <message>
-        <source>Re-solve %1</source>
-        <translation>%1 を解き直す</translation>
-    </message>
-    <message>
-        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
-        <translation>見えているものからは解き直せません。再校正するか、元に戻してください。</translation>
-    </message>
-    <message>
-        <source>Calibrate %1…</source>
-        <translation>%1 を校正…</translation>
-    </message>
-    <message>
-        <source>%1 stands again as it was calibrated.</source>
-        <translation>%1 は校正時の位置に戻りました。</translation>
+        <source>Ways to calibrate</source>
+        <translation>校正の方法</translation>
     </message>
 </context>
 <context>
@@ -3089,10 +3069,10 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::CalibrationDock</name>
+    <name>dewpoint::ui::CalibrationMode</name>
     <message>
-        <source>Ways to calibrate</source>
-        <translation>校正の方法</translation>
+        <source>Calibration</source>
+        <translation>校正</translation>
     </message>
 </context>
 <context>
@@ -3303,6 +3283,37 @@ From %2 to %3%4; default %5%4.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraMotionAlerts</name>
+    <message>
+        <source>%1 was %2 (frame %3).</source>
+        <translation>%1 が %2 しました（フレーム %3）。</translation>
+    </message>
+    <message>
+        <source>Its new pose is being worked out.</source>
+        <translation>新しい姿勢を計算しています。</translation>
+    </message>
+    <message>
+        <source>Its pose can be solved again from what it sees.</source>
+        <translation>見えているものから姿勢を解き直せます。</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 を解き直す</translation>
+    </message>
+    <message>
+        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
+        <translation>見えているものからは解き直せません。再校正するか、元に戻してください。</translation>
+    </message>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 を校正…</translation>
+    </message>
+    <message>
+        <source>%1 stands again as it was calibrated.</source>
+        <translation>%1 は校正時の位置に戻りました。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraPanel</name>
     <message>
         <source>Rename camera</source>
@@ -3494,6 +3505,33 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ColorLearner</name>
+    <message>
+        <source>This camera shows no image to learn from.</source>
+        <translation>このカメラには学習に使える画像がありません。</translation>
+    </message>
+    <message>
+        <source>Click the target first; then exclude what is not it.</source>
+        <translation>まずターゲットをクリックし、その後で違うものを除外してください。</translation>
+    </message>
+    <message>
+        <source>Exclude color</source>
+        <translation>色を除外</translation>
+    </message>
+    <message>
+        <source>Add color sample</source>
+        <translation>色見本を追加</translation>
+    </message>
+    <message>
+        <source>Learn color</source>
+        <translation>色を学習</translation>
+    </message>
+    <message>
+        <source>Remove color sample</source>
+        <translation>色見本を取り除く</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorPanel</name>
     <message>
         <source>Looking at the images…</source>
@@ -3613,33 +3651,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Range of intensity</source>
         <translation>輝度の範囲</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::ColorLearner</name>
-    <message>
-        <source>This camera shows no image to learn from.</source>
-        <translation>このカメラには学習に使える画像がありません。</translation>
-    </message>
-    <message>
-        <source>Click the target first; then exclude what is not it.</source>
-        <translation>まずターゲットをクリックし、その後で違うものを除外してください。</translation>
-    </message>
-    <message>
-        <source>Exclude color</source>
-        <translation>色を除外</translation>
-    </message>
-    <message>
-        <source>Add color sample</source>
-        <translation>色見本を追加</translation>
-    </message>
-    <message>
-        <source>Learn color</source>
-        <translation>色を学習</translation>
-    </message>
-    <message>
-        <source>Remove color sample</source>
-        <translation>色見本を取り除く</translation>
     </message>
 </context>
 <context>
@@ -4362,6 +4373,17 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::MainWindow</name>
+    <message>
+        <source>Dewpoint</source>
+        <translation>Dewpoint</translation>
+    </message>
+    <message>
+        <source>%1[*] – Dewpoint</source>
+        <translation>%1[*] – Dewpoint</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
         <source>Three points are held already: click one of them to let go of it</source>
@@ -4448,17 +4470,6 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::MainWindow</name>
-    <message>
-        <source>Dewpoint</source>
-        <translation>Dewpoint</translation>
-    </message>
-    <message>
-        <source>%1[*] – Dewpoint</source>
-        <translation>%1[*] – Dewpoint</translation>
-    </message>
-</context>
-<context>
     <name>dewpoint::ui::MarkEditor</name>
     <message>
         <source>Name of the mark</source>
@@ -4479,271 +4490,6 @@ at %4, %5, %6 m</source>
     <message>
         <source>Rename a mark</source>
         <translation>マークの名前を変更</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::PeopleDock</name>
-    <message>
-        <source>People</source>
-        <translation>人物</translation>
-    </message>
-    <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>カメラ画像の中の人、または鳥瞰図の床をクリックしてください。Esc で終わります。</translation>
-    </message>
-    <message>
-        <source>Folder for the tables of people</source>
-        <translation>人物の表を保存するフォルダー</translation>
-    </message>
-    <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>%1 に別の実行の表があります。置き換えますか？</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>置き換える</translation>
-    </message>
-    <message>
-        <source>That run is over; the tables of its people were not written.</source>
-        <translation>その実行は終わっているため、人物の表は書き込みませんでした。</translation>
-    </message>
-    <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
-    </message>
-    <message>
-        <source>Writing the tables of people…</source>
-        <translation>人物の表を書き出しています…</translation>
-    </message>
-    <message>
-        <source>Add a person</source>
-        <translation>人物を追加</translation>
-    </message>
-    <message>
-        <source>Remove a person</source>
-        <translation>人物を削除</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::PlannerInstaller</name>
-    <message>
-        <source>Move %1 in the bird&apos;s-eye view</source>
-        <translation>鳥瞰図で %1 を移動</translation>
-    </message>
-    <message>
-        <source>Turn %1 in the bird&apos;s-eye view</source>
-        <translation>鳥瞰図で %1 を回転</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::ProjectController</name>
-    <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
-    </message>
-    <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>どの画像でも追跡したいものをクリックすると、その色を学習して追跡を始めます。</translation>
-    </message>
-    <message>
-        <source>Open a project</source>
-        <translation>プロジェクトを開く</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml);;All files (*)</source>
-        <translation>Dewpoint プロジェクト (*.toml);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>プロジェクトを保存</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml)</source>
-        <translation>Dewpoint プロジェクト (*.toml)</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 を保存しました。</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>保存されていない変更</translation>
-    </message>
-    <message>
-        <source>Save the changes to this project?</source>
-        <translation>このプロジェクトの変更を保存しますか？</translation>
-    </message>
-    <message>
-        <source>Recovered. Save the project to keep it.</source>
-        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RecentMenu</name>
-    <message>
-        <source>Nothing yet</source>
-        <translation>まだありません</translation>
-    </message>
-    <message>
-        <source>Forget these</source>
-        <translation>履歴を消去</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RecoveryOffer</name>
-    <message>
-        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
-        <translation>Dewpoint は正常に終了しませんでした。「%1」の未保存の作業（%2）があります。</translation>
-    </message>
-    <message>
-        <source>Recover it</source>
-        <translation>復元する</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>破棄する</translation>
-    </message>
-    <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>「%1」の未保存の作業を破棄しました。</translation>
-    </message>
-    <message>
-        <source>Take it back</source>
-        <translation>元に戻す</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::RunAlerts</name>
-    <message>
-        <source>No camera was bumped.</source>
-        <translation>動いたカメラはありません。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be solved again now.</source>
-        <translation>%1 は今は解き直せません。</translation>
-    </message>
-    <message>
-        <source>Re-solve %1</source>
-        <translation>%1 を解き直す</translation>
-    </message>
-    <message>
-        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
-        <translation>%1 を現在の姿勢に校正しました。元に戻すで取り消せます。</translation>
-    </message>
-    <message>
-        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
-        <translation>ターゲットは他のカメラが見る位置から %1 px ずれていましたが、今は %2 px です。</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::UncertaintyMapForm</name>
-    <message>
-        <source>Show the map in the bird&apos;s-eye view</source>
-        <translation>鳥瞰図にマップを表示</translation>
-    </message>
-    <message>
-        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
-        <translation>各場所でターゲットがどれだけずれると予想されるか。カメラの動きに追従します</translation>
-    </message>
-    <message>
-        <source>Colors show</source>
-        <translation>色の意味</translation>
-    </message>
-    <message>
-        <source>the expected error</source>
-        <translation>予想誤差</translation>
-    </message>
-    <message>
-        <source>the number of cameras</source>
-        <translation>カメラの数</translation>
-    </message>
-    <message>
-        <source>What the colors show</source>
-        <translation>色が示すもの</translation>
-    </message>
-    <message>
-        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
-        <translation>予想誤差（最も悪い方向の標準偏差）、またはその場所が見えるカメラの数</translation>
-    </message>
-    <message>
-        <source>Good enough</source>
-        <translation>十分な精度</translation>
-    </message>
-    <message>
-        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
-        <translation>十分とみなす誤差：ここまでマップは青く、文と場所の探索もこれに従います</translation>
-    </message>
-    <message>
-        <source>Error of a sighting</source>
-        <translation>観測の誤差</translation>
-    </message>
-    <message>
-        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
-        <translation>画像内で見つかるターゲットのずれ（ピクセル、標準偏差）</translation>
-    </message>
-    <message>
-        <source>Layer at</source>
-        <translation>層の高さ</translation>
-    </message>
-    <message>
-        <source>Show the map in a horizontal layer</source>
-        <translation>水平な層にマップを表示</translation>
-    </message>
-    <message>
-        <source>Height of the layer</source>
-        <translation>層の高さ（スライダー）</translation>
-    </message>
-    <message>
-        <source>Height of the layer above the floor</source>
-        <translation>床からの層の高さ</translation>
-    </message>
-    <message>
-        <source>Height of the layer in meters</source>
-        <translation>層の高さ（メートル）</translation>
-    </message>
-    <message>
-        <source>Volume: surfaces around what is good and what is fair</source>
-        <translation>空間：良い範囲とまずまずの範囲を囲む面</translation>
-    </message>
-    <message>
-        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
-        <translation>誤差が十分な値の0.4倍、1倍、2倍以下の範囲、または2台、3台、4台のカメラから見える範囲を空間全体で表示</translation>
-    </message>
-    <message>
-        <source>Volume from x, y, z</source>
-        <translation>空間の始まり x, y, z</translation>
-    </message>
-    <message>
-        <source>to x, y, z</source>
-        <translation>終わり x, y, z</translation>
-    </message>
-    <message>
-        <source>Volume from %1</source>
-        <translation>空間の始まり %1</translation>
-    </message>
-    <message>
-        <source>Where the volume begins, in meters</source>
-        <translation>空間の始まり（メートル）</translation>
-    </message>
-    <message>
-        <source>Volume to %1</source>
-        <translation>空間の終わり %1</translation>
-    </message>
-    <message>
-        <source>Where the volume ends, in meters</source>
-        <translation>空間の終わり（メートル）</translation>
-    </message>
-    <message>
-        <source>Like the reference grid</source>
-        <translation>基準グリッドに合わせる</translation>
-    </message>
-    <message>
-        <source>The volume above the reference grid, up to the highest camera</source>
-        <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
-    </message>
-    <message>
-        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
-        <translation>空間の %1 が %2 以内、%3 は見えるカメラが2台未満</translation>
     </message>
 </context>
 <context>
@@ -4940,6 +4686,49 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::PeopleDock</name>
+    <message>
+        <source>People</source>
+        <translation>人物</translation>
+    </message>
+    <message>
+        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
+        <translation>カメラ画像の中の人、または鳥瞰図の床をクリックしてください。Esc で終わります。</translation>
+    </message>
+    <message>
+        <source>Folder for the tables of people</source>
+        <translation>人物の表を保存するフォルダー</translation>
+    </message>
+    <message>
+        <source>There are tables of another run in %1. Replace them?</source>
+        <translation>%1 に別の実行の表があります。置き換えますか？</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>That run is over; the tables of its people were not written.</source>
+        <translation>その実行は終わっているため、人物の表は書き込みませんでした。</translation>
+    </message>
+    <message>
+        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
+    </message>
+    <message>
+        <source>Writing the tables of people…</source>
+        <translation>人物の表を書き出しています…</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>人物を追加</translation>
+    </message>
+    <message>
+        <source>Remove a person</source>
+        <translation>人物を削除</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::PeoplePanel</name>
     <message>
         <source>People who are there</source>
@@ -5035,21 +4824,26 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::AddPersonTool</name>
+    <name>dewpoint::ui::PlanPage</name>
     <message>
-        <source>Click the person</source>
-        <translation>人物をクリック</translation>
+        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
+        <translation>これらのカメラはどれだけ正確に測れるか、もう1台はどこで役立つか。鳥瞰図でカメラをドラッグすると、マップが追従します。</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>カメラ %1 の画像：矢印キーで十字を動かし、Enter でそこに人物がいると伝えます</translation>
+        <source>Map of expected errors</source>
+        <translation>予想誤差のマップ</translation>
     </message>
-</context>
-<context>
-    <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>%1 をここに置く：x %2、y %3、z %4 m。空間の %5 が %6 以内になります（現在は %7）。</translation>
+        <source>Planned cameras</source>
+        <translation>計画中のカメラ</translation>
+    </message>
+    <message>
+        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <translation>計画中のカメラはプロジェクトに保存されず、実行にも含まれません。マップは室内の遮蔽物を考慮しません。</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>計画</translation>
     </message>
 </context>
 <context>
@@ -5176,26 +4970,14 @@ at %4, %5, %6 m</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::PlanPage</name>
+    <name>dewpoint::ui::PlannerInstaller</name>
     <message>
-        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
-        <translation>これらのカメラはどれだけ正確に測れるか、もう1台はどこで役立つか。鳥瞰図でカメラをドラッグすると、マップが追従します。</translation>
+        <source>Move %1 in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図で %1 を移動</translation>
     </message>
     <message>
-        <source>Map of expected errors</source>
-        <translation>予想誤差のマップ</translation>
-    </message>
-    <message>
-        <source>Planned cameras</source>
-        <translation>計画中のカメラ</translation>
-    </message>
-    <message>
-        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
-        <translation>計画中のカメラはプロジェクトに保存されず、実行にも含まれません。マップは室内の遮蔽物を考慮しません。</translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation>計画</translation>
+        <source>Turn %1 in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図で %1 を回転</translation>
     </message>
 </context>
 <context>
@@ -5432,6 +5214,113 @@ at %4, %5, %6 m</source>
     <message>
         <source>Turn or mirror the images of this camera so, and solve again</source>
         <translation>このカメラの画像をそのように回転・反転し、もう一度求めます</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ProjectController</name>
+    <message>
+        <source>Click the thing or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+    </message>
+    <message>
+        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
+        <translation>どの画像でも追跡したいものをクリックすると、その色を学習して追跡を始めます。</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>プロジェクトを開く</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml);;All files (*)</source>
+        <translation>Dewpoint プロジェクト (*.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Dewpoint プロジェクト (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>保存されていない変更</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>このプロジェクトの変更を保存しますか？</translation>
+    </message>
+    <message>
+        <source>Recovered. Save the project to keep it.</source>
+        <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentMenu</name>
+    <message>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>履歴を消去</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecoveryOffer</name>
+    <message>
+        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
+        <translation>Dewpoint は正常に終了しませんでした。「%1」の未保存の作業（%2）があります。</translation>
+    </message>
+    <message>
+        <source>Recover it</source>
+        <translation>復元する</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>破棄する</translation>
+    </message>
+    <message>
+        <source>Unsaved work on “%1” was thrown away.</source>
+        <translation>「%1」の未保存の作業を破棄しました。</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>元に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RigPlanner</name>
+    <message>
+        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 をここに置く：x %2、y %3、z %4 m。空間の %5 が %6 以内になります（現在は %7）。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunAlerts</name>
+    <message>
+        <source>No camera was bumped.</source>
+        <translation>動いたカメラはありません。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be solved again now.</source>
+        <translation>%1 は今は解き直せません。</translation>
+    </message>
+    <message>
+        <source>Re-solve %1</source>
+        <translation>%1 を解き直す</translation>
+    </message>
+    <message>
+        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
+        <translation>%1 を現在の姿勢に校正しました。元に戻すで取り消せます。</translation>
+    </message>
+    <message>
+        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
+        <translation>ターゲットは他のカメラが見る位置から %1 px ずれていましたが、今は %2 px です。</translation>
     </message>
 </context>
 <context>
@@ -5970,6 +5859,117 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::UncertaintyMapForm</name>
+    <message>
+        <source>Show the map in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図にマップを表示</translation>
+    </message>
+    <message>
+        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
+        <translation>各場所でターゲットがどれだけずれると予想されるか。カメラの動きに追従します</translation>
+    </message>
+    <message>
+        <source>Colors show</source>
+        <translation>色の意味</translation>
+    </message>
+    <message>
+        <source>the expected error</source>
+        <translation>予想誤差</translation>
+    </message>
+    <message>
+        <source>the number of cameras</source>
+        <translation>カメラの数</translation>
+    </message>
+    <message>
+        <source>What the colors show</source>
+        <translation>色が示すもの</translation>
+    </message>
+    <message>
+        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
+        <translation>予想誤差（最も悪い方向の標準偏差）、またはその場所が見えるカメラの数</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>十分な精度</translation>
+    </message>
+    <message>
+        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
+        <translation>十分とみなす誤差：ここまでマップは青く、文と場所の探索もこれに従います</translation>
+    </message>
+    <message>
+        <source>Error of a sighting</source>
+        <translation>観測の誤差</translation>
+    </message>
+    <message>
+        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
+        <translation>画像内で見つかるターゲットのずれ（ピクセル、標準偏差）</translation>
+    </message>
+    <message>
+        <source>Layer at</source>
+        <translation>層の高さ</translation>
+    </message>
+    <message>
+        <source>Show the map in a horizontal layer</source>
+        <translation>水平な層にマップを表示</translation>
+    </message>
+    <message>
+        <source>Height of the layer</source>
+        <translation>層の高さ（スライダー）</translation>
+    </message>
+    <message>
+        <source>Height of the layer above the floor</source>
+        <translation>床からの層の高さ</translation>
+    </message>
+    <message>
+        <source>Height of the layer in meters</source>
+        <translation>層の高さ（メートル）</translation>
+    </message>
+    <message>
+        <source>Volume: surfaces around what is good and what is fair</source>
+        <translation>空間：良い範囲とまずまずの範囲を囲む面</translation>
+    </message>
+    <message>
+        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
+        <translation>誤差が十分な値の0.4倍、1倍、2倍以下の範囲、または2台、3台、4台のカメラから見える範囲を空間全体で表示</translation>
+    </message>
+    <message>
+        <source>Volume from x, y, z</source>
+        <translation>空間の始まり x, y, z</translation>
+    </message>
+    <message>
+        <source>to x, y, z</source>
+        <translation>終わり x, y, z</translation>
+    </message>
+    <message>
+        <source>Volume from %1</source>
+        <translation>空間の始まり %1</translation>
+    </message>
+    <message>
+        <source>Where the volume begins, in meters</source>
+        <translation>空間の始まり（メートル）</translation>
+    </message>
+    <message>
+        <source>Volume to %1</source>
+        <translation>空間の終わり %1</translation>
+    </message>
+    <message>
+        <source>Where the volume ends, in meters</source>
+        <translation>空間の終わり（メートル）</translation>
+    </message>
+    <message>
+        <source>Like the reference grid</source>
+        <translation>基準グリッドに合わせる</translation>
+    </message>
+    <message>
+        <source>The volume above the reference grid, up to the highest camera</source>
+        <translation>基準グリッドの上、最も高いカメラまでの空間</translation>
+    </message>
+    <message>
+        <source>%1 of the volume within %2, %3 seen by fewer than two cameras</source>
+        <translation>空間の %1 が %2 以内、%3 は見えるカメラが2台未満</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ViewButtons</name>
     <message>
         <source>Above</source>
@@ -6017,6 +6017,37 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Saved the picture %1.</source>
         <translation>画像 %1 を保存しました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::WandCalibrationPage</name>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いた棒を空間全体で振り、精密化します。</translation>
+    </message>
+    <message>
+        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。ボール、または2つのボールの付いた棒を空間全体で振った録画から、正確に求められます。</translation>
+    </message>
+    <message>
+        <source>Where the floor is</source>
+        <translation>床の位置</translation>
+    </message>
+    <message>
+        <source>Waving</source>
+        <translation>振る</translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation>精密化</translation>
+    </message>
+    <message>
+        <source>Wave</source>
+        <translation>振る</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
     </message>
 </context>
 <context>
@@ -6345,37 +6376,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
         <translation>カメラの遅れはプロジェクトに記録され、以後の画像はそれに従って組み合わされます。</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::WandCalibrationPage</name>
-    <message>
-        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
-        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いた棒を空間全体で振り、精密化します。</translation>
-    </message>
-    <message>
-        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
-        <translation>まず手作業でカメラをおおよそ合わせます。ボール、または2つのボールの付いた棒を空間全体で振った録画から、正確に求められます。</translation>
-    </message>
-    <message>
-        <source>Where the floor is</source>
-        <translation>床の位置</translation>
-    </message>
-    <message>
-        <source>Waving</source>
-        <translation>振る</translation>
-    </message>
-    <message>
-        <source>Refine</source>
-        <translation>精密化</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>振る</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 を保存しました。</translation>
     </message>
 </context>
 <context>
