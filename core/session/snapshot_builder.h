@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/history/time_travel.h"
+#include "core/session/rewind/time_travel.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
 

@@ -175,9 +175,9 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/tracking/dewpoint/a.h", "\"core/tracking/barrera/b.h\""), 1U);
   EXPECT_EQ(complaints("core/tracking/people/a.h", "\"core/tracking/catalog/b.h\""), 1U);
   EXPECT_EQ(complaints("core/session/frames/a.h", "\"core/session/run/b.h\""), 1U);
-  EXPECT_EQ(complaints("core/session/people/a.h", "\"core/session/history/b.h\""), 1U);
-  EXPECT_EQ(complaints("core/session/run/a.h", "\"core/session/history/b.h\""), 1U);
-  EXPECT_EQ(complaints("core/session/history/a.h", "\"core/session/session.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/people/a.h", "\"core/session/rewind/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/run/a.h", "\"core/session/rewind/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/session/rewind/a.h", "\"core/session/session.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/metrics/a.h", "\"core/experiment/suite/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/report/a.h", "\"core/experiment/studies/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/scenarios/a.h", "\"core/experiment/metrics/b.h\""), 1U);
@@ -200,13 +200,13 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
 
 TEST(SourceRules, RoomsInsideARoomKeepTheirOrder) {
   const std::string scenarios = "core/experiment/scenarios/";
-  EXPECT_EQ(complaints(scenarios + "families/a.h", "\"" + scenarios + "draft/b.h\""), 0U);
+  EXPECT_EQ(complaints(scenarios + "catalog/a.h", "\"" + scenarios + "draft/b.h\""), 0U);
   EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"" + scenarios + "people/b.h\""), 0U);
 
   EXPECT_EQ(complaints(scenarios + "a.h", "\"" + scenarios + "draft/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "wild/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "draft/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
-  EXPECT_EQ(complaints(scenarios + "targets/a.h", "\"" + scenarios + "families/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "targets/a.h", "\"" + scenarios + "catalog/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "people/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "cellar/a.h", "<vector>"), 1U) << "no such room";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/history/time_travel.h"
+#include "core/session/rewind/time_travel.h"
 
 #include "core/session/frames/live_frames.h"
 #include "core/session/frames/recorded_frames.h"

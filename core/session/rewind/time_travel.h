@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/frames/frame_cache.h"
-#include "core/session/history/history.h"
+#include "core/session/rewind/history.h"
 #include "core/session/run/snapshot.h"
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/history/history.h"
+#include "core/session/rewind/history.h"
 
 #include <algorithm>
 #include <iterator>
