@@ -296,7 +296,8 @@ TEST(PeopleSession, KnowsHowTallPeopleAre) {
   simulation::ViewCache views;
   const OfficeRenderer renderer(officeDay(), views);
   int compared = 0;
-  for (const TargetSnapshot& target : session.newest()->targets) {
+  const TrackSnapshotPtr newest = session.newest();
+  for (const TargetSnapshot& target : newest->targets) {
     for (std::size_t k = 0; target.person() != nullptr && k < renderer.scene().people.size(); ++k) {
       const Eigen::Vector3d truth = renderer.middle(k, officeDay().timeOf(kFrames - 1));
       if ((truth - target.person()->position).head<2>().norm() < 0.2) {

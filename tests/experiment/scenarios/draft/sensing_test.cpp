@@ -240,7 +240,8 @@ TEST(ScenarioTiming, SomeFramesAreDropped) {
   const ScenarioRun run = scenarioRun("S15-dropped");
   int dropped = 0;
   for (std::int64_t frame = 0; frame < 60; ++frame) {
-    for (const FramePtr& one : run.frames(frame)->frames) {
+    const FrameSetPtr set = run.frames(frame);
+    for (const FramePtr& one : set->frames) {
       dropped += one == nullptr ? 1 : 0;
     }
   }
