@@ -100,7 +100,7 @@ class Plan(unittest.TestCase):
                                 ["ideal", "room", "wild"], ["people-crossing", "people-apart"], 1006001, 1007000,
                                 VALIDATION, ("barrera-fig4", "mohedano-fig1"))
         whole = plans.make_plan(declared, costs, catalog)
-        self.assertLess(whole.hours(), 2.5)
+        self.assertLess(whole.hours(), 2.25)
         self.assertEqual({amount.seeds for amount in whole.amounts if amount.grade == "room" and amount.method == "dewpoint"
                           and not amount.scenario.startswith(("S1-", "S4-", "S5-"))}, {10})
         self.assertFalse(any(amount.method == "csrt" for amount in whole.amounts if amount.scenario == "S5-eight"))
