@@ -6,15 +6,16 @@
 #include "ui/workbench/dock_manager.h"
 
 #include <QMainWindow>
-#include <QTimer>
 
 #include <utility>
 
 namespace dewpoint::ui {
 
 namespace {
-constexpr int kUntilGoneMs = 8000;
-}
+/// How often is looked for work of a window that was still there before. Chosen: a person waits no
+/// longer for it.
+constexpr int kLookAgainMs = 8000;
+} // namespace
 
 RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder,
                              TextWriter write)
@@ -23,23 +24,29 @@ RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path
   connect(recovery_, &Recovery::failed, &bench_.messages, &MessageBar::showError);
   connect(recovery_, &Recovery::writing, &bench_.docks, &DockManager::storeLayout);
   offer();
-  // A window that was killed may take a while to be gone.
-  QTimer::singleShot(kUntilGoneMs, this, [this] {
-    if (!offered_) {
+  // A window that was killed may take a while to be gone, and one that is alive may be killed
+  // later.
+  connect(&lookAgain_, &QTimer::timeout, this, [this] {
+    if (!looking_) { // else the disk is slow
       offer();
     }
   });
+  lookAgain_.start(kLookAgainMs);
 }
 
 void RecoveryOffer::offer() {
-  recovery_->look([this](const std::vector<RecoverableWork>& left) { ask(left); });
+  looking_ = true;
+  recovery_->look([this](const std::vector<RecoverableWork>& left) {
+    looking_ = false;
+    ask(left);
+  });
 }
 
 void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
   if (left.empty()) {
     return;
   }
-  offered_ = true;
+  lookAgain_.stop();
   const RecoverableWork& work = left.front();
   // Meanwhile a project may be opened, and much be said: the question comes back after that.
   bench_.messages.askUntilAnswered(

@@ -4,6 +4,8 @@
 #include "ui/document/recovery.h"
 #include "ui/workbench/workbench.h"
 
+#include <QTimer>
+
 #include <filesystem>
 #include <vector>
 
@@ -37,7 +39,8 @@ private:
 
   Workbench bench_;
   Recovery* recovery_;
-  bool offered_ = false;
+  QTimer lookAgain_; ///< until some work was offered
+  bool looking_ = false;
 };
 
 } // namespace dewpoint::ui
