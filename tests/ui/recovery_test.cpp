@@ -35,6 +35,7 @@ private Q_SLOTS:
   void comesBackWithItsLayout();
   void behindAPageTheLayoutIsThatOfTheViews();
   void theQuestionComesBackAfterOtherMessages();
+  void aWindowThatTakesLongToDieIsNotForgotten();
   void theLateQuestionTakesNoOtherWorkAway();
   void thrownAwayItIsGoneButForASlip();
   void whatCannotBeOpenedStays();
@@ -146,6 +147,17 @@ void RecoveryTest::theQuestionComesBackAfterOtherMessages() {
 }
 
 /// The killed window takes its time to be gone: the question comes 8 s after the start.
+void RecoveryTest::aWindowThatTakesLongToDieIsNotForgotten() {
+  leaveBehind("0123", demoFile("half done"));
+  QLockFile living(QString::fromStdString((place("left") / "0123.lock").string()));
+  QVERIFY(living.tryLock(0));
+  window_->useRecovery(place("left"));
+  letTimePass(9000); // past the second look, which comes after 8 s
+  QVERIFY(messageText().isEmpty());
+  living.unlock();
+  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("half done")); }));
+}
+
 void RecoveryTest::theLateQuestionTakesNoOtherWorkAway() {
   leaveBehind("0123", demoFile("half done"));
   QLockFile living(QString::fromStdString((place("left") / "0123.lock").string()));
