@@ -72,6 +72,9 @@ struct ScenarioRun {
   /// position is the center of a ball, and the centroid of any other target.
   Trajectory truth;
   std::vector<TargetExtent> extents; ///< one per sample of `truth`, in its order
+  /// How exact `truth` is: standard deviation along each axis, meters. Beliefs are compared with a
+  /// truth that is this uncertain.
+  double truthSigma = 0.0;
   std::vector<ScenarioEvent> events;
   /// Frames with a truth, ascending: only these are measured. Empty: all frames are.
   std::vector<std::int64_t> measuredFrames;

@@ -13,8 +13,8 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Centers at the start are farther apart than this, meters; chosen: they do not quite touch.
-constexpr double kApartAtStart = 2.2 * kBallRadius;
+/// Centers at the start are farther apart than this, radii; chosen: they do not quite touch.
+constexpr double kApartAtStart = 2.2;
 /// Speeds at the start, m/s: those of the smooth path.
 constexpr double kSlowestFlight = 0.1;
 constexpr double kFastestFlight = 0.3;
@@ -23,18 +23,45 @@ constexpr double kFastestFlight = 0.3;
 constexpr double kStartHalf = 0.05;
 constexpr double kStartOff = 0.02;
 
-/// Where the balls' centers fly, meters; chosen: every camera of the ring sees all of it.
-Eigen::AlignedBox3d crowdRegion() {
-  return {Eigen::Vector3d(0.32, 0.32, 0.06), Eigen::Vector3d(0.68, 0.68, 0.28)};
+using Region = Eigen::AlignedBox3d;
+
+/// Whether all images show balls whole in all corners of a region.
+bool showsAll(const ScenarioDraft& draft, const Region& region) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d position = region.corner(static_cast<Region::CornerType>(corner));
+    if (!fullyVisible(draft.stage, position, draft.ballRadius())) {
+      return false;
+    }
+  }
+  return true;
 }
 
-Eigen::Vector3d drawPosition(Draws& draws) {
-  return draws.inBox(crowdRegion().min(), crowdRegion().max());
+/// Where the balls' centers fly, meters. Every camera of the ring sees all of it; of other cameras
+/// it is made as small as they need. Nothing when it would be too small.
+std::optional<Region> crowdRegion(const ScenarioDraft& draft) {
+  constexpr double kStep = 0.9;  // of its size; chosen
+  constexpr double kLeast = 0.3; // of its size; chosen: 11 x 11 x 7 cm
+  const Region whole{Eigen::Vector3d(0.32, 0.32, 0.06), Eigen::Vector3d(0.68, 0.68, 0.28)};
+  if (draft.grade != Grade::Wild) {
+    return whole;
+  }
+  for (double scale = draft.pathScale; scale >= kLeast; scale *= kStep) {
+    const Eigen::Vector3d half = 0.5 * scale * whole.sizes();
+    const Region region{whole.center() - half, whole.center() + half};
+    if (showsAll(draft, region)) {
+      return region;
+    }
+  }
+  return std::nullopt;
 }
 
-bool isApart(const CrowdStart& crowd, const Eigen::Vector3d& position) {
+Eigen::Vector3d drawPosition(const Region& region, Draws& draws) {
+  return draws.inBox(region.min(), region.max());
+}
+
+bool isApart(const ScenarioDraft& draft, const CrowdStart& crowd, const Eigen::Vector3d& position) {
   return std::ranges::all_of(crowd.positions, [&](const Eigen::Vector3d& other) {
-    return (other - position).norm() > kApartAtStart;
+    return (other - position).norm() > kApartAtStart * draft.ballRadius();
   });
 }
 
@@ -45,8 +72,8 @@ void addFlyer(CrowdStart& crowd, const Eigen::Vector3d& position, Draws& draws) 
 }
 
 /// The first body is the target, the others are its like.
-void addBodies(ScenarioDraft& draft, const CrowdStart& crowd) {
-  const auto motion = std::make_shared<const CrowdMotion>(crowd, crowdRegion(), kBallRadius,
+void addBodies(ScenarioDraft& draft, const CrowdStart& crowd, const Region& region) {
+  const auto motion = std::make_shared<const CrowdMotion>(crowd, region, draft.ballRadius(),
                                                           draft.timeOf(draft.frameCount) +
                                                               draft.stage.exposureSeconds);
   addTarget(draft, pathOf(motion, 0));
@@ -61,9 +88,13 @@ void addBodies(ScenarioDraft& draft, const CrowdStart& crowd) {
 /// Only the target is in the box where the search starts, with all of its body.
 bool crowd(ScenarioDraft& draft, std::size_t distractors) {
   draft.frameCount = kUsualFrames;
+  const auto region = crowdRegion(draft);
+  if (!region) {
+    return false;
+  }
   Draws& draws = draft.draws;
   CrowdStart balls;
-  addFlyer(balls, drawPosition(draws), draws);
+  addFlyer(balls, drawPosition(*region, draws), draws);
   const Eigen::Vector3d off =
       draws.inBox(Eigen::Vector3d::Constant(-kStartOff), Eigen::Vector3d::Constant(kStartOff));
   draft.startCenter = balls.positions.front() + off;
@@ -71,15 +102,15 @@ bool crowd(ScenarioDraft& draft, std::size_t distractors) {
   const Eigen::Vector3d around = draft.startHalf + Eigen::Vector3d::Constant(kBallRadius);
   const Eigen::AlignedBox3d kept(draft.startCenter - around, draft.startCenter + around);
   for (int i = 0; i < kMostDraws && balls.positions.size() <= distractors; ++i) {
-    const Eigen::Vector3d position = drawPosition(draws);
-    if (isApart(balls, position) && !kept.contains(position)) {
+    const Eigen::Vector3d position = drawPosition(*region, draws);
+    if (isApart(draft, balls, position) && !kept.contains(position)) {
       addFlyer(balls, position, draws);
     }
   }
   if (balls.positions.size() <= distractors) {
     return false;
   }
-  addBodies(draft, balls);
+  addBodies(draft, balls, *region);
   return true;
 }
 
@@ -88,16 +119,23 @@ bool evenStart(ScenarioDraft& draft) {
   /// Around the two balls' centers, meters; as startAroundAll().
   constexpr double kAround = 0.05;
   draft.frameCount = kUsualFrames;
+  const auto region = crowdRegion(draft);
+  if (!region) {
+    return false;
+  }
   Draws& draws = draft.draws;
   CrowdStart balls;
-  addFlyer(balls, drawPosition(draws), draws);
-  while (balls.positions.size() < 2) {
-    const Eigen::Vector3d position = drawPosition(draws);
-    if (isApart(balls, position)) {
+  addFlyer(balls, drawPosition(*region, draws), draws);
+  for (int i = 0; i < kMostDraws && balls.positions.size() < 2; ++i) {
+    const Eigen::Vector3d position = drawPosition(*region, draws);
+    if (isApart(draft, balls, position)) {
       addFlyer(balls, position, draws);
     }
   }
-  addBodies(draft, balls);
+  if (balls.positions.size() < 2) {
+    return false;
+  }
+  addBodies(draft, balls, *region);
   const Eigen::Vector3d& one = balls.positions[0];
   const Eigen::Vector3d& other = balls.positions[1];
   draft.startCenter = 0.5 * (one + other);

@@ -72,7 +72,7 @@ void addLeavingTarget(ScenarioDraft& draft, const Excursion& path) {
   addTarget(draft, path);
   startNearTruth(draft);
   addUnseenEvents(draft, [&](std::size_t camera, std::int64_t frame) {
-    return showingOf(*draft.stage.views[camera], path(draft.timeOf(frame)), kBallRadius) !=
+    return showingOf(*draft.stage.views[camera], path(draft.timeOf(frame)), draft.ballRadius()) !=
            Showing::Nothing;
   });
 }
@@ -164,8 +164,11 @@ std::optional<Eigen::Vector3d> wayToBorder(const simulation::CameraView& view,
 bool hoverOnBorder(ScenarioDraft& draft) {
   draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
+  const double radius = draft.ballRadius();
+  // Smaller than the ball, so that a part of it stays in the image.
+  const Eigen::Vector3d extent = draft.radiusScale * Eigen::Vector3d{0.02, 0.02, 0.015};
   for (int i = 0; i < kMostDraws; ++i) {
-    Excursion path{drawSmallPath(draws, kPathLow, kPathHigh, {0.02, 0.02, 0.015})};
+    Excursion path{drawSmallPath(draws, kPathLow, kPathHigh, extent)};
     path.begin = 0.7;
     path.hold = 3.0;
     const auto camera =
@@ -186,7 +189,7 @@ bool hoverOnBorder(ScenarioDraft& draft) {
       const Eigen::Vector3d ball = path(time);
       right = isFree(draft, ball);
       for (std::size_t other = 0; right && other < draft.rig.size(); ++other) {
-        const Showing showing = showingOf(*draft.stage.views[other], ball, kBallRadius);
+        const Showing showing = showingOf(*draft.stage.views[other], ball, radius);
         right = other == camera ? showing != Showing::Nothing &&
                                       (time > path.begin || showing == Showing::Whole)
                                 : showing == Showing::Whole;

@@ -22,8 +22,9 @@ using simulation::Vector3f;
 const Vector3f kPink = simulation::kUsualBallColor.cast<float>();
 
 /// What is checked around a mouse, meters: a ball as large as the mouse would go below the desk,
-/// which would then hide it. The images' borders are farther off than the difference.
+/// which would then hide it. All of it, half its length, is checked against the images' borders.
 constexpr double kMouseBound = 0.024;
+constexpr double kMouseReach = 0.06;
 
 /// An object in its own axes at a time.
 using ObjectAt = std::function<std::vector<MovingPart>(double)>;
@@ -34,6 +35,7 @@ struct Handling {
   bool upright = false;     ///< rotates about the vertical only
   bool onDesk = false;      ///< slides on the desk
   double halfHeight = 0.02; ///< of what slides, meters
+  double reach = bound;     ///< as `bound`, but only the images' borders are checked
 };
 
 ObjectAt always(std::vector<MovingPart> parts) {
@@ -59,12 +61,25 @@ RoundPath drawWay(Draws& draws, const Handling& handling) {
   return path;
 }
 
+/// Whether all images show all of it all the time.
+bool staysWhole(const ScenarioDraft& draft, const RoundPath& path, const Handling& handling) {
+  for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
+    const Eigen::Vector3d middle = path(draft.timeOf(frame));
+    for (const auto& view : draft.stage.views) {
+      if (!withinImage(*view, middle, handling.reach)) {
+        return false;
+      }
+    }
+  }
+  return staysVisible(draft, path, handling.bound);
+}
+
 bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handling) {
   draft.frameCount = kUsualFrames;
   Draws& draws = draft.draws;
   for (int i = 0; i < kMostDraws; ++i) {
     const RoundPath path = drawWay(draws, handling);
-    if (!staysVisible(draft, path, handling.bound)) {
+    if (!staysWhole(draft, path, handling)) {
       continue;
     }
     Spin spin = drawSpin(draws, 0.05, 0.25);
@@ -150,7 +165,8 @@ std::vector<ScenarioRecipe> shapeScenarios() {
           recipe("S21-cone", "A cone that tumbles.", always(simulation::cone(kPink)), {0.11}),
           recipe("S21-stick", "A stick that tumbles.", always(simulation::stick(kPink)), {0.15}),
           recipe("S21-mouse", "A computer mouse on the desk.",
-                 always(simulation::computerMouse(kPink)), {kMouseBound, true, true, 0.02}),
+                 always(simulation::computerMouse(kPink)),
+                 {kMouseBound, true, true, 0.02, kMouseReach}),
           shirt};
 }
 

@@ -25,7 +25,7 @@ bool staysVisibleFrom(const ScenarioDraft& draft, const PiecewisePath& path, dou
     if (time > path.end()) {
       return true;
     }
-    if (!fullyVisible(draft.stage, path(time), kBallRadius)) {
+    if (!fullyVisible(draft.stage, path(time), draft.ballRadius())) {
       return false;
     }
   }
@@ -39,7 +39,7 @@ std::optional<PiecewisePath> drawPath(ScenarioDraft& draft, const Eigen::Vector3
   path.rest(kFirstRest);
   int draws = 0;
   while (path.end() < draft.timeOf(draft.frameCount)) {
-    if (++draws > kMostDraws || !fullyVisible(draft.stage, path(0.0), kBallRadius)) {
+    if (++draws > kMostDraws || !fullyVisible(draft.stage, path(0.0), draft.ballRadius())) {
       return std::nullopt;
     }
     PiecewisePath longer = path;
@@ -67,9 +67,10 @@ std::optional<PiecewisePath> drawBounces(ScenarioDraft& draft) {
   constexpr double kPush = 0.15; // m/s along the desk, at most; chosen: it stays in the images
   Draws& draws = draft.draws;
   // Restitution of rubber balls on wood: from a dull one to a lively one.
-  const Bounce bounce{kBallRadius, draws.uniform(0.6, 0.85)};
-  const Eigen::Vector3d low{0.42, 0.42, kBallRadius + 0.1};
-  const Eigen::Vector3d high{0.6, 0.58, kBallRadius + 0.17};
+  const double radius = draft.ballRadius();
+  const Bounce bounce{radius, draws.uniform(0.6, 0.85)};
+  const Eigen::Vector3d low{0.42, 0.42, radius + 0.1};
+  const Eigen::Vector3d high{0.6, 0.58, radius + 0.17};
   return drawPath(draft, low, high, [&](PiecewisePath& path) {
     const double angle = draws.uniform(0.0, kFullTurn);
     const double speed = draws.uniform(0.0, kPush);

@@ -60,6 +60,8 @@ struct ScenarioDraft {
   /// the range of the pink ball.
   std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
 
+  /// Of a usual ball when the scenario is complete, meters.
+  double ballRadius() const { return radiusScale * kBallRadius; }
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
 

@@ -12,8 +12,13 @@ Eigen::Vector3d RoundPath::operator()(double time) const {
                                   extent.z() * std::sin(3.0 * angle + phase.z()));
 }
 
-bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& center,
-                  double radius) {
+namespace {
+
+/// Whether all points of the outline are in the image and `isShown(column, row, distance)`; the
+/// distance is that of the center.
+template <typename IsShown>
+bool isOutlineShown(const simulation::CameraView& view, const Eigen::Vector3d& center,
+                    double radius, const IsShown& isShown) {
   constexpr int kPoints = 12;     // of the outline, every 30 degrees; chosen
   constexpr double kMargin = 1.1; // of the radius: a little of what is around it is seen as well
   const Eigen::Vector3d eye = view.center.cast<double>();
@@ -34,15 +39,26 @@ bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& cen
     }
     const auto column = static_cast<int>(std::lround(pixel->x()));
     const auto row = static_cast<int>(std::lround(pixel->y()));
-    if (column < 0 || row < 0 || column >= view.width || row >= view.height) {
-      return false;
-    }
-    // What lies beside a ball on the desk may be a little nearer than its middle.
-    if (view.distances[view.index(column, row)] < distance - 0.5 * radius) {
+    if (column < 0 || row < 0 || column >= view.width || row >= view.height ||
+        !isShown(column, row, distance)) {
       return false;
     }
   }
   return true;
+}
+
+} // namespace
+
+bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& center,
+                  double radius) {
+  return isOutlineShown(view, center, radius, [&](int column, int row, double distance) {
+    // What lies beside a ball on the desk may be a little nearer than its middle.
+    return view.distances[view.index(column, row)] >= distance - 0.5 * radius;
+  });
+}
+
+bool withinImage(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius) {
+  return isOutlineShown(view, center, radius, [](int, int, double) { return true; });
 }
 
 bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius) {

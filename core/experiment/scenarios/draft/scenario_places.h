@@ -35,7 +35,9 @@ struct RoundPath {
 
 /// True if the sphere's whole outline lies in the camera's image and nothing at rest hides it.
 bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius);
-/// The same in every camera.
+/// True if the sphere's whole outline lies in the camera's image, hidden or not.
+bool withinImage(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius);
+/// As fullyVisible(), in every camera.
 bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius);
 /// The same at every frame of the draft.
 bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius);
