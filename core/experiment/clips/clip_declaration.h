@@ -39,7 +39,8 @@ struct ClipDeclaration {
   std::string start;     ///< how methods get to know the target
   std::string truth;     ///< what it is, from where, and how exact
   TruthOrigin origin = TruthOrigin::Marked;
-  double truthSigma = 0.0; ///< how exact: mm, or pixels where only images are measured
+  /// How exact, along each axis: mm, or pixels where only images are measured.
+  double truthSigma = 0.0;
   TunedOn tunedOn = TunedOn::No;
   std::string tuned; ///< what was, or why not, in one clause
   int seeds = 5;     ///< runs of a report unless requested otherwise

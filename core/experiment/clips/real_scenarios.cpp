@@ -8,6 +8,13 @@
 namespace dewpoint::experiment {
 namespace {
 
+constexpr double kMillimeters = 1000.0; // per meter
+
+/// Whether truth is known in images only.
+bool isInPixels(const ClipDeclaration& clip) {
+  return clip.origin == TruthOrigin::Segmented || clip.images;
+}
+
 const char* originText(TruthOrigin origin) {
   switch (origin) {
   case TruthOrigin::Board:
@@ -58,13 +65,17 @@ ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& f
   if (clip.images) {
     scenario.clip = [images = clip.images, folders] { return images(folders); };
   } else {
-    scenario.make = [calibrated = clip.calibrated, folders](std::uint64_t seed,
-                                                            Grade) -> Result<ScenarioRun> {
+    const double sigma = isInPixels(clip) ? 0.0 : clip.truthSigma / kMillimeters;
+    scenario.make = [calibrated = clip.calibrated, folders, sigma](std::uint64_t seed,
+                                                                   Grade) -> Result<ScenarioRun> {
       const auto source = calibrated(folders);
       if (!source) {
         return tl::make_unexpected(source.error());
       }
-      return clipRun(*source, seed);
+      return clipRun(*source, seed).map([&](ScenarioRun run) {
+        run.truthSigma = sigma;
+        return run;
+      });
     };
   }
   return scenario;
@@ -87,8 +98,7 @@ RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDecl
 std::string clipSentence(const ClipDeclaration& clip) {
   return fmt::format("{} Start: {} Truth: {} ({}; ±{:g} {}). Tuned on: {} ({}).", clip.sentence,
                      clip.start, clip.truth, originText(clip.origin), clip.truthSigma,
-                     clip.origin == TruthOrigin::Segmented || clip.images ? "px" : "mm",
-                     tunedText(clip.tunedOn), clip.tuned);
+                     isInPixels(clip) ? "px" : "mm", tunedText(clip.tunedOn), clip.tuned);
 }
 
 } // namespace dewpoint::experiment

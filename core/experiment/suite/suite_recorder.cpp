@@ -326,19 +326,22 @@ void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples&
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const SphereEstimate& stated = estimates_[k][estimate];
     const auto error = errorOf(frames[k]);
+    // Of the difference between estimate and truth.
+    const Eigen::Matrix3d covariance =
+        stated.covariance + run_.truthSigma * run_.truthSigma * Eigen::Matrix3d::Identity();
     trace.push_back(error ? kMillimeters * error->norm()
                           : std::numeric_limits<double>::quiet_NaN());
     samples.forecasts.push_back(
         {stated.existenceProbability,
          frames[k].truth.has_value() && (stated.mean - *frames[k].truth).norm() < kFollowGate});
     samples.beliefs.push_back({stated.existenceProbability, isDeclared(stated), stated.mean,
-                               stated.covariance, frames[k].truth});
+                               covariance, frames[k].truth});
     if (target == 0) {
       samples.firstBeliefs.push_back(samples.beliefs.back());
     }
     if (frames[k].truth && anyBlind(frames[k].frame)) {
       ++samples.blindInside.total;
-      samples.blindInside.count += error && isInside95({*error, stated.covariance}) ? 1 : 0;
+      samples.blindInside.count += error && isInside95({*error, covariance}) ? 1 : 0;
     }
     if (k < begin) {
       continue;
@@ -346,7 +349,7 @@ void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples&
     sequence.push_back(error);
     if (error) {
       samples.errors.push_back(*error);
-      samples.states.push_back({*error, stated.covariance});
+      samples.states.push_back({*error, covariance});
     }
     const TargetExtent* const extent = extentOf(k, target);
     if (extent != nullptr && frames[k].truth && frames[k].visible) {
