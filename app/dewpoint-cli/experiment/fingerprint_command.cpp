@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/baselines/box_follower.h"
 #include "core/experiment/studies/box_fingerprint.h"
 #include "core/experiment/studies/people_fingerprint.h"
 #include "core/experiment/suite/suite_fingerprint.h"
@@ -46,8 +47,7 @@ int showFingerprints(const std::vector<std::string>& wanted) {
   const auto printed =
       printFingerprints(chosenOf(suiteMethods(), wanted), suiteFingerprints)
           .and_then([&] {
-            return printFingerprints(chosenOf(methodNames(TargetsFrom::Box), wanted),
-                                     boxFingerprints);
+            return printFingerprints(chosenOf(boxFollowerNames(), wanted), boxFingerprints);
           })
           .and_then([&] {
             return printFingerprints(chosenOf(methodNames(TargetsFrom::Images), wanted),
@@ -63,9 +63,8 @@ void addFingerprintCommand(CLI::App& group, int& exitCode) {
       "fingerprint", "The state of each method: a checksum of what it computes on a few short "
                      "fixed runs, as CSV.");
   std::vector<std::string> known = suiteMethods();
-  for (const TargetsFrom targets : {TargetsFrom::Box, TargetsFrom::Images}) {
-    std::ranges::copy(methodNames(targets), std::back_inserter(known));
-  }
+  std::ranges::copy(boxFollowerNames(), std::back_inserter(known));
+  std::ranges::copy(methodNames(TargetsFrom::Images), std::back_inserter(known));
   auto wanted = std::make_shared<std::vector<std::string>>();
   command->add_option("--method", *wanted, "Method; all unless given")
       ->delimiter(',')

@@ -8,12 +8,16 @@
 #include <opencv2/tracking.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace dewpoint::experiment {
 namespace {
+
+constexpr const char* kBoxSuffix = "-box"; ///< behind the names of OpenCV's trackers
 
 cv::Rect wholePixels(const ImageBox& box) {
   return {static_cast<int>(std::lround(box.x)), static_cast<int>(std::lround(box.y)),
@@ -170,6 +174,28 @@ std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name) {
     return std::make_unique<CorrelationFollower>(cv::TrackerKCF::create());
   }
   return std::make_unique<HueFollower>(name == "camshift");
+}
+
+const std::vector<std::string>& boxFollowerNames() {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names = methodNames(TargetsFrom::Box);
+    for (const std::string& name : openCvFollowers()) {
+      names.push_back(name + kBoxSuffix);
+    }
+    return names;
+  }();
+  return kNames;
+}
+
+Result<std::unique_ptr<BoxFollower>> makeFollower(const std::string& name, int particles,
+                                                  std::uint64_t seed) {
+  if (std::ranges::find(boxFollowerNames(), name) == boxFollowerNames().end()) {
+    return failure(ErrorCode::NotFound, "", "--method", name + " follows no boxes");
+  }
+  if (name.ends_with(kBoxSuffix)) {
+    return makeOpenCvFollower(name.substr(0, name.size() - std::strlen(kBoxSuffix)));
+  }
+  return makeBoxFollower(name, particles, seed);
 }
 
 } // namespace dewpoint::experiment

@@ -43,4 +43,12 @@ const std::vector<std::string>& openCvFollowers();
 /// randomness.
 std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name);
 
+/// All methods that follow the box of one camera: ours, and OpenCV's with "-box" behind their names
+/// ("csrt-box"), since "csrt" is also the suite's method that triangulates such boxes.
+const std::vector<std::string>& boxFollowerNames();
+
+/// By a name of boxFollowerNames(); `particles` and `seed` are for ours. NotFound for any other.
+Result<std::unique_ptr<BoxFollower>> makeFollower(const std::string& name, int particles,
+                                                  std::uint64_t seed);
+
 } // namespace dewpoint::experiment

@@ -5,9 +5,7 @@
 #include "core/experiment/report/fingerprint.h"
 #include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/box_clips.h"
-#include "core/tracking/catalog/method_catalog.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace dewpoint::experiment {
@@ -47,14 +45,10 @@ Result<std::string> fingerprintOf(const BoxClip& clip, BoxFollower& follower) {
 
 Result<std::map<std::string, std::string>>
 boxFingerprints(const std::vector<std::string>& methods) {
-  const auto known = methodNames(TargetsFrom::Box);
   const BoxClip clip = simulatedBoxClip(kFirstTuningSeed);
   std::map<std::string, std::string> texts;
-  for (const std::string& method : methods.empty() ? known : methods) {
-    if (std::ranges::find(known, method) == known.end()) {
-      return failure(ErrorCode::NotFound, "", "--method", method);
-    }
-    auto follower = makeBoxFollower(method, kFingerprintParticles, kFirstTuningSeed);
+  for (const std::string& method : methods.empty() ? boxFollowerNames() : methods) {
+    auto follower = makeFollower(method, kFingerprintParticles, kFirstTuningSeed);
     if (!follower) {
       return tl::make_unexpected(follower.error());
     }

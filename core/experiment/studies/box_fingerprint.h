@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// As suiteFingerprints(), of methods that follow boxes: the boxes of 300 particles on the first
+/// As suiteFingerprints(), of boxFollowerNames(): the boxes of 300 particles on the first
 /// images of the rendered clip (the first tuning seed), from the true box of the first one. All
 /// methods for none.
 ///

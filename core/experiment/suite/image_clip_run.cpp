@@ -22,13 +22,6 @@ double threadMicroseconds() {
   return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-Result<std::unique_ptr<BoxFollower>> followerOf(const std::string& method, std::uint64_t seed) {
-  if (std::ranges::find(openCvFollowers(), method) != openCvFollowers().end()) {
-    return makeOpenCvFollower(method);
-  }
-  return makeBoxFollower(method, kClipParticles, seed);
-}
-
 /// The frames after the first: the truth at zero, the box as far away as its center is from the
 /// true one, in pixels; not declared where the follower has given up.
 std::vector<TargetFrame> framesInPixels(const BoxClip& clip,
@@ -50,21 +43,13 @@ std::vector<TargetFrame> framesInPixels(const BoxClip& clip,
 } // namespace
 
 const std::vector<std::string>& imageMethods() {
-  static const std::vector<std::string> kMethods = [] {
-    std::vector<std::string> names{"histogram", "sugandi"};
-    names.insert(names.end(), openCvFollowers().begin(), openCvFollowers().end());
-    return names;
-  }();
-  return kMethods;
+  return boxFollowerNames();
 }
 
 Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
                                               const std::vector<cv::Mat>& images, const RunKey& key,
                                               const std::function<bool()>& stop) {
-  if (std::ranges::find(imageMethods(), key.method) == imageMethods().end()) {
-    return failure(ErrorCode::NotFound, "", "--method", key.method + " follows no boxes");
-  }
-  auto follower = followerOf(key.method, key.seed);
+  auto follower = makeFollower(key.method, kClipParticles, key.seed);
   if (!follower) {
     return tl::make_unexpected(follower.error());
   }

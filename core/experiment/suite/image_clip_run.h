@@ -14,8 +14,8 @@
 
 namespace dewpoint::experiment {
 
-/// The methods that follow a box through the images of one camera, in the order of the tables: ours
-/// with 300 particles, then OpenCV's.
+/// The methods that follow a box through the images of one camera, in the order of the tables:
+/// boxFollowerNames(), ours with 300 particles.
 const std::vector<std::string>& imageMethods();
 
 /// Follows a clip, whose images these are, from its first true box with the method and the seed of

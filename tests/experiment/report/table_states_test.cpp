@@ -2,6 +2,7 @@
 // Whether the tables of the documentation are of today's methods.
 #include "core/base/text_file.h"
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/baselines/box_follower.h"
 #include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/box_fingerprint.h"
 #include "core/experiment/studies/people_fingerprint.h"
@@ -62,7 +63,7 @@ TEST(TableStates, TablesAreOfTodaysMethods) {
   using Compute = Result<std::map<std::string, std::string>> (*)(const std::vector<std::string>&);
   const std::vector<std::pair<std::vector<std::string>, Compute>> kinds{
       {suiteMethods(), suiteFingerprints},
-      {methodNames(TargetsFrom::Box), boxFingerprints},
+      {boxFollowerNames(), boxFingerprints},
       {methodNames(TargetsFrom::Images), peopleFingerprints}};
   for (const auto& [known, compute] : kinds) {
     const auto methods = documentedMethods(known);

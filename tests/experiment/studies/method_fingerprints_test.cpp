@@ -12,9 +12,10 @@ namespace {
 TEST(MethodFingerprints, OfBoxesAreOfTheMethodAlone) {
   const auto both = boxFingerprints({});
   ASSERT_TRUE(both) << sentence(both.error());
-  ASSERT_EQ(both->size(), 2U); // histogram and sugandi
+  ASSERT_EQ(both->size(), 6U); // histogram, sugandi and OpenCV's four
   EXPECT_NE(both->at("histogram"), both->at("sugandi"));
   EXPECT_EQ(both->at("sugandi").size(), 8U);
+  EXPECT_NE(both->at("camshift-box"), both->at("meanshift-box"));
   const auto one = boxFingerprints({"sugandi"});
   ASSERT_TRUE(one);
   EXPECT_EQ(one->at("sugandi"), both->at("sugandi"));

@@ -203,7 +203,7 @@ TEST(ImageClipRun, StopsAndRefuses) {
   const auto images = imagesOf(clip);
   ASSERT_TRUE(images);
   const auto stopped =
-      followClip(clip, *images, {"R2-disk", Grade::Real, "camshift", 1}, [] { return true; });
+      followClip(clip, *images, {"R2-disk", Grade::Real, "camshift-box", 1}, [] { return true; });
   ASSERT_TRUE(stopped);
   EXPECT_FALSE(stopped->has_value());
   EXPECT_EQ(
@@ -222,7 +222,8 @@ TEST(SuiteRunner, RunsRealClipsInTheirGradeByTheMethodsThatCan) {
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.grades = {Grade::Ideal, Grade::Real};
-  request.methods = *selectMethods({"triangulation", "camshift", "histogram"}, allSuiteMethods());
+  request.methods = *selectMethods({"triangulation", "camshift", "histogram", "camshift-box"},
+                                    allSuiteMethods());
   request.seeds = 1;
   const auto jobs = planSuite(request, {});
   ASSERT_EQ(jobs.size(), 3U);
@@ -231,7 +232,7 @@ TEST(SuiteRunner, RunsRealClipsInTheirGradeByTheMethodsThatCan) {
   EXPECT_EQ(jobs[1].grade, Grade::Real);
   EXPECT_EQ(jobs[1].methods, (std::vector<std::string>{"triangulation", "camshift"}));
   EXPECT_EQ(jobs[2].grade, Grade::Real);
-  EXPECT_EQ(jobs[2].methods, (std::vector<std::string>{"camshift", "histogram"}));
+  EXPECT_EQ(jobs[2].methods, (std::vector<std::string>{"histogram", "camshift-box"}));
 
   std::vector<std::string> done;
   const auto sink = [&](const SuiteResult& result) -> Status {
@@ -240,8 +241,8 @@ TEST(SuiteRunner, RunsRealClipsInTheirGradeByTheMethodsThatCan) {
   };
   ASSERT_TRUE(runSuite({jobs[2]}, 1, sink, kGoOnWithIt));
   ASSERT_EQ(done.size(), 2U);
-  EXPECT_TRUE(done[0].starts_with("R2-disk,real,camshift,")) << done[0];
-  EXPECT_TRUE(done[1].starts_with("R2-disk,real,histogram,")) << done[1];
+  EXPECT_TRUE(done[0].starts_with("R2-disk,real,histogram,")) << done[0];
+  EXPECT_TRUE(done[1].starts_with("R2-disk,real,camshift-box,")) << done[1];
 }
 
 TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
