@@ -26,13 +26,16 @@ struct FixedRun {
 };
 
 /// Together they hold a plain track, a fast one, a start in a wide box, distractors, a third
-/// camera, a jump with its loss and its recovery (frame 30), and images of each grade. A grade that
+/// camera, a jump with its loss and its recovery (frame 30), a patterned ball, one on the border of
+/// an image, a crowd, a color that was learned by a click, and images of each grade. A grade that
 /// the suite does not have is left out.
 constexpr std::array kFixedRuns{
     FixedRun{"S0-slow", "ideal", 20},         FixedRun{"S1-still-3", "ideal", 20},
     FixedRun{"S4-jump-desk", "ideal", 45},    FixedRun{"S0-fast", "room", 20},
     FixedRun{"S2-three-cameras", "room", 20}, FixedRun{"S4-desk-cloud", "room", 10},
-    FixedRun{"S1-moving-3", "wild", 20},
+    FixedRun{"S1-moving-3", "wild", 20},      FixedRun{"S12-two-patches", "ideal", 15},
+    FixedRun{"S17-border", "room", 30},       FixedRun{"S19-crowd-5", "ideal", 15},
+    FixedRun{"S22-blue", "room", 10},
 };
 
 /// The scenario's run up to its frame `frames` - 1.
