@@ -232,6 +232,16 @@ class Tables(unittest.TestCase):
         self.assertEqual(made.rows, [["`S0-slow`", "1", "0.25 (0 %)", "4.77 (0 %)"]])
         self.assertEqual(made.seeds, [1006001])
 
+    def test_of_a_costly_peer_fewer_runs_are_enough(self):
+        head, *lines = textwrap.dedent(RUNS).splitlines()
+        of_peer = [line for line in lines if line.startswith("S0-slow,ideal,barrera,")]
+        again = [line.replace(",1006001,", ",1006002,") for line in of_peer]
+        costly = [line.replace(",barrera,", ",csrt,") for line in of_peer]
+        rows = "\n".join([head, *lines, *again, *costly]) + "\n"
+        made = tables.peers("ideal")(results_of(self.folder, suite__runs_csv=rows))
+        self.assertEqual(made.head, ["scenario", "runs", "`dewpoint`", "`barrera`", "`csrt`"])
+        self.assertEqual(made.rows[0], ["`S0-slow`", "2", "0.30 (0 %)", "4.77 (0 %)", "4.77 (0 %; 1)"])
+
     def test_requirements(self):
         made = tables.requirements(results_of(self.folder, suite__runs_csv=RUNS, suite__report_json="""{"bars": [
             {"requirement": "lost", "unit": "%", "low": "-inf", "high": 0.0, "runs": 4, "value": 100.0, "verdict": "not reached"},
