@@ -46,6 +46,22 @@ Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
   return color;
 }
 
+std::array<double, 3> bgrFromHsi(const Hsi& color) {
+  const double gray = 255.0 * color.intensity;
+  if (std::isnan(color.hueDegrees)) {
+    return {gray, gray, gray};
+  }
+  // The direction away from gray in which (2R - G - B, sqrt(3) (G - B)) has the hue's angle, and
+  // then as far as the least channel says: S = 1 - min / I.
+  const double angle = color.hueDegrees * std::numbers::pi / 180.0;
+  const double alongRed = std::cos(angle) / 3.0;
+  const double alongGreenBlue = std::sin(angle) / (2.0 * std::numbers::sqrt3);
+  const std::array<double, 3> away{-0.5 * alongRed - alongGreenBlue,
+                                   -0.5 * alongRed + alongGreenBlue, alongRed};
+  const double distance = -gray * color.saturation / std::min({away[0], away[1], away[2]});
+  return {gray + distance * away[0], gray + distance * away[1], gray + distance * away[2]};
+}
+
 bool matches(const Hsi& color, const ColorRange& range) {
   return color.intensity > 0.0 && hueWithin(color.hueDegrees, range) &&
          fractionWithin(color.saturation, range.saturationMin, range.saturationMax) &&

@@ -3,6 +3,7 @@
 
 #include "core/color/color_range.h"
 
+#include <array>
 #include <cstdint>
 
 namespace dewpoint::color {
@@ -23,6 +24,10 @@ struct Hsi {
 /// HSI of one 8-bit pixel, by the book's arc cosine. Exact but slow: the reference that
 /// ColorClassifier is held to.
 Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r);
+
+/// Blue, green and red in gray levels, not rounded: the inverse of hsiFromBgr(). Above 255 for what
+/// no 8-bit color is.
+std::array<double, 3> bgrFromHsi(const Hsi& color);
 
 /// True if the color lies in the range. Black never matches, gray only where every hue does.
 bool matches(const Hsi& color, const ColorRange& range);

@@ -58,6 +58,20 @@ TEST(Hsi, GrayHasNoHue) {
   }
 }
 
+// Grays, primaries and what lies between. The arc cosine is worth 8 digits near its ends.
+TEST(Hsi, TheInverseGivesTheColorBack) {
+  for (int b = 0; b < 256; b += 15) {
+    for (int g = 0; g < 256; g += 15) {
+      for (int r = 0; r < 256; r += 15) {
+        const auto bgr = bgrFromHsi(hsiFromBgr(b, g, r));
+        ASSERT_NEAR(bgr[0], b, 1e-4) << b << ' ' << g << ' ' << r;
+        ASSERT_NEAR(bgr[1], g, 1e-4) << b << ' ' << g << ' ' << r;
+        ASSERT_NEAR(bgr[2], r, 1e-4) << b << ' ' << g << ' ' << r;
+      }
+    }
+  }
+}
+
 TEST(ColorRange, HueWrapsThroughZero) {
   const ColorRange reds{330.0, 30.0};
   EXPECT_TRUE(both(reds, 0, 0, 255));     // 0
