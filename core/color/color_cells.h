@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace dewpoint::color {
+
+/// All colors in 32 x 32 x 32 cells of 8 gray levels per channel. Gray levels follow about the root
+/// of the light, and so does its noise: equal steps of gray levels are about equally many standard
+/// deviations everywhere, while cells of equal hue and saturation would be finer than the noise in
+/// the dark and coarser than need be in the light. 8 levels are about the width of the noise (3
+/// levels and compression, to both sides), and one byte per cell fits into the first-level cache.
+inline constexpr std::size_t kColorCellsPerChannel = 32;
+inline constexpr std::size_t kColorCellCount = 32768;
+inline constexpr double kColorCellLevels = 8.0; ///< gray levels per cell and channel
+
+/// Blue varies slowest, red fastest.
+inline std::uint16_t colorCell(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
+  return static_cast<std::uint16_t>(((blue >> 3) << 10) | ((green >> 3) << 5) | (red >> 3));
+}
+
+/// Colors that are about the same: blue, green and red in gray levels, 0 to 255, and how much of
+/// them there is.
+struct BgrColors {
+  std::array<double, 3> bgr{};
+  double weight = 0.0;
+};
+
+} // namespace dewpoint::color
