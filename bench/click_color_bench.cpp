@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well one click teaches a color: the pixel F1 score of the learned range over the other frames
-// of recordings with known targets, and over simulated views with exact truth.
+// How well one click teaches a color: the pixel F1 scores of the learned range and of the learned
+// table of log ratios over the other frames of recordings with known targets, and over simulated
+// views with exact truth; beside the best that a range and a table could do.
 //   click_color_bench [DATA_FOLDER]        (default: $DEWPOINT_DATA)
+#include "bench/color_score.h"
 #include "bench/pixel_truth.h"
-#include "core/color/color_learning.h"
-#include "core/color/match_image.h"
+#include "bench/taught_colors.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/projector.h"
 #include "core/simulation/scene/scene_renderer.h"
@@ -18,14 +19,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
+#include <functional>
 #include <map>
 #include <sstream>
 
 namespace dewpoint::bench {
 namespace {
 
-constexpr double kNearby = 30.0; ///< pixels around the target within which matches count
+constexpr double kNearby = 30.0;     ///< pixels around the target within which matches count
+constexpr double kRenderedRim = 1.0; ///< pixels of a rendered ball's rim that are mixed
 
 /// Where a target is in one image, pixels: an ellipse, as balls in flight are smeared.
 struct Place {
@@ -39,10 +41,6 @@ struct Subject {
   double rim = 0.0;            ///< pixels on either side of the outline that count for neither
 };
 
-PixelScore scoreOf(const cv::Mat& match, const cv::Mat& truth, const cv::Mat& counted) {
-  return pixelScore(match & counted, truth & counted);
-}
-
 /// The place as a mask, `more` pixels larger (smaller where negative).
 cv::Mat drawn(cv::Size size, const Place& place, double more) {
   cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
@@ -55,34 +53,22 @@ cv::Mat drawn(cv::Size size, const Place& place, double more) {
   return mask;
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values.empty() ? 0.0 : values[values.size() / 2];
+ColorTruth truthAt(cv::Size size, const Place& place, double rim) {
+  const cv::Mat rimMask = drawn(size, place, rim) & ~drawn(size, place, -rim);
+  return {drawn(size, place, 0.0), ~rimMask, drawn(size, place, kNearby) & ~rimMask};
 }
 
-/// F1 scores of a range in one image.
-struct ImageScore {
-  double strict = 0.0; ///< all pixels of the image
-  double whole = 0.0;  ///< all but the rim
-  double near = 0.0;   ///< all but the rim, around the target: is its shape right?
-};
-ImageScore scoreIn(const cv::Mat& image, const Place& place, double rim, const ColorRange& range) {
-  const cv::Mat match = matchImage(image, ColorClassifier(range));
-  const cv::Mat truth = drawn(image.size(), place, 0.0);
-  const cv::Mat counted = ~(drawn(image.size(), place, rim) & ~drawn(image.size(), place, -rim));
-  return {scoreOf(match, truth, cv::Mat(image.size(), CV_8UC1, cv::Scalar(255))).f1(),
-          scoreOf(match, truth, counted).f1(),
-          scoreOf(match, truth, drawn(image.size(), place, kNearby) & counted).f1()};
+/// The mask, grown by a disc.
+cv::Mat grown(const cv::Mat& mask, double radius) {
+  const int size = 2 * static_cast<int>(radius) + 1;
+  cv::Mat result;
+  cv::dilate(mask, result, cv::getStructuringElement(cv::MORPH_ELLIPSE, {size, size}));
+  return result;
 }
 
-/// The medians, each measure for itself.
-ImageScore medianOf(const std::vector<ImageScore>& scores) {
-  const auto each = [&](double ImageScore::*measure) {
-    std::vector<double> values;
-    std::ranges::transform(scores, std::back_inserter(values), measure);
-    return median(std::move(values));
-  };
-  return {each(&ImageScore::strict), each(&ImageScore::whole), each(&ImageScore::near)};
+ColorTruth truthOf(const cv::Mat& target) {
+  const cv::Mat rimMask = grown(target, kRenderedRim) & grown(~target, kRenderedRim);
+  return {target, ~rimMask, grown(target, kNearby) & ~rimMask};
 }
 
 ColorSample clickAt(const cv::Mat& image, double x, double y) {
@@ -98,50 +84,115 @@ std::string rangeText(const ColorRange& range) {
                      range.intensityMax);
 }
 
-/// What one click at the target's center of one image gives in the other images.
-struct Lesson {
-  ColorRange range;
-  double separability = 0.0;
-  ImageScore score;
-};
-Lesson lesson(const std::map<int, cv::Mat>& images, const Subject& subject, int clicked) {
+/// Calls a function with images and what is true in them.
+using Visit = std::function<void(const cv::Mat& image, const ColorTruth& truth)>;
+using ForEachImage = std::function<void(const Visit& visit)>;
+
+/// The median scores of each color over the images.
+std::vector<ColorScore> scoresOf(const std::vector<TaughtColor>& colors,
+                                 const ForEachImage& forEachImage) {
+  std::vector<std::vector<ColorScore>> scores(colors.size());
+  forEachImage([&](const cv::Mat& image, const ColorTruth& truth) {
+    for (std::size_t k = 0; k < colors.size(); ++k) {
+      scores[k].push_back(colorScore(colors[k].values(image), truth));
+    }
+  });
+  std::vector<ColorScore> medians;
+  for (const auto& each : scores) {
+    medians.push_back(medianOf(each));
+  }
+  return medians;
+}
+
+/// A row for each measure, a column for each color.
+void printScores(const std::vector<ColorScore>& scores) {
+  const auto row = [&](const char* name, double ColorScore::*measure) {
+    fmt::print("  {:26}", name);
+    for (const ColorScore& score : scores) {
+      fmt::print(" {:>10.3f}", score.*measure);
+    }
+    fmt::print("\n");
+  };
+  row("strict", &ColorScore::strict);
+  row("whole", &ColorScore::whole);
+  row("near", &ColorScore::near);
+  row("ROC area", &ColorScore::rocArea);
+  std::fflush(stdout);
+}
+
+/// What a lesson taught, beside the best there is; the scores by column.
+std::vector<ColorScore> benchLesson(const std::string& title, const ColorLesson& lesson,
+                                    const ForEachImage& forEachImage) {
+  fmt::print("{}   verdict {:.2f}  {}\n", title, lesson.separability, rangeText(lesson.range));
+  if (lesson.colors.empty()) {
+    fmt::print("  nothing learned\n");
+    return std::vector<ColorScore>(ColorLesson::kColors);
+  }
+  TruthLesson truthLesson;
+  forEachImage(
+      [&](const cv::Mat& image, const ColorTruth& truth) { truthLesson.add(image, truth); });
+  std::vector<TaughtColor> colors = lesson.colors;
+  for (TaughtColor& best : truthLesson.colors()) {
+    colors.push_back(std::move(best));
+  }
+  fmt::print("  {:26}", "");
+  for (const TaughtColor& color : colors) {
+    fmt::print(" {:>10}", color.name);
+  }
+  fmt::print("\n");
+  auto scores = scoresOf(colors, forEachImage);
+  printScores(scores);
+  return scores;
+}
+
+/// What one click at the target's center of one image teaches.
+ColorLesson lessonIn(const std::map<int, cv::Mat>& images, const Subject& subject, int clicked) {
   const cv::Mat& image = images.at(clicked);
   const Place& place = subject.places.at(clicked);
-  const auto learned = learnColor({clickAt(image, place.x, place.y)}, {image});
-  if (!learned) {
-    return {};
-  }
-  std::vector<ImageScore> scores;
-  for (const auto& [frame, other] : subject.places) {
-    if (frame != clicked) {
-      scores.push_back(scoreIn(images.at(frame), other, subject.rim, learned->range));
+  return taughtBySamples({clickAt(image, place.x, place.y)}, {image});
+}
+
+ForEachImage otherFrames(const std::map<int, cv::Mat>& images, const Subject& subject,
+                         int clicked) {
+  return [&images, &subject, clicked](const Visit& visit) {
+    for (const auto& [frame, place] : subject.places) {
+      if (frame != clicked) {
+        const cv::Mat& image = images.at(frame);
+        visit(image, truthAt(image.size(), place, subject.rim));
+      }
     }
-  }
-  return {learned->range, learned->assessment.separability, medianOf(scores)};
+  };
 }
 
 /// A click in the given frame, and others in turn, so that no one lucky frame decides.
-ImageScore benchSubject(const std::map<int, cv::Mat>& images, const Subject& subject, int first) {
+std::vector<ColorScore> benchSubject(const std::map<int, cv::Mat>& images, const Subject& subject,
+                                     int first) {
+  const auto scores =
+      benchLesson(fmt::format("{}, frame {}", subject.name, first),
+                  lessonIn(images, subject, first), otherFrames(images, subject, first));
   std::vector<int> frames;
   for (const auto& [frame, place] : subject.places) {
     frames.push_back(frame);
   }
-  const Lesson one = lesson(images, subject, first);
-  const auto print = [](const std::string& what, const ImageScore& score) {
-    fmt::print("{:38} {:7.3f} {:7.3f} {:7.3f}", what, score.strict, score.whole, score.near);
-  };
-  print(fmt::format("{}, frame {}", subject.name, first), one.score);
-  fmt::print("   verdict {:.2f}  {}\n", one.separability, rangeText(one.range));
   constexpr std::size_t kClicks = 10;
-  std::vector<ImageScore> others;
+  std::vector<std::vector<ColorScore>> others(ColorLesson::kColors);
   for (std::size_t k = 0; k < kClicks; ++k) {
-    const std::size_t at = (2 * k + 1) * frames.size() / (2 * kClicks);
-    others.push_back(lesson(images, subject, frames[at]).score);
+    const int clicked = frames[(2 * k + 1) * frames.size() / (2 * kClicks)];
+    const ColorLesson lesson = lessonIn(images, subject, clicked);
+    const auto taught = scoresOf(lesson.colors, otherFrames(images, subject, clicked));
+    for (std::size_t column = 0; column < others.size(); ++column) {
+      others[column].push_back(column < taught.size() ? taught[column] : ColorScore{});
+    }
   }
-  print("  median of 10 other clicks", medianOf(others));
-  fmt::print("   worst whole {:.3f}\n", std::ranges::min(others, {}, &ImageScore::whole).whole);
-  std::fflush(stdout);
-  return one.score;
+  std::vector<ColorScore> medians;
+  fmt::print("  {:26}", "worst whole of 10 clicks");
+  for (const auto& column : others) {
+    medians.push_back(medianOf(column));
+    fmt::print(" {:>10.3f}", std::ranges::min(column, {}, &ColorScore::whole).whole);
+  }
+  fmt::print("\n  median of 10 other clicks\n");
+  printScores(medians);
+  return scores;
 }
 
 std::map<int, cv::Mat> readImages(const std::string& folder, const char* pattern,
@@ -211,7 +262,7 @@ std::vector<Subject> thrownBalls(const std::string& folder) {
 }
 
 void benchRecording(const std::string& folder, const char* pattern, std::vector<Subject> subjects,
-                    std::vector<ImageScore>& scores) {
+                    std::vector<std::vector<ColorScore>>& scores) {
   const auto images = readImages(folder, pattern, subjects);
   for (Subject& subject : subjects) {
     std::erase_if(subject.places,
@@ -224,6 +275,23 @@ void benchRecording(const std::string& folder, const char* pattern, std::vector<
   }
 }
 
+/// The medians of each column over the targets.
+void printMedians(const std::vector<std::vector<ColorScore>>& scores) {
+  std::vector<std::vector<ColorScore>> columns;
+  for (const auto& target : scores) {
+    columns.resize(std::max(columns.size(), target.size()));
+    for (std::size_t column = 0; column < target.size(); ++column) {
+      columns[column].push_back(target[column]);
+    }
+  }
+  std::vector<ColorScore> medians;
+  for (const auto& column : columns) {
+    medians.push_back(medianOf(column));
+  }
+  fmt::print("median of the targets\n");
+  printScores(medians);
+}
+
 /// One click in the first camera's first image; all pixels of both cameras' later images.
 void benchSimulation(const std::string& name, const Eigen::Vector3d& bgr) {
   Scene scene = demoScene();
@@ -233,22 +301,16 @@ void benchSimulation(const std::string& name, const Eigen::Vector3d& bgr) {
   const SceneRenderer renderer(scene);
   const std::vector<cv::Mat> first{renderer.render(0, 0), renderer.render(1, 0)};
   const auto at = Projector(scene.cameras[0]).project(ballPosition(scene, 0, 0.0));
-  const auto learned = learnColor({clickAt(first[0], at->x(), at->y())}, first);
-  std::vector<double> scores;
-  for (std::int64_t frame = 5; learned && frame < scene.frameCount; frame += 5) {
-    for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
-      const cv::Mat image = renderer.render(static_cast<int>(k), frame);
-      const cv::Mat truth =
-          ballMask(scene.cameras[k], ballPosition(scene, 0, frameTime(scene, frame)), ball.radius);
-      const cv::Mat match = matchImage(image, ColorClassifier(learned->range));
-      scores.push_back(scoreOf(match, truth, cv::Mat(truth.size(), CV_8UC1, cv::Scalar(255))).f1());
+  const ColorLesson lesson = taughtBySamples({clickAt(first[0], at->x(), at->y())}, first);
+  benchLesson("simulated " + name, lesson, [&](const Visit& visit) {
+    for (std::int64_t frame = 5; frame < scene.frameCount; frame += 5) {
+      for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
+        const auto position = ballPosition(scene, 0, frameTime(scene, frame));
+        visit(renderer.render(static_cast<int>(k), frame),
+              truthOf(ballMask(scene.cameras[k], position, ball.radius)));
+      }
     }
-  }
-  fmt::print("simulated {:28} {:7.3f}   worst {:.3f}   verdict {:.2f}  {}\n", name, median(scores),
-             scores.empty() ? 0.0 : std::ranges::min(scores),
-             learned ? learned->assessment.separability : 0.0,
-             learned ? rangeText(learned->range) : "nothing learned");
-  std::fflush(stdout);
+  });
 }
 
 } // namespace
@@ -258,15 +320,13 @@ int main(int argc, char** argv) {
   using namespace dewpoint::bench;
   const char* variable = std::getenv("DEWPOINT_DATA");
   const std::string data = argc > 1 ? argv[1] : variable ? variable : "../shared/data";
-  fmt::print("Median pixel F1 over the other frames{:10}strict   whole    near\n", "");
-  std::vector<ImageScore> scores;
+  fmt::print("Median over the other frames: pixel F1 and area under the ROC curve\n");
+  std::vector<std::vector<ColorScore>> scores;
   benchRecording(data + "/juggle1", "{:08}.jpg", jugglingBalls(data + "/juggle1"), scores);
   benchRecording(data + "/throws_pinkball", "frame{:05}.jpg",
                  thrownBalls(data + "/throws_pinkball"), scores);
   if (!scores.empty()) {
-    const ImageScore all = medianOf(scores);
-    fmt::print("{:38} {:7.3f} {:7.3f} {:7.3f}\n", "median of the targets", all.strict, all.whole,
-               all.near);
+    printMedians(scores);
   }
   benchSimulation("pink", {145.0, 85.0, 245.0});
   benchSimulation("red", {50.0, 50.0, 220.0});

@@ -57,9 +57,9 @@ struct LogRatioKernel {
   };
 
   /// The cells of the pixels; true if one of them is in reach.
-  [[gnu::always_inline]] static inline bool findCells(const ColorLikelihood& likelihood,
-                                                      const std::uint8_t* __restrict pixels,
-                                                      int count, std::uint16_t* __restrict cells) {
+  DEWPOINT_KERNEL bool findCells(const ColorLikelihood& likelihood,
+                                 const std::uint8_t* __restrict pixels, int count,
+                                 std::uint16_t* __restrict cells) {
     const Beyond redGreen(likelihood.reach_[0]);
     const Beyond greenBlue(likelihood.reach_[1]);
     const Beyond redBlue(likelihood.reach_[2]);
@@ -79,9 +79,9 @@ struct LogRatioKernel {
   }
 
   DEWPOINT_KERNEL void run(const ColorLikelihood* likelihood, const std::uint8_t* bgr,
-                           std::int64_t count, std::int8_t* out) {
+                           std::int64_t count, std::int8_t* __restrict out) {
     alignas(64) std::uint16_t cells[kRun];
-    const std::int8_t* steps = likelihood->steps_->data();
+    const std::int8_t* __restrict steps = likelihood->steps_->data();
     for (std::int64_t begin = 0; begin < count; begin += kRun) {
       const int length = count - begin < kRun ? static_cast<int>(count - begin) : kRun;
       if (findCells(*likelihood, bgr + 3 * begin, length, cells)) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/taught_colors.h"
+
+#include "core/color/color_evidence.h"
+#include "core/color/color_learning.h"
+#include "core/color/match_image.h"
+#include "core/color/range_fit.h"
+#include "core/color/target_color_model.h"
+
+#include <cstdint>
+
+namespace dewpoint::bench {
+namespace {
+
+constexpr ColorRange kEveryColor{0.0, 360.0};
+
+TaughtColor byRange(const std::string& name, const ColorRange& range) {
+  return {name, [classifier = ColorClassifier(range)](const cv::Mat& bgr) {
+            const cv::Mat match = matchImage(bgr, classifier);
+            cv::Mat values(bgr.size(), CV_8SC1, cv::Scalar(-1));
+            values.setTo(1, match);
+            return values;
+          }};
+}
+
+TaughtColor byTable(const std::string& name, const ColorLikelihood& table) {
+  return {name, [table](const cv::Mat& bgr) {
+            cv::Mat values(bgr.size(), CV_8SC1);
+            for (int row = 0; row < bgr.rows; ++row) {
+              table.logRatioRow(bgr.ptr<std::uint8_t>(row), bgr.cols, values.ptr<std::int8_t>(row));
+            }
+            return values;
+          }};
+}
+
+} // namespace
+
+ColorLesson taughtBySamples(const std::vector<ColorSample>& samples,
+                            const std::vector<cv::Mat>& images) {
+  const ColorEvidence evidence = colorEvidence(samples, images);
+  const auto range = learnRange(evidence);
+  if (!range) {
+    return {};
+  }
+  const double ratio = pixelRatio(evidence);
+  TargetColorModel unlimited(*range, kEveryColor);
+  unlimited.add(evidence.target);
+  return {*range,
+          assessColor(*range, samples, images, evidence).separability,
+          {byRange("range", *range), byTable("table", learnLikelihood(evidence, *range, ratio)),
+           byTable("no limits", unlimited.inCamera({}, evidence.rest, ratio)),
+           byTable("likelihood", learnLikelihood(evidence, *range))}};
+}
+
+void TruthLesson::add(const cv::Mat& bgr, const ColorTruth& truth) {
+  target_.add(bgr, ~(truth.target & truth.whole));
+  rest_.add(bgr, truth.target | ~truth.whole);
+}
+
+std::vector<TaughtColor> TruthLesson::colors() const {
+  if (target_.total() <= 0.0 || rest_.total() <= 0.0) {
+    return {};
+  }
+  const auto target = target_.colors();
+  const auto rest = rest_.colors();
+  const ColorRange range = withShortestHue(fitRange(target, rest), target, rest);
+  TargetColorModel model(range, kEveryColor);
+  model.add(target);
+  return {byRange("best box", range),
+          byTable("best table", model.inCamera({}, rest, rest_.total() / target_.total()))};
+}
+
+} // namespace dewpoint::bench
