@@ -18,10 +18,12 @@ double areaUnderRoc(const cv::Mat& values, const cv::Mat& target, const cv::Mat&
   std::array<double, 256> targets{};
   std::array<double, 256> others{};
   for (int y = 0; y < values.rows; ++y) {
+    const std::int8_t* value = values.ptr<std::int8_t>(y);
+    const std::uint8_t* isTarget = target.ptr<std::uint8_t>(y);
+    const std::uint8_t* counts = counted.ptr<std::uint8_t>(y);
     for (int x = 0; x < values.cols; ++x) {
-      if (counted.at<std::uint8_t>(y, x) != 0) {
-        const auto value = static_cast<std::size_t>(values.at<std::int8_t>(y, x) + 128);
-        (target.at<std::uint8_t>(y, x) != 0 ? targets : others)[value] += 1.0;
+      if (counts[x] != 0) {
+        (isTarget[x] != 0 ? targets : others)[static_cast<std::size_t>(value[x] + 128)] += 1.0;
       }
     }
   }

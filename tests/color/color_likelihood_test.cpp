@@ -100,7 +100,7 @@ TEST(ColorLikelihood, RowsAreTheSameForEveryInstructionSetAndLength) {
           ASSERT_EQ(out.back(), 7);
           ASSERT_EQ(match.back(), 7);
           for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-            const int alone = table.at(pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]);
+            const auto alone = table.at(pixels[3 * i], pixels[3 * i + 1], pixels[3 * i + 2]);
             ASSERT_EQ(out[i], alone) << i << " of " << count;
             ASSERT_EQ(match[i], alone > 0 ? 255 : 0) << i << " of " << count;
           }
