@@ -59,6 +59,7 @@ Status ParameterValues::set(std::string_view key, double value) {
                    fmt::format("{} is not {}", value, rangeText(*declaration)));
   }
   values_.find(key)->second = value;
+  give(key);
   return {};
 }
 
@@ -75,6 +76,35 @@ Status ParameterValues::setText(std::string_view key, std::string_view text) {
                    fmt::format("\"{}\" is not {}", text, rangeText(*declaration)));
   }
   return set(key, value);
+}
+
+bool ParameterValues::isGiven(std::string_view key) const {
+  const ParameterDeclaration* declaration = find(declarations_, key);
+  return declaration == nullptr || !declaration->fromCameras || given_.contains(key);
+}
+
+void ParameterValues::give(std::string_view key) {
+  if (!isGiven(key)) {
+    given_.emplace(key);
+  }
+}
+
+void ParameterValues::giveAll() {
+  for (const auto& declaration : declarations_) {
+    give(declaration.key);
+  }
+}
+
+void ParameterValues::suggest(const ByKey& values) {
+  for (const auto& declaration : declarations_) {
+    if (!isGiven(declaration.key)) {
+      const auto found = values.find(declaration.key);
+      values_.find(declaration.key)->second =
+          found == values.end()
+              ? declaration.defaultValue
+              : std::clamp(found->second, declaration.minimum, declaration.maximum);
+    }
+  }
 }
 
 } // namespace dewpoint::tracking

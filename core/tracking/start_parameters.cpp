@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/start_parameters.h"
 
+#include "core/geometry/seen_volume.h"
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -20,7 +24,8 @@ ParameterDeclaration startCoordinate(const std::string& axis, double defaultValu
           0.01,
           defaultValue,
           "World " + axis + " of the place where all particles start.",
-          false};
+          false,
+          true};
 }
 
 ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue) {
@@ -36,7 +41,43 @@ ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue)
               " size of the box around the start in which particles start evenly spread; 0 starts "
               "them all at the same " +
               axis + ".",
-          false};
+          false,
+          true};
+}
+
+bool isAnyStartGiven(const ParameterValues& parameters) {
+  return std::ranges::any_of(parameters.declarations(), [&](const auto& declaration) {
+    return declaration.fromCameras && declaration.key.starts_with("start_") &&
+           parameters.isGiven(declaration.key);
+  });
+}
+
+/// The box in which a method looks for targets that nobody placed.
+std::optional<StartVolume> startFromCameras(const CameraRig& rig,
+                                            const std::optional<WorldBox>& volumeOfInterest) {
+  const auto seen = seenVolume(rig);
+  if (!seen) {
+    return volumeOfInterest
+               ? std::optional(StartVolume{volumeOfInterest->center(), volumeOfInterest->half()})
+               : std::nullopt;
+  }
+  const StartVolume start{seen->center(), seen->half()};
+  return volumeOfInterest ? within(start, *volumeOfInterest) : start;
+}
+
+/// The values of a start volume under their keys, and the search size that goes with it. Halves and
+/// the size are rounded up, so that they take in the volume.
+ParameterValues::ByKey valuesOf(const StartVolume& start) {
+  // In steps of the declarations: a centimeter, and a decimeter of the search size.
+  const auto centimeters = [](double value) { return std::round(100.0 * value) / 100.0; };
+  ParameterValues::ByKey values;
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    const auto at = static_cast<Eigen::Index>(axis);
+    values["start_" + kAxes[axis]] = centimeters(start.center[at]);
+    values["start_half_" + kAxes[axis]] = std::ceil(100.0 * start.half[at]) / 100.0;
+  }
+  values[kSearchSizeKey] = std::ceil(10.0 * 2.0 * start.half.maxCoeff()) / 10.0;
+  return values;
 }
 
 } // namespace
@@ -60,6 +101,26 @@ StartVolume startVolume(const ParameterValues& parameters) {
     volume.half[at] = parameters.at("start_half_" + kAxes[axis]);
   }
   return volume;
+}
+
+StartVolume within(const StartVolume& start, const WorldBox& box) {
+  const Eigen::Vector3d low = (start.center - start.half).cwiseMax(box.min);
+  const Eigen::Vector3d high = (start.center + start.half).cwiseMin(box.max);
+  const bool apart = (low.array() > high.array()).any();
+  const WorldBox common = apart ? box : WorldBox{low, high};
+  return {common.center(), common.half()};
+}
+
+ParameterValues parametersInUse(ParameterValues parameters, const CameraRig& rig,
+                                const std::optional<WorldBox>& volumeOfInterest) {
+  const bool isOpen = std::ranges::any_of(parameters.declarations(), [&](const auto& declaration) {
+    return !parameters.isGiven(declaration.key);
+  });
+  const auto start = isOpen && !isAnyStartGiven(parameters)
+                         ? startFromCameras(rig, volumeOfInterest)
+                         : std::nullopt;
+  parameters.suggest(start ? valuesOf(*start) : ParameterValues::ByKey{});
+  return parameters;
 }
 
 Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,

@@ -152,9 +152,14 @@ std::span<const ParameterDeclaration> methodParameters(std::string_view method) 
 ParameterValues carriedOver(const ParameterValues& previous, std::string_view method) {
   ParameterValues values(methodParameters(method));
   for (const auto& declaration : previous.declarations()) {
+    if (!previous.isGiven(declaration.key)) {
+      continue;
+    }
     const double value = previous.at(declaration.key);
     if (value != declaration.defaultValue) {
       (void)values.set(declaration.key, value); // or its own default stays
+    } else {
+      values.give(declaration.key);
     }
   }
   return values;

@@ -74,7 +74,8 @@ std::string_view methodSentence(std::string_view method);
 /// Empty for an unknown method.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
 /// The defaults of a method, but with the values under the same keys that were changed from their
-/// defaults in `previous`, as far as they are allowed.
+/// defaults in `previous`, as far as they are allowed. A default that was given in `previous` gives
+/// the method's own: it does not come from the cameras.
 ParameterValues carriedOver(const ParameterValues& previous, std::string_view method);
 /// MissingKey when the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);

@@ -32,10 +32,10 @@ std::vector<ParameterDeclaration> declare() {
        true},
       {"survival_time", ParameterKind::Real, "Survival time", "s", 0.1, 60.0, 0.1, 5.0,
        "How long a target that no camera can judge is believed to be still there.", true},
-      {"search_size", ParameterKind::Real, "Search size", "m", 0.1, 1000.0, 0.1, 4.0,
+      {kSearchSizeKey, ParameterKind::Real, "Search size", "m", 0.1, 1000.0, 0.1, 4.0,
        "Edge of the room in which a target may appear: larger asks for more evidence before a "
        "target is believed.",
-       true},
+       true, true},
       {"color_adaptation", ParameterKind::Real, "Color adaptation", "s", 0.0, 600.0, 0.5, 0.0,
        "How fast a target's color range follows slow changes of light, as a time constant; only "
        "while the target is surely there, and in each camera by itself. 0 keeps the range as it "
