@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,11 +19,13 @@ template <class F>
 concept TargetFilter = std::copy_constructible<F> &&
     std::constructible_from<F, ParameterValues, CameraRig, Target> &&
     requires(F filter, const F& finished, const ParameterValues& parameters, const Target& target,
-             const CameraRig& rig, std::uint64_t seed, FrameSetPtr frames, ThreadTeam& team,
-             Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) {
+             const CameraRig& rig, const std::optional<WorldBox>& volume, std::uint64_t seed,
+             FrameSetPtr frames, ThreadTeam& team, Eigen::ArrayXXd& positions,
+             Eigen::ArrayXd& weights) {
   filter.configure(parameters);
   filter.setTarget(target);
   filter.setCameras(rig);
+  filter.setVolumeOfInterest(volume);
   filter.restart(seed);
   filter.beginFrame(frames);
   { filter.iterate(team) } -> std::same_as<SphereEstimate>;
@@ -43,6 +46,7 @@ template <TargetFilter F>
 class IndependentTrackers : public Tracker,
                             public TargetFollowing,
                             public CameraCalibrated,
+                            public VolumeBounded,
                             public ParticleCloud,
                             public CameraExplaining,
                             public Copying {
@@ -71,6 +75,11 @@ public:
   void setCameras(const CameraRig& rig) override {
     for (F& filter : filters_) {
       filter.setCameras(rig);
+    }
+  }
+  void setVolumeOfInterest(const std::optional<WorldBox>& volume) override {
+    for (F& filter : filters_) {
+      filter.setVolumeOfInterest(volume);
     }
   }
   void restart(std::uint64_t seed) override {

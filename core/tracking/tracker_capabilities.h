@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/geometry/camera.h"
+#include "core/geometry/world_box.h"
 #include "core/tracking/camera_report.h"
 #include "core/tracking/people_state.h"
 #include "core/tracking/target_box.h"
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 // What some trackers can do and others cannot. A tracker derives from those that are its method's;
@@ -37,6 +39,15 @@ public:
   virtual ~CameraCalibrated() = default;
   /// Another calibration of the same cameras, from the next iteration on; tracks stay.
   virtual void setCameras(const CameraRig& rig) = 0;
+};
+
+/// Searches for targets in a volume of interest alone, and reports none outside it.
+class VolumeBounded {
+public:
+  virtual ~VolumeBounded() = default;
+  /// From the next iteration on; nothing: anywhere. Where tracks begin is in it from the next
+  /// restart on (at once, before the first frame).
+  virtual void setVolumeOfInterest(const std::optional<WorldBox>& volume) = 0;
 };
 
 /// Uses images of the scene without targets.

@@ -44,7 +44,7 @@ SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
   result.camerasSeeing = static_cast<int>(std::ranges::count_if(
       result.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
-  result.valid = result.camerasSeeing >= needed;
+  result.valid = result.camerasSeeing >= needed && isOfInterest(result.mean);
   result.existenceProbability =
       result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
   estimate_ = result;

@@ -47,6 +47,9 @@ void DynamicsTracker::measure() {
     }
   }
   measured_ = nearestPoint(rays);
+  if (measured_ && !isOfInterest(*measured_)) {
+    measured_.reset();
+  }
 }
 
 SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
@@ -59,7 +62,7 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
     result.cameras[camera].existenceProbability = result.cameras[camera].visible;
   }
   result.camerasSeeing = static_cast<int>(std::ranges::count(seen_, true));
-  result.valid = measured_.has_value();
+  result.valid = measured_.has_value() && isOfInterest(result.mean);
   result.existenceProbability = result.valid ? 1.0 : 0.0; // the filter has no opinion of its own
   if (measured_) {
     result.measurement = Gaussian3{*measured_, sigma * sigma * Eigen::Matrix3d::Identity()};

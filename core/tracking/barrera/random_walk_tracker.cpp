@@ -20,6 +20,13 @@ void RandomWalkTracker::configure(const ParameterValues& parameters) {
   }
 }
 
+void RandomWalkTracker::setVolumeOfInterest(const std::optional<WorldBox>& volume) {
+  volume_ = volume;
+  if (!started_ || !isOfInterest(estimate_.mean)) {
+    filter_.start(drawStart());
+  }
+}
+
 void RandomWalkTracker::restart(std::uint64_t seed) {
   key_.seed = seed;
   key_.iteration = 0;
@@ -56,7 +63,8 @@ std::size_t RandomWalkTracker::memoryBytes() const {
 }
 
 Eigen::ArrayXXd RandomWalkTracker::drawStart() const {
-  return drawUniformly(startVolume(parameters_),
+  const StartVolume start = startVolume(parameters_);
+  return drawUniformly(volume_ ? within(start, *volume_) : start,
                        static_cast<Eigen::Index>(parameters_.at("particles")),
                        RandomStream(key_.seed, 0, 0, RandomPurpose::Start));
 }

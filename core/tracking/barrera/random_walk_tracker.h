@@ -6,8 +6,12 @@
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/particle_filter.h"
+#include "core/geometry/world_box.h"
+#include "core/tracking/barrera/bounded_observation.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/track_estimate.h"
+
+#include <optional>
 
 namespace dewpoint::tracking {
 
@@ -19,6 +23,9 @@ public:
   /// Particle count, motion and iterations act at the next iteration; the start at the next
   /// restart.
   void configure(const ParameterValues& parameters);
+  /// Where the target may be, from the next iteration on; nothing: anywhere. Restarts the particles
+  /// in it if the estimate lies outside.
+  void setVolumeOfInterest(const std::optional<WorldBox>& volume);
   /// Forgets everything and starts anew.
   void restart(std::uint64_t seed);
   int iterationsPerFrame() const;
@@ -35,6 +42,10 @@ protected:
 
   /// One iteration; of the result the cameras and what follows from them are still missing.
   template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
+  /// Whether a position (world, meters) lies in the volume of interest, if there is one.
+  bool isOfInterest(const Eigen::Vector3d& position) const {
+    return !volume_ || volume_->contains(position);
+  }
   /// The image a camera shows; empty when there is none.
   cv::Mat imageOf(std::size_t camera) const;
 
@@ -45,6 +56,7 @@ protected:
 private:
   Eigen::ArrayXXd drawStart() const;
 
+  std::optional<WorldBox> volume_; ///< of interest
   ParticleFilter filter_;
   RandomKey key_;
   bool started_ = false; ///< an iteration has run since the last restart
@@ -59,7 +71,9 @@ SphereEstimate RandomWalkTracker::step(const O& observation, ThreadTeam& team) {
     filter_.resize(resampling, particleCount, key_, team);
   }
   const StateEstimate state =
-      filter_.iterate(proposal, observation, resampling, particleCount, key_, team);
+      volume_ ? filter_.iterate(proposal, BoundedObservation<O>{observation, *volume_}, resampling,
+                                particleCount, key_, team)
+              : filter_.iterate(proposal, observation, resampling, particleCount, key_, team);
   ++key_.iteration;
   started_ = true;
 

@@ -53,12 +53,12 @@ void BernoulliTrack::setTarget(const Target& target) {
 }
 
 void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
-  searchPrior_.restart(start);
+  searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
   identityAmbiguity_ = 0.0;
   nextStream_ = 1;
   hypotheses_.clear();
   predicted_.clear();
-  searchParticles_.restart(searchPrior_, settings_.maxParticles, {seed, 0, 0});
+  searchParticles_.restart(searchPrior_, settings_.maxParticles, {seed, 0, 0}, bounds_);
 }
 
 double BernoulliTrack::assumedRadius() const {
@@ -101,10 +101,11 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   }
   std::vector<double> logMasses;
   updateHypotheses(observation, key, team, logMasses);
+  removeOutside(logMasses);
   if (births_ && mustSearch(hypotheses_, logMasses)) {
     if (confident() == nullptr) {
-      searchParticles_.update(searchPrior_, settings_.maxParticles, assumedRadius(), observation,
-                              key, team);
+      searchParticles_.update(searchPrior_, settings_.maxParticles, assumedRadius(), bounds_,
+                              observation, key, team);
     }
     addBirths(observation, search, occupied, key, team, logMasses);
   }
@@ -119,6 +120,19 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
         measurementUpdate(hypothesis, observation, particleCount(hypothesis), key, team);
     factor -= evidenceBeyondSaturation(hypothesis);
     logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
+  }
+}
+
+void BernoulliTrack::removeOutside(std::vector<double>& logMasses) {
+  for (std::size_t k = hypotheses_.size(); bounds_ && k-- > 0;) {
+    if (!bounds_->contains(hypotheses_[k].position(), hypotheses_[k].radius)) {
+      const auto at = static_cast<std::ptrdiff_t>(k);
+      hypotheses_.erase(hypotheses_.begin() + at);
+      logMasses.erase(logMasses.begin() + at);
+    }
+  }
+  if (bounds_ && hypotheses_.empty()) {
+    identityAmbiguity_ = 0.0; // the next hypothesis is a new track
   }
 }
 
@@ -145,12 +159,12 @@ void BernoulliTrack::addBirths(SphereObservation& observation, const CandidateSo
     const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& other) {
       return (other.position() - fit.center).norm() < fit.radius;
     });
+    const double density = searchPrior_.birthDensity(fit.center, settings_.searchSize, bounds_);
     if (known || isOccupied(fit.center, fit.radius, occupied) ||
-        logLikelihoodRatio < kMinLogLikelihoodRatio) {
+        logLikelihoodRatio < kMinLogLikelihoodRatio || density <= 0.0) {
       continue;
     }
     hypotheses_.push_back(createHypothesis(fit, observation, key, team));
-    const double density = searchPrior_.birthDensity(fit.center, settings_.searchSize);
     logMasses.push_back(std::log(birth * density * evidenceVolume(fit.radius)) +
                         logLikelihoodRatio - evidenceBeyondSaturation(hypotheses_.back()));
   }

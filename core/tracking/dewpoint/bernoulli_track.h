@@ -47,6 +47,9 @@ public:
   /// Without births a track has ended when its hypotheses have. Births are on at first.
   void setBirths(bool births) { births_ = births; }
   void setTarget(const Target& target);
+  /// Where the target may be from the next update on; nothing: anywhere. The start volume and the
+  /// search particles lie in it from the next restart on.
+  void setBounds(const std::optional<WorldBox>& bounds) { bounds_ = bounds; }
   /// Removes all hypotheses; the target is expected in the start volume, then elsewhere.
   void restart(const StartVolume& start, std::uint64_t seed);
 
@@ -72,6 +75,7 @@ public:
   void suppressBest();
 
   const Target& target() const { return target_; }
+  const std::optional<WorldBox>& bounds() const { return bounds_; }
   /// The likeliest hypothesis; null when there is none.
   const TrackHypothesis* best() const;
   /// The likeliest hypothesis if its probability is above one half, else null.
@@ -90,6 +94,8 @@ public:
 private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
+  /// Removes hypotheses that are more than their radius outside the bounds.
+  void removeOutside(std::vector<double>& logMasses);
   void addBirths(SphereObservation& observation, const CandidateSource& search,
                  const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                  ThreadTeam& team, std::vector<double>& logMasses);
@@ -104,6 +110,7 @@ private:
 
   Target target_;
   BernoulliTrackSettings settings_;
+  std::optional<WorldBox> bounds_;
   SearchPrior searchPrior_;
   SearchParticles searchParticles_;
   double identityAmbiguity_ = 0.0; ///< probability that resolveIdentity() chose wrongly

@@ -88,7 +88,8 @@ std::vector<CandidateSearch::Spot> CandidateSearch::spotsOf(std::size_t camera,
 }
 
 std::vector<Candidate> CandidateSearch::find(SphereObservation& observation, bool radiusKnown,
-                                             std::size_t limit) const {
+                                             std::size_t limit,
+                                             const std::optional<WorldBox>& bounds) const {
   std::vector<std::vector<Spot>> spots(observation.cameraCount());
   for (std::size_t camera = 0; camera < spots.size(); ++camera) {
     LabelImage& labels = observation.labels(camera);
@@ -97,12 +98,13 @@ std::vector<Candidate> CandidateSearch::find(SphereObservation& observation, boo
       spots[camera] = spotsOf(camera, labels);
     }
   }
-  return triangulate(spots, observation, radiusKnown, limit);
+  return triangulate(spots, observation, radiusKnown, limit, bounds);
 }
 
 std::vector<Candidate> CandidateSearch::triangulate(const std::vector<std::vector<Spot>>& spots,
                                                     SphereObservation& observation,
-                                                    bool radiusKnown, std::size_t limit) const {
+                                                    bool radiusKnown, std::size_t limit,
+                                                    const std::optional<WorldBox>& bounds) const {
   const std::size_t cameras = spots.size();
   const double known = observation.radius();
   struct Raw {
@@ -142,6 +144,9 @@ std::vector<Candidate> CandidateSearch::triangulate(const std::vector<std::vecto
         raws.push_back({first.ray.origin + depth * first.ray.direction, known, 2.0});
       }
     }
+  }
+  if (bounds) {
+    std::erase_if(raws, [&](const Raw& raw) { return !bounds->contains(raw.center); });
   }
   std::stable_sort(raws.begin(), raws.end(),
                    [](const Raw& a, const Raw& b) { return a.misfit < b.misfit; });

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/geometry/ray.h"
+#include "core/geometry/world_box.h"
 #include "core/observation/sphere/sphere_observation.h"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace dewpoint::tracking {
@@ -32,15 +34,17 @@ public:
 
   /// The best candidates, best first, at most `limit`, no two closer than a radius. If the radius
   /// is not known, it is estimated from the images, and that of the observation does not matter;
-  /// the observation is left with an arbitrary one. Makes the labels of the whole images.
-  std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown,
-                              std::size_t limit) const;
+  /// the observation is left with an arbitrary one. None lies outside the bounds. Makes the labels
+  /// of the whole images.
+  std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown, std::size_t limit,
+                              const std::optional<WorldBox>& bounds = std::nullopt) const;
   /// The first step of find(): the spots in one camera's image, all of whose labels are made.
   std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
   /// The second step of find(): the candidates, from one list of spots per camera.
   std::vector<Candidate> triangulate(const std::vector<std::vector<Spot>>& spots,
                                      SphereObservation& observation, bool radiusKnown,
-                                     std::size_t limit) const;
+                                     std::size_t limit,
+                                     const std::optional<WorldBox>& bounds = std::nullopt) const;
 
 private:
   std::vector<Unprojector> unprojectors_;

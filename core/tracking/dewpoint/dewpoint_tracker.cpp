@@ -87,6 +87,16 @@ void DewpointTracker::setCameras(const CameraRig& rig) {
   }
 }
 
+void DewpointTracker::setVolumeOfInterest(const std::optional<WorldBox>& volume) {
+  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
+    objects_[k].track.setBounds(volume);
+    objects_[k].search.reset();
+  }
+  if (!lastTime_) {
+    restart(key_.seed);
+  }
+}
+
 void DewpointTracker::setBackgroundImages(const std::vector<cv::Mat>& images) {
   images_.setBackgroundImages(images);
 }
@@ -170,8 +180,8 @@ void DewpointTracker::updateTrack(std::size_t index, ThreadTeam& team) {
   TrackedObject& object = objects_[index];
   images_.showTo(object.observation, object.color);
   objects_.explainOthers(object.observation, object);
-  const auto findNow = [this](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
-    return search_.find(observation, radiusKnown, limit);
+  const auto findNow = [&](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
+    return search_.find(observation, radiusKnown, limit, object.track.bounds());
   };
   bool searched = false;
   const auto findInSlices = [&](SphereObservation&, bool, std::size_t limit) {

@@ -20,6 +20,7 @@ namespace dewpoint::tracking {
 class DewpointTracker final : public Tracker,
                               public TargetFollowing,
                               public CameraCalibrated,
+                              public VolumeBounded,
                               public BackgroundImages,
                               public ParticleCloud,
                               public CameraExplaining,
@@ -38,6 +39,8 @@ public:
   void setTargets(const std::vector<Target>& targets) override;
   bool takesAnyNumber() const override { return false; }
   void setCameras(const CameraRig& rig) override;
+  /// Distractors are tracked anywhere: what they explain in the images is no evidence inside.
+  void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
   void setBackgroundImages(const std::vector<cv::Mat>& images) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;

@@ -12,18 +12,26 @@ namespace {
 /// recorded; Barrera et al. 2005 use the same.
 constexpr double kSearchMotionSigma = 0.03;
 
+void moveInto(const std::optional<WorldBox>& bounds, Eigen::ArrayXXd& states) {
+  for (Eigen::Index axis = 0; bounds && axis < 3; ++axis) {
+    states.col(axis) = states.col(axis).max(bounds->min[axis]).min(bounds->max[axis]);
+  }
+}
+
 } // namespace
 
-void SearchParticles::restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key) {
+void SearchParticles::restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key,
+                              const std::optional<WorldBox>& bounds) {
   states_ = prior.draw(count, key.stream(RandomPurpose::Start));
+  moveInto(bounds, states_);
   weights_.setConstant(states_.rows(), 1.0 / static_cast<double>(states_.rows()));
 }
 
 void SearchParticles::update(const SearchPrior& prior, Eigen::Index count, double radius,
-                             SphereObservation& observation, const RandomKey& key,
-                             ThreadTeam& team) {
+                             const std::optional<WorldBox>& bounds, SphereObservation& observation,
+                             const RandomKey& key, ThreadTeam& team) {
   if (states_.rows() != count) {
-    restart(prior, count, key);
+    restart(prior, count, key, bounds);
   }
   const RandomStream stream = key.stream(RandomPurpose::Search);
   Ancestors ancestors;
@@ -36,6 +44,7 @@ void SearchParticles::update(const SearchPrior& prior, Eigen::Index count, doubl
     motion.predict(states_.middleRows(begin, end - begin), static_cast<std::uint32_t>(begin),
                    stream);
   });
+  moveInto(bounds, states_);
   const Eigen::ArrayXd logs = observation.logLikelihoods(states_, team);
   normalize(logs, weights_, team);
 }

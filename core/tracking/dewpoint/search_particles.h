@@ -8,18 +8,23 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace dewpoint::tracking {
 
 /// Particles that search for a target of which no position is confirmed: a particle filter with a
 /// random walk. Views show them; no hypothesis depends on them.
 class SearchParticles {
 public:
-  /// Draws `count` particles from the prior, equally likely.
-  void restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key);
+  /// Draws `count` particles from the prior, equally likely. Those outside the bounds are moved to
+  /// the nearest point inside.
+  void restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key,
+               const std::optional<WorldBox>& bounds);
   /// Resamples, moves and weights the particles by the images of a frame, for a sphere of `radius`
   /// meters. Draws them again where their number is not `count`.
   void update(const SearchPrior& prior, Eigen::Index count, double radius,
-              SphereObservation& observation, const RandomKey& key, ThreadTeam& team);
+              const std::optional<WorldBox>& bounds, SphereObservation& observation,
+              const RandomKey& key, ThreadTeam& team);
 
   /// Rows x y z, meters, world frame.
   const Eigen::ArrayXXd& states() const { return states_; }

@@ -53,7 +53,11 @@ void SearchPrior::widen(double interval, double maxSigma) {
   gaussian_.covariance *= (wider * wider) / (sigma * sigma);
 }
 
-double SearchPrior::birthDensity(const Eigen::Vector3d& position, double searchSize) const {
+double SearchPrior::birthDensity(const Eigen::Vector3d& position, double searchSize,
+                                 const std::optional<WorldBox>& bounds) const {
+  if (bounds && !bounds->contains(position)) {
+    return 0.0;
+  }
   const double room = searchSize * searchSize * searchSize;
   double near = 0.0;
   if (wasConfirmed_) {

@@ -24,8 +24,10 @@ public:
   void widen(double interval, double maxSigma);
 
   /// Probability density (1/m³) with which a target that appears does so at this position: half of
-  /// it by this prior, half of it anywhere in a cube with edges of `searchSize` meters.
-  double birthDensity(const Eigen::Vector3d& position, double searchSize) const;
+  /// it by this prior, half of it anywhere in a cube with edges of `searchSize` meters; 0 outside
+  /// the bounds.
+  double birthDensity(const Eigen::Vector3d& position, double searchSize,
+                      const std::optional<WorldBox>& bounds = std::nullopt) const;
   /// `count` positions, rows x y z. Position i is drawn from element i of the stream.
   Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
   /// The last confirmed position; nothing before the first one, or once the standard deviation has

@@ -16,9 +16,9 @@ constexpr std::size_t kMaxCandidatesOnBudget = 4;
 } // namespace
 
 SlicedSearch::SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius,
-                           FrameSetPtr frames)
+                           FrameSetPtr frames, const std::optional<WorldBox>& bounds)
     : frames_(std::move(frames)), observation_(rig), color_(std::move(color)), radius_(radius),
-      spots_(rig.size()) {}
+      bounds_(bounds), spots_(rig.size()) {}
 
 bool SlicedSearch::labelsDone() const {
   const LabelImage& labels = observation_.labels(camera_);
@@ -56,7 +56,10 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
   observation_.setRadius(radius_);
   return budget.spend(
       TimeBudget::Part::Candidates,
-      [&] { candidates_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit); }, must);
+      [&] {
+        candidates_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit, bounds_);
+      },
+      must);
 }
 
 std::vector<Candidate> advanceSearch(std::unique_ptr<SlicedSearch>& search,

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dewpoint::tracking {
@@ -16,8 +17,9 @@ namespace dewpoint::tracking {
 /// the images of the frame it began with. What it finds is as old as that frame.
 class SlicedSearch {
 public:
-  /// Searches in `frames`; `radius` in meters, 0 when unknown.
-  SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames);
+  /// Searches in `frames`; `radius` in meters, 0 when unknown. Candidates lie within the bounds.
+  SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames,
+               const std::optional<WorldBox>& bounds = std::nullopt);
 
   /// The observation must be shown the images before the first advance().
   SphereObservation& observation() { return observation_; }
@@ -37,6 +39,7 @@ private:
   SphereObservation observation_;
   AdaptiveColor color_;
   double radius_;
+  std::optional<WorldBox> bounds_;
   std::size_t camera_ = 0; ///< the one at work; past the last one candidates are next
   std::vector<std::vector<CandidateSearch::Spot>> spots_;
   std::vector<Candidate> candidates_;

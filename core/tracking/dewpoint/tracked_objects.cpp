@@ -155,8 +155,8 @@ void TrackedObjects::explainOthers(SphereObservation& observation, const Tracked
 
 std::unique_ptr<SlicedSearch> TrackedObjects::startSearch(const TrackedObject& own,
                                                           const FrameImages& images) const {
-  auto search =
-      std::make_unique<SlicedSearch>(rig_, own.color, own.track.target().radius, images.frames());
+  auto search = std::make_unique<SlicedSearch>(rig_, own.color, own.track.target().radius,
+                                               images.frames(), own.track.bounds());
   images.showTo(search->observation(), search->color());
   explainOthers(search->observation(), own);
   return search;

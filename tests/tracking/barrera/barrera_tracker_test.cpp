@@ -156,6 +156,33 @@ TEST(BarreraTracker, StartIsAPointOrABox) {
   EXPECT_NEAR((positions.col(0) - 0.4).square().mean(), 4.0 / 3.0, 0.05);
 }
 
+// The ball lies 5 cm behind the volume: the cloud gathers at its wall.
+TEST(BarreraTracker, StaysInTheVolumeOfInterest) {
+  const CameraRig rig = barreraRig();
+  const WorldBox volume{{0.45, 0.3, 0.1}, {0.6, 0.45, 0.25}};
+  const auto tracker =
+      barrera(parameters({{"start_half_x", 1.0}, {"start_half_y", 1.0}, {"particles", 500}}), rig);
+  tracker->setVolumeOfInterest(volume);
+  Eigen::ArrayXXd positions;
+  Eigen::ArrayXd weights;
+  tracker->particles(500, positions, weights);
+  ASSERT_EQ(positions.rows(), 500);
+  for (Eigen::Index k = 0; k < positions.rows(); ++k) {
+    EXPECT_TRUE(volume.contains(positions.row(k).transpose().matrix(), 1e-12));
+  }
+  ThreadTeam team;
+  tracker->beginFrame(ballFrames(rig, kBall));
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const SphereEstimate estimate = tracker->iterate(team);
+    EXPECT_TRUE(volume.contains(estimate.mean, 1e-9)) << iteration;
+    EXPECT_TRUE(volume.contains(estimate.best)) << iteration;
+  }
+  // Where it was is not of interest any more: it begins again where it is.
+  const WorldBox beside{{-0.2, 0.3, 0.1}, {0.1, 0.45, 0.25}};
+  tracker->setVolumeOfInterest(beside);
+  EXPECT_TRUE(beside.contains(tracker->iterate(team).mean, 1e-9));
+}
+
 TEST(BarreraTracker, NewParticleCountActsAtTheNextIterationAndKeepsThePlace) {
   const CameraRig rig = barreraRig();
   ThreadTeam team;

@@ -32,6 +32,21 @@ TEST(DynamicsTracker, MeasuresWhereTheColorsMassIs) {
   EXPECT_EQ(tracker.explain().front().status, CameraStatus::None);
 }
 
+TEST(DynamicsTracker, WhatIsOutsideTheVolumeOfInterestIsNoMeasurement) {
+  const CameraRig rig = drawn::rigAround(3);
+  DynamicsTracker tracker(startingAt(drawn::kMiddle), rig, drawn::redBall());
+  tracker.setVolumeOfInterest(WorldBox{drawn::kMiddle + Eigen::Vector3d(0.1, -1.0, -1.0),
+                                       drawn::kMiddle + Eigen::Vector3d(1.0, 1.0, 1.0)});
+  tracker.restart(1);
+  tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle}}, 0));
+  EXPECT_FALSE(tracker.measured());
+  ThreadTeam team(1);
+  EXPECT_FALSE(tracker.iterate(team).valid);
+  tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle + Eigen::Vector3d(0.15, 0.0, 0.0)}}, 1));
+  EXPECT_TRUE(tracker.measured());
+  EXPECT_TRUE(tracker.iterate(team).valid);
+}
+
 TEST(DynamicsTracker, OneCameraAloneMeasuresNothing) {
   const CameraRig rig = drawn::rigAround(1);
   DynamicsTracker tracker(startingAt(drawn::kMiddle), rig, drawn::redBall());

@@ -153,6 +153,47 @@ TEST_F(BernoulliTrackTest, NoTrackIsCreatedAtAnOccupiedPositionNorTwiceAtOne) {
   EXPECT_EQ(track_.hypotheses().size(), 1U);
 }
 
+/// All positions whose x is at least `x` meters beyond that of kThere, within a meter.
+WorldBox boundsFrom(double x) {
+  return {kThere + Eigen::Vector3d(x, -1.0, -1.0), kThere + Eigen::Vector3d(1.0, 1.0, 1.0)};
+}
+
+TEST_F(BernoulliTrackTest, NoTrackIsCreatedOutsideTheBounds) {
+  show({Ball{kThere}});
+  track_.setBounds(boundsFrom(0.05));
+  predict(kFrame);
+  update({{kThere, kRadius, 0.0}});
+  EXPECT_EQ(track_.best(), nullptr);
+  const SphereEstimate searched = track_.estimate(observation_);
+  EXPECT_FALSE(searched.valid);
+  EXPECT_TRUE(boundsFrom(0.05).contains(searched.mean, 1e-9)) << searched.mean.transpose();
+  track_.setBounds(boundsFrom(-1.0));
+  update({{kThere, kRadius, 0.0}});
+  EXPECT_NE(track_.confident(), nullptr);
+}
+
+TEST_F(BernoulliTrackTest, ATrackEndsMoreThanARadiusOutsideTheBounds) {
+  initializeAt();
+  predict(kFrame);
+  track_.setBounds(boundsFrom(0.9 * kRadius));
+  update();
+  EXPECT_NE(track_.best(), nullptr);
+  track_.setBounds(boundsFrom(1.1 * kRadius));
+  update();
+  EXPECT_EQ(track_.best(), nullptr);
+}
+
+TEST_F(BernoulliTrackTest, StartsWithinTheBounds) {
+  track_.setBounds(boundsFrom(0.2));
+  track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
+  Eigen::ArrayXXd positions;
+  Eigen::ArrayXd weights;
+  track_.particles(1000, positions, weights);
+  ASSERT_GT(positions.rows(), 0);
+  EXPECT_GE(positions.col(0).minCoeff(), kThere.x() + 0.2);
+  EXPECT_LE(positions.col(0).maxCoeff(), kThere.x() + 0.5 + 1e-12);
+}
+
 /// Two equal balls side by side, as far from the middle of the start volume: nothing tells which is
 /// the target.
 class TwoEqualBalls : public BernoulliTrackTest {

@@ -105,6 +105,22 @@ TEST(CandidateSearch, BestFirstAndNoTwoCloserThanARadius) {
   EXPECT_TRUE(scene.find(kRadius, 0).empty());
 }
 
+// Also where the limit leaves room for no more than what lies outside.
+TEST(CandidateSearch, FindsNothingOutsideTheBounds) {
+  SearchScene scene(2);
+  const Eigen::Vector3d inside = drawn::kMiddle + Eigen::Vector3d(0.15, 0.0, 0.0);
+  const Eigen::Vector3d outside = drawn::kMiddle - Eigen::Vector3d(0.15, 0.0, 0.0);
+  scene.show({Ball{inside, kRadius}, Ball{outside, kRadius}});
+  ASSERT_TRUE(isFound(scene.find(), outside, 0.5 * kRadius));
+  const WorldBox bounds{drawn::kMiddle - Eigen::Vector3d(0.0, 1.0, 1.0),
+                        drawn::kMiddle + Eigen::Vector3d(1.0, 1.0, 1.0)};
+  const auto candidates = scene.search().find(scene.observation(), true, 1, bounds);
+  EXPECT_TRUE(isFound(candidates, inside, 0.5 * kRadius));
+  for (const Candidate& candidate : scene.search().find(scene.observation(), true, 20, bounds)) {
+    EXPECT_TRUE(bounds.contains(candidate.center)) << candidate.center.transpose();
+  }
+}
+
 TEST(CandidateSearch, FindsNothingWithoutTheColorOrAnImage) {
   SearchScene scene(2);
   EXPECT_TRUE(scene.find().empty());

@@ -67,6 +67,26 @@ TEST(DewpointTracker, StartOutsideTheBoxIsFoundAsWell) {
   EXPECT_LT(errorOf(run.estimate(), drawn::kMiddle), kClose);
 }
 
+// The ball outside is there from the beginning, and looks the same.
+TEST(DewpointTracker, SearchesTheVolumeOfInterestAlone) {
+  DrawnRun run(rigAround(3), {redBall()});
+  const Eigen::Vector3d inside = drawn::kMiddle + Eigen::Vector3d(0.15, 0.0, 0.0);
+  const Eigen::Vector3d outside = drawn::kMiddle - Eigen::Vector3d(0.15, 0.0, 0.0);
+  const WorldBox volume{drawn::kMiddle - Eigen::Vector3d(0.0, 1.0, 1.0),
+                        drawn::kMiddle + Eigen::Vector3d(1.0, 1.0, 1.0)};
+  run.tracker().setVolumeOfInterest(volume);
+  for (int frame = 0; frame < 6; ++frame) {
+    const SphereEstimate estimate = run.show({Ball{outside}});
+    EXPECT_FALSE(estimate.valid) << frame;
+    EXPECT_TRUE(volume.contains(estimate.mean, 1e-9)) << frame;
+  }
+  for (int frame = 0; frame < 10; ++frame) {
+    run.show({Ball{outside}, Ball{inside}});
+  }
+  EXPECT_TRUE(run.estimate().valid);
+  EXPECT_LT(errorOf(run.estimate(), inside), 2.0 * kClose);
+}
+
 TEST(DewpointTracker, FollowsMotion) {
   DrawnRun run(rigAround(2), {redBall()});
   double squares = 0.0;

@@ -69,6 +69,18 @@ TEST(SearchPrior, WidensWhileNothingIsConfirmed) {
   EXPECT_NEAR(prior.birthDensity(kFound, kRoom), 0.5 * peak(kRoom) + 0.5 / 64.0, 1e-9);
 }
 
+TEST(SearchPrior, HasNoDensityOutsideTheBounds) {
+  SearchPrior prior = startingIn(0.5);
+  const std::optional<WorldBox> bounds =
+      WorldBox{kStart - Eigen::Vector3d::Ones(), kStart + Eigen::Vector3d::Ones()};
+  const Eigen::Vector3d beside = kStart + Eigen::Vector3d(1.01, 0.0, 0.0);
+  EXPECT_EQ(prior.birthDensity(kStart, kRoom, bounds), prior.birthDensity(kStart, kRoom));
+  EXPECT_GT(prior.birthDensity(beside, kRoom), 0.0);
+  EXPECT_EQ(prior.birthDensity(beside, kRoom, bounds), 0.0);
+  prior.confirm(found());
+  EXPECT_EQ(prior.birthDensity(kFound, kRoom, bounds), 0.0);
+}
+
 // Means of 20,000 draws: five standard errors of a uniform distribution over 1 m (0.29 m), and of a
 // normal one of 0.141 m, are about 0.01 and 0.005 m.
 TEST(SearchPrior, DrawsFromTheStartVolumeAndThenAroundThePosition) {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/models.h"
+#include "core/geometry/world_box.h"
+
+#include <Eigen/Core>
+
+#include <limits>
+
+namespace dewpoint::tracking {
+
+/// An observation model by which nothing lies outside the bounds. States: columns 0 to 2 are x, y,
+/// z in meters, world frame. Refers to both, which must outlive it.
+template <ObservationModel O> struct BoundedObservation {
+  const O& observation;
+  const WorldBox& bounds;
+
+  void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
+    observation.addLogLikelihood(rows, logLikelihood);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      if (!bounds.contains({rows(i, 0), rows(i, 1), rows(i, 2)})) {
+        logLikelihood[i] = -std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+};
+
+} // namespace dewpoint::tracking
