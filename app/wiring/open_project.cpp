@@ -119,6 +119,7 @@ Project projectOfScene(const Scene& scene, const std::string& sceneName) {
   project.name = scene.name;
   project.scene = sceneName;
   project.parameters = ParameterValues(methodParameters(project.method));
+  project.parameters.giveAll();
   for (const auto& ball : scene.balls) {
     project.targets.push_back(
         {ball.name, ball.radius,
@@ -187,6 +188,9 @@ Result<SessionInputs> openInputs(Project project) {
     const auto scene = sceneNamed(project.scene);
     if (!scene) {
       return tl::make_unexpected(scene.error());
+    }
+    if (!project.scene.ends_with(".toml")) {
+      project.parameters.giveAll(); // the built-in ones were made for the methods' own defaults
     }
     inputs.truth = truthOfScene(*scene);
     auto source = openSimulation(*scene);

@@ -10,7 +10,8 @@
 
 namespace dewpoint::app {
 
-/// A project that tracks the balls of a simulated scene, with the paper's parameters.
+/// A project that tracks the balls of a simulated scene, with the paper's parameters: none comes
+/// from the cameras.
 Project projectOfScene(const Scene& scene, const std::string& sceneName);
 
 /// True positions of all balls of a scene at every frame, named as the project's targets.

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 
+#include "core/project/project_rig.h"
+#include "core/tracking/start_parameters.h"
+
 #include <algorithm>
 
 namespace dewpoint::project {
+
+ParameterValues parametersInUse(const Project& project) {
+  return tracking::parametersInUse(project.parameters, rigOf(project), project.volumeOfInterest);
+}
 
 void addPerson(Project& project, const PersonCorrection& person) {
   const auto found =

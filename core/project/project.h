@@ -4,6 +4,7 @@
 #include "core/calibration/manual/measured_points.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/reference_grid.h"
+#include "core/geometry/world_box.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 
@@ -83,11 +84,15 @@ struct Project {
   std::vector<ProjectMark> marks;             ///< in the order of their frames
   std::optional<ReferenceGrid> grid;          ///< laid over the images to adjust cameras by hand
   std::vector<MeasuredPoint> points;          ///< measured with a tape, clicked in the images
+  std::optional<WorldBox> volumeOfInterest;   ///< targets are searched for in it alone
   std::vector<PersonCorrection> people;       ///< in the order of their frames
   std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement
 
   bool operator==(const Project&) const = default;
 };
+
+/// The parameters with which a project is tracked: see tracking::parametersInUse().
+ParameterValues parametersInUse(const Project& project);
 
 /// Puts a correction behind those of its frame.
 void addPerson(Project& project, const PersonCorrection& person);

@@ -33,6 +33,7 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
                     before.truth != after.truth || before.scene != after.scene;
   changes.marks = before.marks != after.marks;
   changes.grid = before.grid != after.grid;
+  changes.volume = before.volumeOfInterest != after.volumeOfInterest;
   changes.points = before.points != after.points;
   changes.people = before.people != after.people;
   changes.emptyRooms =

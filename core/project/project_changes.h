@@ -16,6 +16,7 @@ struct ProjectChanges {
   bool calibration = false; ///< of cameras that are otherwise the same
   bool marks = false;
   bool grid = false;       ///< the reference grid
+  bool volume = false;     ///< the volume of interest
   bool points = false;     ///< measured points and their clicks
   bool people = false;     ///< corrections of who is there
   bool emptyRooms = false; ///< of cameras with the same sources
@@ -23,7 +24,7 @@ struct ProjectChanges {
 
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || marks ||
-           grid || points || people || emptyRooms;
+           grid || points || people || emptyRooms || volume;
   }
 };
 

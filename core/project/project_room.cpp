@@ -32,6 +32,37 @@ ReferenceGrid readGrid(const toml::table& table, const std::string& file,
   return grid;
 }
 
+WorldBox readVolume(const toml::table& table, const std::string& file,
+                    std::optional<Error>& error) {
+  TableReader reader(table, file, "volume_of_interest.");
+  WorldBox volume;
+  reader.require("min");
+  reader.numbers("min", volume.min.data(), 3, -kLargest, kLargest);
+  reader.require("max");
+  reader.numbers("max", volume.max.data(), 3, -kLargest, kLargest);
+  error = reader.finish();
+  return volume;
+}
+
+Status checkVolume(const WorldBox& volume) {
+  for (const auto& [key, corner] : {std::pair("min", volume.min), std::pair("max", volume.max)}) {
+    if (!corner.allFinite() || corner.cwiseAbs().maxCoeff() > kLargest) {
+      return failure(ErrorCode::BadValue, "", fmt::format("volume_of_interest.{}", key),
+                     fmt::format("numbers up to {} m are expected", kLargest));
+    }
+  }
+  constexpr std::array<char, 3> kAxisNames{'x', 'y', 'z'};
+  for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+    const auto at = static_cast<Eigen::Index>(axis);
+    if (!(volume.min[at] < volume.max[at])) {
+      return failure(ErrorCode::BadValue, "", "volume_of_interest.max",
+                     fmt::format("along {} it begins at {} m and ends at {} m", kAxisNames[axis],
+                                 volume.min[at], volume.max[at]));
+    }
+  }
+  return {};
+}
+
 MeasuredPoint readPoint(const toml::table& table, const std::string& file, std::size_t index,
                         std::optional<Error>& error) {
   const std::string prefix = fmt::format("point {}.", index + 1);
@@ -87,6 +118,10 @@ Status checkPoint(const MeasuredPoint& point, std::size_t index, const Project& 
 
 void readRoom(TableReader& reader, const std::string& file, Project& project) {
   std::optional<Error> error;
+  if (const toml::table* table = reader.table("volume_of_interest")) {
+    project.volumeOfInterest = readVolume(*table, file, error);
+    reader.recordError(error);
+  }
   if (const toml::table* table = reader.table("grid")) {
     project.grid = readGrid(*table, file, error);
     reader.recordError(error);
@@ -99,6 +134,12 @@ void readRoom(TableReader& reader, const std::string& file, Project& project) {
 
 std::string roomText(const Project& project) {
   std::string text;
+  if (project.volumeOfInterest) {
+    const auto& [min, max] = *project.volumeOfInterest;
+    text += fmt::format("\n[volume_of_interest]   # meters\nmin = [{}, {}, {}]\n"
+                        "max = [{}, {}, {}]\n",
+                        min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
+  }
   if (project.grid) {
     const ReferenceGrid& grid = *project.grid;
     const auto kind = std::ranges::find(kGridKeys, grid.kind, [](auto& one) { return one.second; });
@@ -119,6 +160,11 @@ std::string roomText(const Project& project) {
 }
 
 Status checkRoom(const Project& project) {
+  if (project.volumeOfInterest) {
+    if (auto good = checkVolume(*project.volumeOfInterest); !good) {
+      return good;
+    }
+  }
   if (project.grid) {
     if (auto good = checkGrid(*project.grid); !good) {
       return failure(good.error().code, "", "grid." + good.error().field, good.error().detail);

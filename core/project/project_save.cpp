@@ -97,6 +97,9 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
 std::string parametersText(const ParameterValues& parameters) {
   std::string text = "\n[parameters]\n";
   for (const auto& declaration : parameters.declarations()) {
+    if (!parameters.isGiven(declaration.key)) {
+      continue; // the cameras will tell
+    }
     const double value = parameters.at(declaration.key);
     text += declaration.kind == ParameterKind::Integer
                 ? fmt::format("{} = {}", declaration.key, static_cast<std::int64_t>(value))

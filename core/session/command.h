@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "core/geometry/world_box.h"
 #include "core/project/project.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
@@ -71,6 +72,11 @@ struct SetEmptyRooms {
   std::vector<std::string> files; ///< as the project names them
   std::vector<cv::Mat> rooms;
 };
+/// Another volume of interest, or none, from the next iteration on; tracks begin in it from the
+/// next restart on.
+struct SetVolumeOfInterest {
+  std::optional<WorldBox> volume;
+};
 /// Which pixels have a target's color, or move (TrackSnapshot::masks).
 struct ShowMasks {
   bool wanted = false;
@@ -101,6 +107,7 @@ using Command =
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
                  command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
-                 command::ShowShapes, command::ShowBoard, command::SetPeople, command::SetThreads>;
+                 command::ShowShapes, command::ShowBoard, command::SetPeople, command::SetThreads,
+                 command::SetVolumeOfInterest>;
 
 } // namespace dewpoint::session

@@ -11,6 +11,7 @@ RememberedRun::RememberedRun(RunDefinition definition, int threads)
 }
 
 Status RememberedRun::replace(RunDefinition definition, std::int64_t iterations) {
+  definition.useCameras();
   auto made = std::make_shared<const RunDefinition>(std::move(definition));
   auto run = TrackingRun::create(made, threads_);
   if (!run) {
@@ -35,6 +36,7 @@ bool RememberedRun::change(RunDefinition wanted) {
   if (!run_->takes(wanted)) {
     return false;
   }
+  wanted.useCameras();
   if (wanted == *definition_) {
     return true;
   }

@@ -29,7 +29,7 @@ RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const
     const std::size_t usual = source_->isLive() ? kLiveHistory : kRecordedHistory;
     kept_.keepHistory(*source_, inputs.historyBytes > 0 ? inputs.historyBytes : usual);
   }
-  log_.restart(project_, kept_.threads());
+  log_.restart(project(), kept_.threads());
 }
 
 bool RunDriver::replaceRun(RunDefinition definition, std::int64_t iterations) {

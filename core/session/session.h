@@ -104,6 +104,9 @@ public:
   void setEmptyRooms(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms) {
     send(command::SetEmptyRooms{files, rooms});
   }
+  void setVolumeOfInterest(const std::optional<WorldBox>& volume) {
+    send(command::SetVolumeOfInterest{volume});
+  }
   /// From the start.
   void setMethod(const std::string& method, const ParameterValues& parameters) {
     send(command::SetMethod{method, parameters, std::nullopt});

@@ -141,6 +141,13 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetPeople& wish) {
   return Publish::Now;
 }
 
+TrackingLoop::Publish TrackingLoop::handle(const command::SetVolumeOfInterest& wish) {
+  RunDefinition wanted = driver_.definition();
+  wanted.volumeOfInterest = wish.volume;
+  driver_.change(std::move(wanted));
+  return Publish::Now;
+}
+
 TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& wish) {
   driver_.setThreads(wish.threads);
   return Publish::Now;

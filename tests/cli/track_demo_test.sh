@@ -23,3 +23,15 @@ expectText run/trajectory.csv 50 0.02
 [[ ! -e run/reasons.csv ]] || fail "reasons.csv was not asked for"
 expectExit 0 track demo --out why --frames 0:30 --reasons
 expectText why/reasons.csv time_s,frame,target,state,reason ,held,
+
+# Only within a box: the ball of the demo is in the first, and not in the second.
+expectExit 0 track demo --out within --frames 0:20 --volume 0.2,0.2,-0.2,0.8,0.8,0.6
+expectText within/trajectory.csv volume_of_interest '0.2 0.2 -0.2 to 0.8 0.8 0.6 m'
+expectText within/run.json volume_of_interest
+holds() {
+  awk -F, '/^time_s/ { for (k = 1; k <= NF; ++k) if ($k == "valid") valid = k; next }
+           !/^#/ && $valid == 1 { ++rows } END { exit rows == 0 }' "$1"
+}
+holds within/trajectory.csv || fail "the ball within the volume was not found"
+expectExit 0 track demo --out beside --frames 0:20 --volume -0.9,-0.9,-0.2,-0.2,-0.2,0.6
+! holds beside/trajectory.csv || fail "something outside the volume was found"

@@ -10,6 +10,10 @@ expectExit $kUsage track demo --out o --seed one
 expectExit $kUsage track demo --out o --threads 0
 expectExit $kUsage track demo --out o --frames 9
 expectExit $kUsage track demo --out o --frames 9:3
+expectExit $kUsage track demo --out o --volume 0,0,0,1,1
+expectSentence --volume 0,0,0,1,1 meters
+expectExit $kUsage track demo --out o --volume 0,0,0,1,0,1
+expectSentence --volume 0,0,0,1,0,1
 expectExit $kUsage track demo --out o --method magic
 expectText err.txt magic
 expectExit $kUsage track demo --out o --set colour=3

@@ -50,6 +50,7 @@ SessionInputs demoWithMethod(const std::string& method) {
   auto inputs = openProject("demo").value();
   inputs.project.method = method;
   inputs.project.parameters = ParameterValues(methodParameters(method));
+  inputs.project.parameters.giveAll();
   return inputs;
 }
 

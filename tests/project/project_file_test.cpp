@@ -145,6 +145,25 @@ TEST(ProjectFile, SavedTwiceItIsTheSameBytes) {
   EXPECT_EQ(second->cameras.front().location, first->cameras.front().location);
 }
 
+// Else other cameras would not change where it starts.
+TEST(ProjectFile, WhatComesFromTheCamerasIsNotWrittenUnlessItWasGiven) {
+  const auto open = load(kGood);
+  ASSERT_TRUE(open);
+  EXPECT_FALSE(open->parameters.isGiven("start_x"));
+  EXPECT_NE(parametersInUse(*open).at("start_half_x"), 0.0); // the default of the method
+  const std::string text = projectText(*open, "");
+  EXPECT_EQ(text.find("start_"), std::string::npos);
+  EXPECT_NE(text.find("motion_sigma"), std::string::npos);
+
+  const auto given = load(kGood, "particles = 500\n", "particles = 500\nstart_x = 0.4\n");
+  ASSERT_TRUE(given) << sentence(given.error());
+  EXPECT_EQ(parametersInUse(*given), given->parameters);
+  EXPECT_EQ(parametersInUse(*given).at("start_half_x"), 0.0);
+  const auto again = load(projectText(*given, given->file.parent_path()));
+  ASSERT_TRUE(again) << sentence(again.error());
+  EXPECT_EQ(again->parameters, given->parameters);
+}
+
 TEST(ProjectFile, KeepsTheEmptyRoomOfACamera) {
   const auto project = load(kGood, "video = \"left.mkv\"\n",
                             "video = \"left.mkv\"\nempty_room = \"empty/left.png\"\n");

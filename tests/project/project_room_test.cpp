@@ -77,6 +77,45 @@ TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   EXPECT_EQ(project->cameras[0].delay, 0.012);
 }
 
+constexpr const char* kVolume = "\n[volume_of_interest]\nmin = [-1, 0.5, 0]\nmax = [2, 3, 2.25]\n";
+
+TEST(ProjectRoom, KeepsTheVolumeOfInterest) {
+  EXPECT_FALSE(load(kRoom)->volumeOfInterest); // as in every file before there was this
+  const WorldBox expected{{-1.0, 0.5, 0.0}, {2.0, 3.0, 2.25}};
+  const auto project = load(std::string(kRoom) + kVolume);
+  ASSERT_TRUE(project) << sentence(project.error());
+  EXPECT_EQ(project->volumeOfInterest, expected);
+  const auto again = load(projectText(*project, project->file.parent_path()));
+  ASSERT_TRUE(again) << sentence(again.error());
+  EXPECT_EQ(again->volumeOfInterest, expected);
+  const auto inOneLine = load(kRoom, "name = \"room\"",
+                              "volume_of_interest = { min = [-1, 0.5, 0], max = [2, 3, 2.25] }");
+  ASSERT_TRUE(inOneLine) << sentence(inOneLine.error());
+  EXPECT_EQ(inOneLine->volumeOfInterest, expected);
+  Project without = *project;
+  without.volumeOfInterest.reset();
+  EXPECT_TRUE(changesBetween(without, *project).volume);
+  EXPECT_TRUE(changesBetween(without, *project).any());
+  EXPECT_EQ(projectText(without, "").find("volume_of_interest"), std::string::npos);
+}
+
+TEST(ProjectRoom, RefusesAVolumeOfInterestThatIsNone) {
+  const auto errorOf = [](std::string from, std::string to) {
+    std::string text = kVolume;
+    text.replace(text.find(from), from.size(), to);
+    const auto project = load(kRoom + text);
+    return project ? Error{} : project.error();
+  };
+  EXPECT_EQ(errorOf("max = [2, 3, 2.25]", "").field, "volume_of_interest.max");
+  EXPECT_EQ(errorOf("min = [-1, 0.5, 0]", "min = [-1, 0.5]").field, "volume_of_interest.min");
+  EXPECT_EQ(errorOf("min =", "low =").field, "volume_of_interest.low");
+  EXPECT_EQ(errorOf("2.25", "1e9").field, "volume_of_interest.max");
+  const Error empty = errorOf("[2, 3, 2.25]", "[2, 0.5, 2.25]");
+  EXPECT_EQ(empty.field, "volume_of_interest.max");
+  EXPECT_NE(empty.file.find("room.toml"), std::string::npos);
+  EXPECT_EQ(empty.detail, "along y it begins at 0.5 m and ends at 0.5 m");
+}
+
 TEST(ProjectRoom, SavesWhatItRead) {
   const auto project = load(kRoom);
   ASSERT_TRUE(project);

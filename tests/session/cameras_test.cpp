@@ -17,6 +17,7 @@ Project projectWith(const std::string& method) {
   Project project = test::twoCameraProject();
   project.method = method;
   project.parameters = ParameterValues(methodParameters(method));
+  project.parameters.giveAll();
   return project;
 }
 

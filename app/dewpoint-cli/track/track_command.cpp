@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -24,6 +25,7 @@ struct TrackOptions {
   std::optional<std::uint64_t> seed;
   std::optional<std::int64_t> particles;
   std::string frames;
+  std::string volume;
   std::vector<std::string> settings;
 };
 
@@ -59,7 +61,28 @@ Status checkTargets(const Project& project, const std::string& file) {
   return {};
 }
 
+/// The box whose corners are `x0,y0,z0,x1,y1,z1`.
+Result<WorldBox> parseVolume(const std::string& text) {
+  WorldBox box;
+  int used = 0;
+  const int read = std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf%n", &box.min[0], &box.min[1],
+                               &box.min[2], &box.max[0], &box.max[1], &box.max[2], &used);
+  if (read != 6 || static_cast<std::size_t>(used) != text.size() || !box.min.allFinite() ||
+      !box.max.allFinite() || (box.min.array() >= box.max.array()).any()) {
+    return failure(ErrorCode::BadValue, "", "--volume",
+                   text + " is not x0,y0,z0,x1,y1,z1 in meters, the last three greater");
+  }
+  return box;
+}
+
 Status applyOptions(const TrackOptions& options, Project& project) {
+  if (!options.volume.empty()) {
+    const auto volume = parseVolume(options.volume);
+    if (!volume) {
+      return tl::make_unexpected(volume.error());
+    }
+    project.volumeOfInterest = *volume;
+  }
   if (options.method && *options.method != project.method) {
     project.method = *options.method;
     project.parameters = carriedOver(project.parameters, project.method);
@@ -122,6 +145,10 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
   command->add_option("--particles", options->particles, "Number of particles");
   command->add_flag("--reasons", options->job.reasons,
                     "Write reasons.csv, too: when and why targets were held or not");
+  command->add_option(
+      "--volume", options->volume,
+      "Track only in this box, as x0,y0,z0,x1,y1,z1 in meters (the project's unless "
+      "given)");
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
   command->callback([options, &exitCode] { exitCode = track(*options); });
 }

@@ -182,6 +182,8 @@ int TrackJob::run(SessionInputs inputs) const {
   if (!run) {
     return report(run.error());
   }
+  // The parameters in use stand in all that is written.
+  inputs.project = run->definition()->appliedTo(std::move(inputs.project));
   const TrajectoryHeader header = trajectoryHeader(inputs.project);
   TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
   if (run->definition()->family().tables != RunTables::Boxes) {

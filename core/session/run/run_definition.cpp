@@ -3,6 +3,7 @@
 
 #include "core/project/project_rig.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/start_parameters.h"
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -22,6 +23,12 @@ bool isSameImage(const cv::Mat& a, const cv::Mat& b) {
 
 } // namespace
 
+std::string volumeText(const WorldBox& volume) {
+  const auto& [min, max] = volume;
+  return fmt::format("{} {} {} to {} {} {} m", min.x(), min.y(), min.z(), max.x(), max.y(),
+                     max.z());
+}
+
 bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) {
   return std::ranges::equal(a, b, isSameImage);
 }
@@ -37,7 +44,9 @@ RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> emp
     definition.emptyRoomFiles.push_back(camera.emptyRoom);
   }
   definition.people = project.people;
+  definition.volumeOfInterest = project.volumeOfInterest;
   definition.seed = project.seed;
+  definition.useCameras();
   return definition;
 }
 
@@ -46,6 +55,7 @@ Project RunDefinition::appliedTo(Project project) const {
   project.parameters = parameters;
   project.targets = targets;
   project.people = people;
+  project.volumeOfInterest = volumeOfInterest;
   project.seed = seed;
   for (std::size_t k = 0; k < std::min(project.cameras.size(), rig->size()); ++k) {
     project.cameras[k].camera = (*rig)[k];
@@ -54,10 +64,15 @@ Project RunDefinition::appliedTo(Project project) const {
   return project;
 }
 
+void RunDefinition::useCameras() {
+  parameters = tracking::parametersInUse(std::move(parameters), *rig, volumeOfInterest);
+}
+
 bool RunDefinition::operator==(const RunDefinition& other) const {
   return method == other.method && parameters == other.parameters && targets == other.targets &&
          (rig == other.rig || *rig == *other.rig) && areSameRooms(emptyRooms, other.emptyRooms) &&
-         emptyRoomFiles == other.emptyRoomFiles && people == other.people && seed == other.seed;
+         emptyRoomFiles == other.emptyRoomFiles && people == other.people &&
+         volumeOfInterest == other.volumeOfInterest && seed == other.seed;
 }
 
 std::string differences(const RunDefinition& before, const RunDefinition& after) {
@@ -90,6 +105,10 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
   }
   if (before.people != after.people) {
     add("people", "other corrections");
+  }
+  if (before.volumeOfInterest != after.volumeOfInterest) {
+    add("volume_of_interest",
+        after.volumeOfInterest ? volumeText(*after.volumeOfInterest) : "none");
   }
   return text;
 }

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,13 @@ namespace dewpoint::session {
 /// that the tracking thread, its history and its snapshots can share it. A change is another value.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters;
-  std::vector<Target> targets;             ///< the project's; methods for people find others
-  std::shared_ptr<const CameraRig> rig;    ///< never null; in the order of the project
-  std::vector<cv::Mat> emptyRooms;         ///< per camera, as of loadEmptyRooms(); may be empty
-  std::vector<std::string> emptyRoomFiles; ///< per camera, as the project names them
-  std::vector<PersonCorrection> people;    ///< by frame; methods for people make them come true
+  ParameterValues parameters;               ///< those in use, see useCameras()
+  std::vector<Target> targets;              ///< the project's; methods for people find others
+  std::shared_ptr<const CameraRig> rig;     ///< never null; in the order of the project
+  std::vector<cv::Mat> emptyRooms;          ///< per camera, as of loadEmptyRooms(); may be empty
+  std::vector<std::string> emptyRoomFiles;  ///< per camera, as the project names them
+  std::vector<PersonCorrection> people;     ///< by frame; methods for people make them come true
+  std::optional<WorldBox> volumeOfInterest; ///< targets are searched for in it alone
   std::uint64_t seed = 1;
 
   /// What a project says; `emptyRooms` as of loadEmptyRooms(), or none.
@@ -33,11 +35,18 @@ struct RunDefinition {
   /// The project with what this says in place of its own.
   Project appliedTo(Project project) const;
 
+  /// Takes the parameters that nobody gave from the cameras (parametersInUse()). A definition with
+  /// other cameras, parameters or volume of interest needs it; of() has done so.
+  void useCameras();
+
   MethodFamily family() const { return methodFamily(method); }
   /// Of empty rooms the pixels are compared, unless they are the same in memory.
   bool operator==(const RunDefinition& other) const;
 };
 using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
+
+/// A volume of interest in words: its two corners, meters.
+std::string volumeText(const WorldBox& volume);
 
 /// Whether both are images of the same empty rooms.
 bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);

@@ -34,6 +34,11 @@ std::string runReport(const Project& project, const RunFigures& figures) {
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);
   }
+  if (project.volumeOfInterest) {
+    const auto& [min, max] = *project.volumeOfInterest;
+    json["volume_of_interest"] = {{"min", {min.x(), min.y(), min.z()}},
+                                  {"max", {max.x(), max.y(), max.z()}}};
+  }
   json["notices"] = figures.notices;
   return json.dump(2) + "\n";
 }

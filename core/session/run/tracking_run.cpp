@@ -57,6 +57,9 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
     header.entries.emplace_back(declaration.key,
                                 fmt::format("{}{}", project.parameters.at(declaration.key), unit));
   }
+  if (project.volumeOfInterest) {
+    header.entries.emplace_back("volume_of_interest", volumeText(*project.volumeOfInterest));
+  }
   for (const auto& camera : project.cameras) {
     header.cameras.push_back(
         {camera.camera.name, camera.camera.center(), camera.camera.opticalAxis()});
@@ -108,6 +111,10 @@ TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr d
   if (auto* const background = tracking::capability<BackgroundImages>(*run.tracker_)) {
     background->setBackgroundImages(definition->emptyRooms);
   }
+  auto* const bounded = tracking::capability<VolumeBounded>(*run.tracker_);
+  if (bounded != nullptr && definition->volumeOfInterest) {
+    bounded->setVolumeOfInterest(definition->volumeOfInterest);
+  }
   run.definition_ = std::move(definition);
   run.team_ = std::make_unique<ThreadTeam>(threadCount);
   run.restart(run.definition_->seed);
@@ -131,6 +138,10 @@ bool TrackingRun::takes(const RunDefinition& definition) const {
 void TrackingRun::apply(const RunDefinitionPtr& definition) {
   assert(takes(*definition));
   const RunDefinitionPtr before = std::exchange(definition_, definition);
+  auto* const bounded = tracking::capability<VolumeBounded>(*tracker_);
+  if (bounded != nullptr && definition->volumeOfInterest != before->volumeOfInterest) {
+    bounded->setVolumeOfInterest(definition->volumeOfInterest);
+  }
   if (!(definition->parameters == before->parameters)) {
     tracker_->configure(definition->parameters);
   }

@@ -3,6 +3,7 @@
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/run_definition.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/start_parameters.h"
 #include "tests/session/drawn_recording.h"
 
 #include <gtest/gtest.h>
@@ -80,6 +81,9 @@ TEST(RunDefinition, IsComparedAsAWhole) {
       },
       [](RunDefinition& other) { other.emptyRooms.clear(); },
       [](RunDefinition& other) { other.emptyRoomFiles[0] = "room.png"; },
+      [](RunDefinition& other) {
+        other.volumeOfInterest = WorldBox{{0, 0, 0}, {1, 1, 1}};
+      },
       [](RunDefinition& other) { ++other.seed; }};
   for (std::size_t k = 0; k < changes.size(); ++k) {
     RunDefinition other = one;
@@ -94,6 +98,7 @@ TEST(RunDefinition, GoesIntoAProjectAndBack) {
   other.seed = 7;
   other.targets[0].name = "another ball";
   other.emptyRoomFiles[1] = "/rooms/two.png";
+  other.volumeOfInterest = WorldBox{{0, 0, 0}, {1, 1, 1}};
   const Project changed = other.appliedTo(project);
   EXPECT_EQ(changed.name, project.name);
   EXPECT_EQ(changed.cameras[1].emptyRoom, "/rooms/two.png");
@@ -112,9 +117,33 @@ TEST(RunDefinition, SaysWhatIsOtherwise) {
   after.targets[0].color.hueMax = 10.0;
   EXPECT_TRUE(differences(before, after).starts_with(before.targets[0].name + " = hue "));
   after = before;
+  after.volumeOfInterest = WorldBox{{0, 0.5, 0}, {1, 2, 3}};
+  EXPECT_EQ(differences(before, after), "volume_of_interest = 0 0.5 0 to 1 2 3 m");
+  EXPECT_EQ(differences(after, before), "volume_of_interest = none");
+  after = before;
   after.method = "barrera";
   after.parameters = ParameterValues(methodParameters("barrera"));
   EXPECT_TRUE(differences(before, after).starts_with("method = barrera; "));
+}
+
+TEST(RunDefinition, TakesFromTheCamerasWhatNobodyGave) {
+  Project project = drawnInputs("barrera", 1).project;
+  EXPECT_EQ(RunDefinition::of(project).parameters, project.parameters); // its start was given
+  project.parameters = ParameterValues(methodParameters("barrera"));
+  RunDefinition run = RunDefinition::of(project);
+  EXPECT_EQ(run.parameters, parametersInUse(project));
+  const StartVolume start = startVolume(run.parameters);
+  EXPECT_TRUE(
+      (WorldBox{start.center - start.half, start.center + start.half}.contains(drawn::kMiddle)));
+  EXPECT_GT(start.half.minCoeff(), 0.2); // the cameras are a meter away
+  EXPECT_LT(start.half.maxCoeff(), 1.6);
+  // What is written of the run says it, and a project goes on leaving it to the cameras.
+  const Project applied = run.appliedTo(project);
+  EXPECT_EQ(applied.parameters.at("start_x"), run.parameters.at("start_x"));
+  EXPECT_FALSE(applied.parameters.isGiven("start_x"));
+  run.volumeOfInterest = WorldBox{{0.4, 0.4, 0.1}, {0.6, 0.6, 0.3}};
+  run.useCameras();
+  EXPECT_NEAR(run.parameters.at("start_half_x"), 0.1, 0.0101);
 }
 
 // The copy that a run goes back to was made before the empty rooms were known.
