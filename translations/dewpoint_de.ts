@@ -1762,6 +1762,12 @@ From %2 to %3%4; default %5%4.</source>
         <translation>%1
 Von %2 bis %3%4; Vorgabe %5%4.</translation>
     </message>
+    <message>
+        <source>%1
+From %2 to %3%4; what the cameras see unless you change it.</source>
+        <translation>%1
+Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translation>
+    </message>
 </context>
 <context>
     <name>People</name>

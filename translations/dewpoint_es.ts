@@ -1762,6 +1762,12 @@ From %2 to %3%4; default %5%4.</source>
         <translation>%1
 De %2 a %3%4; por defecto %5%4.</translation>
     </message>
+    <message>
+        <source>%1
+From %2 to %3%4; what the cameras see unless you change it.</source>
+        <translation>%1
+De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
+    </message>
 </context>
 <context>
     <name>People</name>

@@ -1762,6 +1762,12 @@ From %2 to %3%4; default %5%4.</source>
         <translation>%1
 %2 から %3%4 まで。既定値は %5%4。</translation>
     </message>
+    <message>
+        <source>%1
+From %2 to %3%4; what the cameras see unless you change it.</source>
+        <translation>%1
+%2 から %3%4 まで。変更しない限り、カメラに映る範囲。</translation>
+    </message>
 </context>
 <context>
     <name>People</name>

@@ -12,6 +12,7 @@
 
 #include <QCoreApplication>
 #include <QProcess>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -145,6 +147,7 @@ private Q_SLOTS:
   void tenThousandEditsUndoneAndRedone();
   void aDragIsOneStepAndItsEndSeparates();
   void aRefusedEditChangesNothing();
+  void whatComesFromTheCamerasFollowsThemUntilItIsChanged();
   void killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost();
   void whatIsSavedOrGivenUpLeavesNothingBehind();
 };
@@ -212,6 +215,41 @@ void DocumentTest::aRefusedEditChangesNothing() {
   QCOMPARE(refused.error().field, std::string("camera"));
   QCOMPARE(textOf(document), before);
   QCOMPARE(document.undoStack()->count(), 0);
+}
+
+void DocumentTest::whatComesFromTheCamerasFollowsThemUntilItIsChanged() {
+  Document document;
+  document.replace(someProject());
+  const auto used = [&](const char* key) { return document.usedParameters().at(key); };
+  const double depth = used("start_z"); // both cameras stand at the origin and look along z
+  QVERIFY(depth > 1.0);
+  QSignalSpy changes(&document, &Document::parameterChanged);
+  const auto back = [](Project& project) {
+    for (ProjectCamera& camera : project.cameras) {
+      camera.camera.cameraFromWorld.translate(Eigen::Vector3d(0.0, 0.0, 3.0));
+    }
+  };
+  QVERIFY(document.edit(QStringLiteral("Move cameras"), back));
+  QVERIFY(changes.count() > 0);
+  QVERIFY(std::abs(used("start_z") - (depth - 3.0)) < 0.02);
+  document.undoStack()->undo();
+  QCOMPARE(used("start_z"), depth);
+  const double width = used("start_half_x");
+  QVERIFY(document.setParameter("start_x", 0.5)); // the default, but now it holds
+  QCOMPARE(used("start_x"), 0.5);
+  QCOMPARE(used("start_half_x"), width); // the others stay as they were
+  QVERIFY(document.project().parameters.isGiven("start_half_x"));
+  QVERIFY(document.edit(QStringLiteral("Move cameras"), back));
+  QCOMPARE(used("start_z"), depth);
+  document.undoStack()->undo();
+  document.undoStack()->undo();
+  QVERIFY(!document.project().parameters.isGiven("start_x"));
+  QVERIFY(document.edit(QStringLiteral("Volume of interest"), [](Project& project) {
+    project.volumeOfInterest = WorldBox{{-0.1, -0.1, 1.0}, {0.1, 0.1, 2.0}};
+  }));
+  QVERIFY(std::abs(used("start_z") - 1.5) < 0.02);
+  document.undoStack()->undo();
+  QCOMPARE(used("start_z"), depth);
 }
 
 /// The seed in the only copy of a folder; 0 if there is none that can be read.

@@ -11,6 +11,7 @@
 #include <QUndoStack>
 
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint::ui {
 
@@ -38,6 +39,7 @@ const MethodPresentation& Document::presentation() const {
 
 void Document::replace(Project project, bool unsaved) {
   project_ = std::make_shared<Project>(std::move(project));
+  usedParameters_ = parametersInUse(*project_);
   unsaved_ = unsaved;
   undoStack_->clear();
   Q_EMIT replaced();
@@ -75,18 +77,22 @@ void Document::assign(const std::shared_ptr<const Project>& state) {
     adjusted->layout = before->layout;
     project_ = std::move(adjusted);
   }
-  announce(*before, changesBetween(*before, *project_));
+  announce(changesBetween(*before, *project_));
 }
 
-void Document::announce(const Project& before, const ProjectChanges& changes) {
+void Document::announce(const ProjectChanges& changes) {
+  const bool mayDiffer = changes.method || changes.parameters || changes.calibration ||
+                         changes.sources || changes.volume;
+  const ParameterValues now = mayDiffer ? parametersInUse(*project_) : usedParameters_;
+  const ParameterValues before = std::exchange(usedParameters_, now);
   Q_EMIT changed(changes);
   if (changes.method) {
     Q_EMIT methodChanged();
-  }
-  if (changes.parameters) {
-    for (const auto& declaration : project_->parameters.declarations()) {
-      if (before.parameters.at(declaration.key) != project_->parameters.at(declaration.key)) {
-        Q_EMIT parameterChanged(QString::fromStdString(declaration.key));
+  } else {
+    for (const auto& declaration : now.declarations()) {
+      const std::string& key = declaration.key;
+      if (before.at(key) != now.at(key) || before.isGiven(key) != now.isGiven(key)) {
+        Q_EMIT parameterChanged(QString::fromStdString(key));
       }
     }
   }
@@ -99,6 +105,9 @@ void Document::announce(const Project& before, const ProjectChanges& changes) {
   if (changes.emptyRooms) {
     Q_EMIT emptyRoomsChanged();
   }
+  if (changes.volume) {
+    Q_EMIT volumeChanged();
+  }
   if (changes.people) {
     Q_EMIT peopleChanged();
   }
@@ -109,6 +118,11 @@ void Document::announce(const Project& before, const ProjectChanges& changes) {
 
 Status Document::setParameter(const std::string& key, double value) {
   ParameterValues parameters = project_->parameters;
+  if (!parameters.isGiven(key)) {
+    // The others stay as the cameras gave them, and as they are shown.
+    parameters = usedParameters_;
+    parameters.giveAll();
+  }
   if (auto status = parameters.set(key, value); !status) {
     return status;
   }

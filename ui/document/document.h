@@ -30,6 +30,8 @@ public:
   const Project& project() const { return *project_; }
   /// The same, to be kept: it never changes.
   std::shared_ptr<const Project> state() const { return project_; }
+  /// The parameters with which it is tracked, also those that come from its cameras.
+  const ParameterValues& usedParameters() const { return usedParameters_; }
   /// What the window does for its method; another from methodChanged() or replaced() on.
   const MethodPresentation& presentation() const;
   QUndoStack* undoStack() const { return undoStack_; }
@@ -48,8 +50,9 @@ public:
   /// From here on nothing merges with what was: a drag has ended.
   void endMerging();
 
-  /// Changes a parameter as an undoable step; steps of one slider drag merge. BadValue or
-  /// UnknownKey leave everything as it was.
+  /// Changes a parameter as an undoable step; steps of one slider drag merge. The first that is
+  /// changed of those from the cameras gives all of them as they are in use. BadValue or UnknownKey
+  /// leave everything as it was.
   Status setParameter(const std::string& key, double value);
   /// Chooses the method as an undoable step; parameters that it shares keep their values.
   void setMethod(const std::string& method);
@@ -70,6 +73,7 @@ Q_SIGNALS:
   void targetsChanged();
   void calibrationChanged();
   void emptyRoomsChanged();
+  void volumeChanged();
   void peopleChanged();
   void sourcesChanged();
   void fileChanged();
@@ -78,9 +82,10 @@ private:
   friend class EditCommand;
   /// Makes a state the present one and says what is new.
   void assign(const std::shared_ptr<const Project>& state);
-  void announce(const Project& before, const ProjectChanges& changes);
+  void announce(const ProjectChanges& changes);
 
   std::shared_ptr<const Project> project_;
+  ParameterValues usedParameters_; ///< of the project
   QUndoStack* undoStack_;
   std::string mergeSuffix_; ///< differs after each endMerging()
   int drags_ = 0;

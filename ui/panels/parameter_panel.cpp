@@ -44,7 +44,7 @@ void ParameterPanel::rebuild() {
   }
   for (const ParameterDeclaration& declaration : project.parameters.declarations()) {
     auto* row = new ParameterRow(declaration, form_);
-    row->setValue(project.parameters.at(declaration.key));
+    row->setValue(document_.usedParameters().at(declaration.key));
     connect(row, &ParameterRow::valueEdited, this, [this, key = declaration.key](double value) {
       if (!document_.setParameter(key, value)) {
         showValue(QString::fromStdString(key)); // refused: show what holds
@@ -86,7 +86,7 @@ void ParameterPanel::addMethodChoice() {
 void ParameterPanel::showValue(const QString& key) {
   for (ParameterRow* row : rows_) {
     if (row->key() == key.toStdString()) {
-      row->setValue(document_.project().parameters.at(row->key()));
+      row->setValue(document_.usedParameters().at(row->key()));
     }
   }
 }

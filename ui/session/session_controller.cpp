@@ -66,6 +66,11 @@ void SessionController::connectDocument() {
       bridge_->session().setTargets(document_.project().targets);
     }
   });
+  connect(&document_, &Document::volumeChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().setVolumeOfInterest(document_.project().volumeOfInterest);
+    }
+  });
   connect(&document_, &Document::peopleChanged, this, [this] {
     if (bridge_ != nullptr) {
       bridge_->session().setPeople(document_.project().people);
