@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/random.h"
 #include "core/filter/gaussian.h"
 
 #include <Eigen/Core>
@@ -17,6 +18,8 @@ public:
   Eigen::Vector3d fromStandardNormal(const Eigen::Vector3d& standardNormal) const {
     return mean_ + factor_ * standardNormal;
   }
+  /// `count` samples, rows x y z. Sample i is made of element i of the stream.
+  Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
   /// Squared Mahalanobis distance from the mean.
   double squaredDistance(const Eigen::Vector3d& position) const {
     return (inverseFactor_ * (position - mean_)).squaredNorm();

@@ -21,7 +21,7 @@ concept TargetFilter = std::copy_constructible<F> &&
     requires(F filter, const F& finished, const ParameterValues& parameters, const Target& target,
              const CameraRig& rig, const std::optional<WorldBox>& volume, std::uint64_t seed,
              FrameSetPtr frames, ThreadTeam& team, Eigen::ArrayXXd& positions,
-             Eigen::ArrayXd& weights) {
+             Eigen::ArrayXd& weights, const Gaussian3& position) {
   filter.configure(parameters);
   filter.setTarget(target);
   filter.setCameras(rig);
@@ -29,6 +29,7 @@ concept TargetFilter = std::copy_constructible<F> &&
   filter.restart(seed);
   filter.beginFrame(frames);
   { filter.iterate(team) } -> std::same_as<SphereEstimate>;
+  { filter.correct(position) } -> std::same_as<SphereEstimate>;
   { finished.iterationsPerFrame() } -> std::same_as<int>;
   finished.particles(0, positions, weights);
   { finished.explain() } -> std::same_as<std::vector<CameraReport>>;
@@ -47,6 +48,7 @@ class IndependentTrackers : public Tracker,
                             public TargetFollowing,
                             public CameraCalibrated,
                             public VolumeBounded,
+                            public PositionCorrecting,
                             public ParticleCloud,
                             public CameraExplaining,
                             public Copying {
@@ -100,6 +102,10 @@ public:
     for (std::size_t k = 0; k < filters_.size(); ++k) {
       estimates_[k] = filters_[k].iterate(team);
     }
+  }
+  void correctPosition(std::size_t target, const Gaussian3& position,
+                       ThreadTeam& /*team*/) override {
+    estimates_.at(target) = filters_.at(target).correct(position);
   }
   std::size_t trackCount() const override { return estimates_.size(); }
   TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }

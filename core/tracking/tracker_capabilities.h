@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/filter/gaussian.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/world_box.h"
 #include "core/tracking/camera_report.h"
@@ -31,6 +32,17 @@ public:
   /// takesAnyNumber() says so.
   virtual void setTargets(const std::vector<Target>& targets) = 0;
   virtual bool takesAnyNumber() const = 0;
+};
+
+/// Lets the user correct where a target is.
+class PositionCorrecting {
+public:
+  virtual ~PositionCorrecting() = default;
+  /// In the frame that was iterated last the target is here (world, m, m²): replaces all that was
+  /// believed of its position, and estimate() says so at once. Its radius, its colors and the
+  /// learned backgrounds stay. The images of the frame may make the position more precise, and what
+  /// else was believed to be there gives way.
+  virtual void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) = 0;
 };
 
 /// Estimates positions in the world by calibrated cameras.

@@ -40,15 +40,25 @@ SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
   const auto particleCount = static_cast<Eigen::Index>(parameters_.at("particles"));
   observation_.prepare(particleCount * iterationsPerFrame());
   SphereEstimate result = step(observation_, team);
-  result.cameras = evidence(result.mean);
-  result.camerasSeeing = static_cast<int>(std::ranges::count_if(
-      result.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
+  addEvidence(result);
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
   result.valid = result.camerasSeeing >= needed && isOfInterest(result.mean);
   result.existenceProbability =
       result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
   estimate_ = result;
   return result;
+}
+
+SphereEstimate BarreraTracker::correct(const Gaussian3& position) {
+  RandomWalkTracker::correct(position);
+  addEvidence(estimate_);
+  return estimate_;
+}
+
+void BarreraTracker::addEvidence(SphereEstimate& estimate) const {
+  estimate.cameras = evidence(estimate.mean);
+  estimate.camerasSeeing = static_cast<int>(std::ranges::count_if(
+      estimate.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
 }
 
 std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& point) const {

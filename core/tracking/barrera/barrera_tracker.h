@@ -22,6 +22,8 @@ public:
   void setCameras(const CameraRig& rig);
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
+  /// As RandomWalkTracker::correct(), with what the cameras see there.
+  SphereEstimate correct(const Gaussian3& position);
   /// About how many bytes a copy takes.
   std::size_t memoryBytes() const;
   /// Why each camera does, or does not, confirm the target.
@@ -34,6 +36,8 @@ private:
   /// Per camera the window at a point (meters, world frame); the odds are those of its likelihood
   /// against that of a window with no matching pixel, 1/25.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;
+  /// Adds to an estimate what the cameras see at its mean.
+  void addEvidence(SphereEstimate& estimate) const;
 
   std::vector<Projector> projectors_;
   ColorClassifier classifier_;

@@ -2,6 +2,7 @@
 #include "core/tracking/barrera/random_walk_tracker.h"
 
 #include "core/filter/evenly_picked.h"
+#include "core/filter/prepared_gaussian.h"
 #include "core/tracking/start_parameters.h"
 
 #include <algorithm>
@@ -43,6 +44,21 @@ void RandomWalkTracker::beginFrame(FrameSetPtr frames) {
   key_.iteration = 0;
   key_.frame = frames ? static_cast<std::uint32_t>(frames->index) : 0;
   frames_ = std::move(frames);
+}
+
+SphereEstimate RandomWalkTracker::correct(const Gaussian3& position) {
+  const auto count = static_cast<Eigen::Index>(parameters_.at("particles"));
+  filter_.start(PreparedGaussian3(position).draw(count, key_.stream(RandomPurpose::Start)));
+  started_ = true;
+  estimate_.mean = position.mean;
+  estimate_.best = position.mean;
+  estimate_.covariance = position.covariance;
+  estimate_.effectiveSampleSize = static_cast<double>(count);
+  estimate_.particleCount = static_cast<int>(count);
+  estimate_.degenerate = false;
+  estimate_.valid = true;
+  estimate_.existenceProbability = 1.0;
+  return estimate_;
 }
 
 cv::Mat RandomWalkTracker::imageOf(std::size_t camera) const {

@@ -3,6 +3,7 @@
 
 #include "core/base/thread_team.h"
 #include "core/capture/frame.h"
+#include "core/filter/gaussian.h"
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/particle_filter.h"
@@ -30,6 +31,8 @@ public:
   void restart(std::uint64_t seed);
   int iterationsPerFrame() const;
   void beginFrame(FrameSetPtr frames);
+  /// Draws the particles again, from a Gaussian (world, m, m²) that a person gave: the estimate.
+  SphereEstimate correct(const Gaussian3& position);
   /// At most `limit` particles, evenly picked: rows x y z (meters), with linear weights that sum to
   /// 1 over all particles.
   void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::tracking {
 namespace {
@@ -187,17 +188,24 @@ void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
   }
 }
 
+TrackHypothesis BernoulliTrack::newHypothesis(const Gaussian3& position, double radius,
+                                              double logRadiusVariance) {
+  TrackHypothesis hypothesis;
+  hypothesis.stream = nextStream_++ % 4096U; // see firstIndex() in track_hypothesis.cpp
+  hypothesis.radius = radius;
+  hypothesis.logRadiusVariance = target_.radius > 0.0 ? 0.0 : logRadiusVariance;
+  hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
+  hypothesis.gaussian.covariance.setZero();
+  hypothesis.gaussian.covariance.topLeftCorner<3, 3>() = position.covariance;
+  hypothesis.gaussian.covariance.diagonal().tail<3>().setConstant(kBirthSpeed * kBirthSpeed);
+  return hypothesis;
+}
+
 TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
                                                  SphereObservation& observation,
                                                  const RandomKey& key, ThreadTeam& team) {
-  TrackHypothesis hypothesis;
-  hypothesis.stream = nextStream_++ % 4096U; // see firstIndex() in track_hypothesis.cpp
-  hypothesis.radius = fit.radius;
-  hypothesis.logRadiusVariance = target_.radius > 0.0 ? 0.0 : fit.logRadiusVariance;
-  hypothesis.gaussian.mean << fit.center, Eigen::Vector3d::Zero();
-  hypothesis.gaussian.covariance.setZero();
-  hypothesis.gaussian.covariance.topLeftCorner<3, 3>() = fit.covariance;
-  hypothesis.gaussian.covariance.diagonal().tail<3>().setConstant(kBirthSpeed * kBirthSpeed);
+  TrackHypothesis hypothesis =
+      newHypothesis({fit.center, fit.covariance}, fit.radius, fit.logRadiusVariance);
   observation.setRadius(fit.radius);
   hypothesis.logLikelihoodRatio =
       observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
@@ -221,6 +229,18 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   fit.logRadiusVariance = kRadiusSigma * kRadiusSigma;
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
+}
+
+void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
+                             const RandomKey& key, ThreadTeam& team) {
+  const double radius = best() != nullptr ? best()->radius : assumedRadius();
+  TrackHypothesis hypothesis = newHypothesis(position, radius, kRadiusSigma * kRadiusSigma);
+  hypothesis.probability = kInitialProbability;
+  drawPrior(hypothesis, settings_.maxParticles, key, team);
+  predicted_.assign(1, hypothesis);
+  measurementUpdate(hypothesis, observation, settings_.maxParticles, key, team);
+  hypotheses_.assign(1, std::move(hypothesis));
+  identityAmbiguity_ = 0.0;
 }
 
 void BernoulliTrack::removeOccupied(const std::vector<OccupiedSphere>& occupied) {

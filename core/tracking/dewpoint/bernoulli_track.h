@@ -62,6 +62,10 @@ public:
   /// Replaces all hypotheses by one at this position, with probability 0.98.
   void initializeAt(const Eigen::Vector3d& position, double radius, SphereObservation& observation,
                     const RandomKey& key, ThreadTeam& team);
+  /// The target is at this position (m, m²): replaces all hypotheses by one, with probability 0.98
+  /// and the radius believed until now, and updates it by the images of the frame.
+  void correct(const Gaussian3& position, SphereObservation& observation, const RandomKey& key,
+               ThreadTeam& team);
   /// Removes the hypotheses at occupied positions, unless the likeliest one has a probability above
   /// one half.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
@@ -102,6 +106,8 @@ private:
   /// Changes the masses of the first hypotheses of a target: their evidence does not saturate, that
   /// of their neighbors does not count against them, and their size counts.
   void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
+  /// A hypothesis of unknown velocity, without particles.
+  TrackHypothesis newHypothesis(const Gaussian3& position, double radius, double logRadiusVariance);
   TrackHypothesis createHypothesis(const OutlineFit& fit, SphereObservation& observation,
                                    const RandomKey& key, ThreadTeam& team);
   Eigen::Index particleCount(const TrackHypothesis& hypothesis) const;

@@ -97,6 +97,22 @@ void DewpointTracker::setVolumeOfInterest(const std::optional<WorldBox>& volume)
   }
 }
 
+void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& position,
+                                      ThreadTeam& team) {
+  TrackedObject& object = objects_[target];
+  object.search.reset();
+  // Without what other objects explain: what the user points at is the target.
+  images_.showTo(object.observation, object.color);
+  object.track.correct(position, object.observation, object.keyIn(key_), team);
+  updateEstimate(target);
+  if (!estimates_[target].measurement) {
+    estimates_[target].measurement = position; // what the user measured in this frame
+  }
+  for (const std::size_t other : objects_.makeRoomFor(target)) {
+    updateEstimate(other);
+  }
+}
+
 void DewpointTracker::setBackgroundImages(const std::vector<cv::Mat>& images) {
   images_.setBackgroundImages(images);
 }
@@ -211,9 +227,14 @@ void DewpointTracker::searchDistractors(ThreadTeam& team) {
 
 void DewpointTracker::updateEstimates() {
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
-    estimates_[k] = objects_[k].track.estimate(objects_[k].observation);
-    estimates_[k].colors = objects_[k].color.rangesInUse();
+    updateEstimate(k);
   }
+}
+
+void DewpointTracker::updateEstimate(std::size_t target) {
+  TrackedObject& object = objects_[target];
+  estimates_[target] = object.track.estimate(object.observation);
+  estimates_[target].colors = object.color.rangesInUse();
 }
 
 void DewpointTracker::adaptTargetColors() {

@@ -21,6 +21,7 @@ class DewpointTracker final : public Tracker,
                               public TargetFollowing,
                               public CameraCalibrated,
                               public VolumeBounded,
+                              public PositionCorrecting,
                               public BackgroundImages,
                               public ParticleCloud,
                               public CameraExplaining,
@@ -41,6 +42,7 @@ public:
   void setCameras(const CameraRig& rig) override;
   /// Distractors are tracked anywhere: what they explain in the images is no evidence inside.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
+  void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) override;
   void setBackgroundImages(const std::vector<cv::Mat>& images) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;
@@ -68,6 +70,7 @@ private:
   void updateTrack(std::size_t index, ThreadTeam& team);
   void searchDistractors(ThreadTeam& team);
   void updateEstimates();
+  void updateEstimate(std::size_t target);
   void adaptTargetColors();
   void learnBackgrounds();
 

@@ -77,13 +77,7 @@ Eigen::ArrayXXd SearchPrior::draw(Eigen::Index count, const RandomStream& stream
   if (!wasConfirmed_) {
     return drawUniformly(start_, count, stream);
   }
-  const PreparedGaussian3 prepared(gaussian_);
-  Eigen::ArrayXXd positions(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto normal = stream.normal4(static_cast<std::uint32_t>(i));
-    positions.row(i) = prepared.fromStandardNormal({normal[0], normal[1], normal[2]}).transpose();
-  }
-  return positions;
+  return PreparedGaussian3(gaussian_).draw(count, stream);
 }
 
 std::optional<Eigen::Vector3d> SearchPrior::lastPosition() const {

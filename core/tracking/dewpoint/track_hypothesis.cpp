@@ -262,8 +262,11 @@ void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const
   hypothesis.pending.emplace_back(motion, key.stream(RandomPurpose::Motion));
 }
 
-void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
-                   const RandomKey& key, ThreadTeam& team) {
+namespace {
+
+/// Draws particles from a proposal that is wider than the hypothesis' Gaussian; their log weights.
+Eigen::ArrayXd propose(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
+                       ThreadTeam& team) {
   const Gaussian6& gaussian = hypothesis.gaussian;
   const Eigen::Matrix3d positionCovariance = gaussian.covariance.topLeftCorner<3, 3>();
   const double wide = kWideShareOfRadius * hypothesis.radius;
@@ -310,6 +313,20 @@ void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, 
       logs[i] = posterior.logDensity(x) - proposal;
     }
   });
+  return logs;
+}
+
+} // namespace
+
+void drawPrior(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
+               ThreadTeam& team) {
+  const Eigen::ArrayXd logs = propose(hypothesis, count, key, team);
+  normalize(logs, hypothesis.weights, team);
+}
+
+void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
+                   const RandomKey& key, ThreadTeam& team) {
+  Eigen::ArrayXd logs = propose(hypothesis, count, key, team);
   logs += logLikelihoods(hypothesis, observation, team);
   normalize(logs, hypothesis.weights, team);
 }

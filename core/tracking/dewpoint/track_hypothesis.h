@@ -75,6 +75,11 @@ inline constexpr double kTouching = 0.7;
 /// `allowed`. Its probability does not change.
 void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key);
 
+/// Draws `count` particles from the Gaussian of a hypothesis alone, before any image counts:
+/// importance sampling from a proposal that is wider than the Gaussian.
+void drawPrior(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
+               ThreadTeam& team);
+
 /// Draws `count` particles for the Gaussian of a hypothesis: importance sampling from a proposal
 /// that is wider than the Gaussian, weighted by the likelihood at each particle.
 void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,

@@ -176,6 +176,25 @@ void TrackedObjects::suppressAtTargets(std::size_t distractor) {
   }
 }
 
+std::vector<std::size_t> TrackedObjects::makeRoomFor(std::size_t target) {
+  const TrackHypothesis* const own = objects_[target].track.best();
+  std::vector<std::size_t> changed;
+  for (std::size_t k = objects_.size(); own->outlineFound && k-- > 0;) {
+    const TrackHypothesis* const other = objects_[k].track.confident();
+    if (k == target || other == nullptr || !overlap(*own, *other)) {
+      continue;
+    }
+    if (k >= targetCount_) {
+      removeDistractor(k);
+    } else {
+      objects_[k].track.suppressBest();
+      objects_[k].track.removeOccupied({{own->position(), own->radius}});
+      changed.push_back(k);
+    }
+  }
+  return changed;
+}
+
 void TrackedObjects::resolveConflicts() {
   for (std::size_t a = 0; a < objects_.size(); ++a) {
     for (std::size_t b = a + 1; b < objects_.size(); ++b) {

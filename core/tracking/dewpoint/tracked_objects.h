@@ -65,6 +65,9 @@ public:
   /// Suppresses a distractor's position where it has moved onto a target that was clearly visible
   /// in the last update: it was the target itself.
   void suppressAtTargets(std::size_t distractor);
+  /// Makes room for a target whose outline was found where the user said it is: removes distractors
+  /// there, and hypotheses of other targets. Returns the indices of these targets.
+  std::vector<std::size_t> makeRoomFor(std::size_t target);
   /// Suppresses, of any two objects at one position, the one with less evidence.
   void resolveConflicts();
   /// Removes the hypotheses of targets at occupied positions, and decides between those that no
