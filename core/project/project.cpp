@@ -18,4 +18,27 @@ void addPerson(Project& project, const PersonCorrection& person) {
   project.people.insert(found, person);
 }
 
+void addCorrection(Project& project, const PositionCorrection& correction) {
+  auto& all = project.corrections;
+  const auto former = std::ranges::find_if(all, [&](const PositionCorrection& other) {
+    return other.frame == correction.frame && other.target == correction.target;
+  });
+  if (former != all.end()) {
+    *former = correction;
+  } else {
+    all.insert(std::ranges::upper_bound(all, correction.frame, {}, &PositionCorrection::frame),
+               correction);
+  }
+}
+
+void removeTarget(Project& project, std::size_t index) {
+  const int removed = static_cast<int>(index);
+  project.targets.erase(project.targets.begin() + removed);
+  std::erase_if(project.corrections,
+                [&](const PositionCorrection& one) { return one.target == removed; });
+  for (PositionCorrection& correction : project.corrections) {
+    correction.target -= correction.target > removed ? 1 : 0;
+  }
+}
+
 } // namespace dewpoint::project

@@ -8,6 +8,7 @@
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -69,6 +70,18 @@ struct PersonCorrection {
   bool operator==(const PersonCorrection&) const = default;
 };
 
+/// A correction of where a target is, made at one frame of a recording. World frame, meters.
+struct PositionCorrection {
+  std::int64_t frame = 0; ///< it holds from the end of this frame on
+  int target = 0;         ///< index in Project::targets
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity(); ///< of the position, m²
+  /// The clicks on the target that it was made of, in images of this frame; at most one per camera.
+  std::vector<PointClick> clicks = {};
+
+  bool operator==(const PositionCorrection&) const = default;
+};
+
 /// The document: everything a run needs, and nothing of its results.
 struct Project {
   std::filesystem::path file; ///< where it was loaded from; empty for the built-in demo
@@ -86,6 +99,13 @@ struct Project {
   std::vector<MeasuredPoint> points;          ///< measured with a tape, clicked in the images
   std::optional<WorldBox> volumeOfInterest;   ///< targets are searched for in it alone
   std::vector<PersonCorrection> people;       ///< in the order of their frames
+  std::optional<std::filesystem::path> truth;  ///< truth.csv, absolute
+  std::string scene;                           ///< name or file of the simulated scene, or empty
+  std::vector<ProjectMark> marks;              ///< in the order of their frames
+  std::optional<ReferenceGrid> grid;           ///< laid over the images to adjust cameras by hand
+  std::vector<MeasuredPoint> points;           ///< measured with a tape, clicked in the images
+  std::vector<PersonCorrection> people;        ///< in the order of their frames
+  std::vector<PositionCorrection> corrections; ///< in the order of their frames
   std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement
 
   bool operator==(const Project&) const = default;
@@ -96,5 +116,9 @@ ParameterValues parametersInUse(const Project& project);
 
 /// Puts a correction behind those of its frame.
 void addPerson(Project& project, const PersonCorrection& person);
+/// Puts a correction in place of that of the same target and frame, else behind those of its frame.
+void addCorrection(Project& project, const PositionCorrection& correction);
+/// Removes a target and its corrections.
+void removeTarget(Project& project, std::size_t index);
 
 } // namespace dewpoint::project

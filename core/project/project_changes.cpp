@@ -36,6 +36,7 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.volume = before.volumeOfInterest != after.volumeOfInterest;
   changes.points = before.points != after.points;
   changes.people = before.people != after.people;
+  changes.corrections = before.corrections != after.corrections;
   changes.emptyRooms =
       !changes.sources && !std::ranges::equal(before.cameras, after.cameras, {},
                                               &ProjectCamera::emptyRoom, &ProjectCamera::emptyRoom);

@@ -25,6 +25,16 @@ struct ProjectChanges {
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || marks ||
            grid || points || people || emptyRooms || volume;
+  bool grid = false;        ///< the reference grid
+  bool points = false;      ///< measured points and their clicks
+  bool people = false;      ///< corrections of who is there
+  bool corrections = false; ///< of where targets are
+  bool emptyRooms = false;  ///< of cameras with the same sources
+  bool sources = false;     ///< which cameras there are, and where images and truth come from
+
+  bool any() const {
+    return name || method || seed || parameters || targets || calibration || sources || marks ||
+           grid || points || people || corrections || emptyRooms;
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_check.h"
 
+#include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
@@ -132,7 +133,9 @@ Status checkProject(const Project& project) {
   if (auto good = checkCameras(project); !good) {
     return good;
   }
-  return checkRoom(project).and_then([&] { return checkPeople(project); });
+  return checkRoom(project).and_then([&] { return checkPeople(project); }).and_then([&] {
+    return checkCorrections(project);
+  });
 }
 
 } // namespace dewpoint::project

@@ -6,6 +6,7 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/camera_calibration.h"
 #include "core/project/project_check.h"
+#include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
 #include "core/project/project_people.h"
@@ -360,6 +361,7 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   readMarks(reader, file.string(), project);
   readRoom(reader, file.string(), project);
   readPeople(reader, file.string(), project);
+  readCorrections(reader, file.string(), project);
   readWindow(reader, file.string(), project);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));

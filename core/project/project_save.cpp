@@ -5,6 +5,7 @@
 #include "core/base/text_file.h"
 #include "core/calibration/formats/camera_calibration.h"
 #include "core/project/project_comments.h"
+#include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
@@ -158,6 +159,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
   }
   text += roomText(project);
   text += peopleText(project);
+  text += correctionsText(project);
   if (!project.layout.empty()) {
     text += "\n[window]   # how its views were laid out\nlayout = " + quoted(project.layout) + "\n";
   }

@@ -190,9 +190,8 @@ void TargetPanel::resizeTarget(double millimeters) {
 }
 
 void TargetPanel::removeChosen() {
-  editChosen(tr("Remove target"), [](Project& project, std::size_t index) {
-    project.targets.erase(project.targets.begin() + static_cast<std::ptrdiff_t>(index));
-  });
+  editChosen(tr("Remove target"),
+             [](Project& project, std::size_t index) { removeTarget(project, index); });
   document_.endMerging();
 }
 
