@@ -28,14 +28,17 @@ std::string positionCells(const Eigen::Vector3d& p) {
   return fmt::format(",{},{},{}", lengthText(p.x()), lengthText(p.y()), lengthText(p.z()));
 }
 
-std::string tidyRow(const ExportCell& cell, bool hasBest) {
+std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
   std::string text =
       cell.present
           ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position), covarianceCells(cell),
                         cell.cameras, covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
           : std::string(13, ',') + "0,,0,0";
-  if (hasBest) {
+  if (table.best) {
     text += cell.best ? positionCells(*cell.best) : std::string(3, ',');
+  }
+  if (table.corrected) {
+    text += cell.corrected ? ",1" : ",0";
   }
   return text + '\n';
 }
@@ -48,12 +51,13 @@ Files tidyCsv(const ExportTable& table, const std::string& /*name*/) {
                       "cov_xy_{0}2,cov_xz_{0}2,cov_yy_{0}2,cov_yz_{0}2,cov_zz_{0}2,cameras,ess,"
                       "valid,filled",
                       table.unitName());
-  text += table.best ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}\n", table.unitName()) : "\n";
+  text += table.best ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName()) : "";
+  text += table.corrected ? ",corrected\n" : "\n";
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     for (std::size_t target = 0; target < table.targets.size(); ++target) {
       text += fmt::format("{},{},{}", timeText(table.times[row]), table.frames[row],
                           csvCell(table.targets[target]));
-      text += tidyRow(table.cells[target][row], table.best);
+      text += tidyRow(table.cells[target][row], table);
     }
   }
   return std::vector{ExportFile{"", std::move(text)}};

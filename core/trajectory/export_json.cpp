@@ -42,9 +42,10 @@ std::string targetText(const std::string& name, const ExportCell& cell) {
   if (cell.best) {
     text += fmt::format(",\"best\":{}", vectorText(*cell.best));
   }
-  return text + fmt::format(",\"cams\":{},\"ess\":{}{}}}", cell.cameras,
+  return text + fmt::format(",\"cams\":{},\"ess\":{}{}{}}}", cell.cameras,
                             covarianceText(cell.effectiveSampleSize),
-                            cell.filled ? ",\"filled\":true" : "");
+                            cell.filled ? ",\"filled\":true" : "",
+                            cell.corrected ? ",\"corrected\":true" : "");
 }
 
 } // namespace

@@ -146,6 +146,12 @@ Files npz(const ExportTable& table, const std::string& /*name*/) {
   if (table.best) {
     entries.push_back({"best.npy", cellArray<double>(table, "<f8", ", 3", bestOf)});
   }
+  if (table.corrected) {
+    entries.push_back(
+        {"corrected.npy", cellArray<std::uint8_t>(table, "|b1", "", [](const ExportCell& c) {
+           return Flag{c.corrected};
+         })});
+  }
   if (table.header) {
     std::string about;
     for (const auto& [key, value] : table.entries) {

@@ -72,6 +72,7 @@ ExportCell cellOf(const TrajectorySample& sample) {
     }
     cell.effectiveSampleSize = sample.effectiveSampleSize;
     cell.cameras = sample.cameras;
+    cell.corrected = sample.corrected;
   }
   return cell;
 }
@@ -219,6 +220,7 @@ private:
     }
     const ExportCell& nearest = cells_[share < 0.5 ? a : b];
     cell.effectiveSampleSize = nearest.effectiveSampleSize;
+    cell.corrected = nearest.corrected;
     cell.cameras = b == a + 1 ? std::min(cells_[a].cameras, cells_[b].cameras) : 0;
     return cell;
   }
@@ -285,6 +287,7 @@ void turnAndScale(ExportTable& table) {
         cell.best = Eigen::Vector3d(scale * (turn * *cell.best));
         table.best = true;
       }
+      table.corrected = table.corrected || cell.corrected;
     }
   }
 }

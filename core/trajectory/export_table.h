@@ -17,8 +17,9 @@ namespace dewpoint::trajectory {
 
 /// One target in one row: lengths in the unit, and along the axes, of the table.
 struct ExportCell {
-  bool present = false; ///< otherwise nothing else is set
-  bool filled = false;  ///< interpolated over a gap
+  bool present = false;   ///< otherwise nothing else is set
+  bool filled = false;    ///< interpolated over a gap
+  bool corrected = false; ///< the user said in this frame where the target is
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> covariance; ///< nothing: not known
   std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; nothing: not known
@@ -37,6 +38,7 @@ struct ExportTable {
   std::size_t recordedRows = 0;               ///< with those that were dropped
   bool covariance = false;                    ///< some cell has one
   bool best = false;                          ///< some cell has one
+  bool corrected = false;                     ///< some cell is
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool header = true;

@@ -143,6 +143,11 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
     text += nodeArray(drawing, "Float64", "best", 3,
                       [&](const Node& node) { return vectorTuple(cellAt(node).best); });
   }
+  if (table.corrected) {
+    text += nodeArray(drawing, "UInt8", "corrected", 1, [&](const Node& node) {
+      return std::string(cellAt(node).corrected ? "1" : "0");
+    });
+  }
   return text + "</PointData>\n";
 }
 

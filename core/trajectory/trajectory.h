@@ -33,6 +33,7 @@ struct TrajectorySample {
   std::optional<PositionMeasurement> seen; ///< nothing: not seen in this frame, or not known
   double existenceProbability = 0.0;       ///< probability that the target is there; not in files
   std::optional<Eigen::Vector3d> best;     ///< particle of highest weight (MAP); nothing: not known
+  bool corrected = false;                  ///< the user said in this frame where the target is
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.
@@ -46,8 +47,9 @@ struct TrajectoryCamera {
 struct TrajectoryHeader {
   std::vector<std::pair<std::string, std::string>> entries; ///< method, seed, parameters, version
   std::vector<TrajectoryCamera> cameras;
-  bool hasSeen = false; ///< the file has columns for `seen`
-  bool hasBest = false; ///< the file has columns for `best`
+  bool hasSeen = false;      ///< the file has columns for `seen`
+  bool hasBest = false;      ///< the file has columns for `best`
+  bool hasCorrected = false; ///< the file has a column for `corrected`
 };
 
 struct Trajectory {

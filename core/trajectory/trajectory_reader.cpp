@@ -152,6 +152,7 @@ private:
     columns_ = std::move(cells);
     trajectory_.header.hasSeen = column("seen_x_m").has_value();
     trajectory_.header.hasBest = column("best_x_m").has_value();
+    trajectory_.header.hasCorrected = column("corrected").has_value();
     for (const char* name : {"x_m", "y_m", "z_m"})
       if (!column(name))
         return missing(name, "this column is needed");
@@ -165,6 +166,7 @@ private:
     sample.time = std::numeric_limits<double>::quiet_NaN();
     sample.frame = kNoFrame;
     int valid = 1;
+    int corrected = 0;
     Status status;
     const auto number = [&](const char* name, auto& value) {
       const auto index = column(name);
@@ -198,6 +200,7 @@ private:
     number("ess", sample.effectiveSampleSize);
     number("cameras", sample.cameras);
     number("valid", valid);
+    number("corrected", corrected);
     if (const auto index = column("seen_x_m"); index && !cells[*index].empty()) {
       PositionMeasurement& seen = sample.seen.emplace();
       readPosition("seen_", seen.position, seen.covariance);
@@ -211,6 +214,7 @@ private:
     if (!status)
       return status;
     sample.valid = valid != 0;
+    sample.corrected = corrected != 0;
     if (const auto index = column("target"))
       sample.target = cells[*index];
     trajectory_.samples.push_back(std::move(sample));

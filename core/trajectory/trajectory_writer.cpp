@@ -19,6 +19,7 @@ constexpr std::string_view kSeenColumns =
     ",seen_x_m,seen_y_m,seen_z_m,seen_cov_xx_m2,seen_cov_xy_m2,seen_cov_xz_m2,seen_cov_yy_m2,"
     "seen_cov_yz_m2,seen_cov_zz_m2";
 constexpr std::string_view kBestColumns = ",best_x_m,best_y_m,best_z_m";
+constexpr std::string_view kCorrectedColumn = ",corrected";
 
 std::string headerText(const TrajectoryHeader& header) {
   std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
@@ -32,6 +33,7 @@ std::string headerText(const TrajectoryHeader& header) {
   }
   text.append(kColumns).append(header.hasSeen ? kSeenColumns : "");
   text.append(header.hasBest ? kBestColumns : "");
+  text.append(header.hasCorrected ? kCorrectedColumn : "");
   return text + '\n';
 }
 
@@ -40,19 +42,22 @@ std::string numbersText(const Eigen::Vector3d& p, const Eigen::Matrix3d& c) {
                      c(1, 1), c(1, 2), c(2, 2));
 }
 
-std::string rowText(const TrajectorySample& sample, bool hasSeen, bool hasBest) {
+std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& header) {
   std::string text =
       fmt::format("{},{},{},{},{},{},{}", sample.time, sample.frame, csvCell(sample.target),
                   numbersText(sample.position, sample.covariance), sample.effectiveSampleSize,
                   sample.cameras, sample.valid ? 1 : 0);
-  if (hasSeen) {
+  if (header.hasSeen) {
     text += sample.seen ? ',' + numbersText(sample.seen->position, sample.seen->covariance)
                         : std::string(9, ',');
   }
-  if (hasBest) {
+  if (header.hasBest) {
     text += sample.best
                 ? fmt::format(",{},{},{}", sample.best->x(), sample.best->y(), sample.best->z())
                 : std::string(3, ',');
+  }
+  if (header.hasCorrected) {
+    text += sample.corrected ? ",1" : ",0";
   }
   return text + '\n';
 }
@@ -68,11 +73,11 @@ Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& p
   if (const Status written = file->append(headerText(header)); !written) {
     return tl::make_unexpected(written.error());
   }
-  return TrajectoryWriter(std::move(*file), header.hasSeen, header.hasBest);
+  return TrajectoryWriter(std::move(*file), header);
 }
 
 Status TrajectoryWriter::write(const TrajectorySample& sample) {
-  return file_.append(rowText(sample, hasSeen_, hasBest_));
+  return file_.append(rowText(sample, header_));
 }
 
 Status TrajectoryWriter::finish() {
@@ -82,7 +87,7 @@ Status TrajectoryWriter::finish() {
 Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path) {
   std::string text = headerText(trajectory.header);
   for (const auto& sample : trajectory.samples) {
-    text += rowText(sample, trajectory.header.hasSeen, trajectory.header.hasBest);
+    text += rowText(sample, trajectory.header);
   }
   return writeTextFile(path, text);
 }

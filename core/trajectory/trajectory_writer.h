@@ -23,12 +23,11 @@ public:
   Status finish();
 
 private:
-  TrajectoryWriter(GrowingFile file, bool hasSeen, bool hasBest)
-      : file_(std::move(file)), hasSeen_(hasSeen), hasBest_(hasBest) {}
+  TrajectoryWriter(GrowingFile file, TrajectoryHeader header)
+      : file_(std::move(file)), header_(std::move(header)) {}
 
   GrowingFile file_;
-  bool hasSeen_;
-  bool hasBest_;
+  TrajectoryHeader header_;
 };
 
 /// Writes a whole trajectory at once; a file of that name is replaced, or stays as it was.

@@ -55,6 +55,31 @@ TEST(ExportText, TheParticleOfHighestWeightGoesAlong) {
   EXPECT_EQ(exported(exampleWithBest(), smooth, "a.csv").find("best_x"), std::string::npos);
 }
 
+TEST(ExportText, WhatWasCorrectedIsMarked) {
+  Trajectory trajectory = exportExample();
+  trajectory.samples[2].corrected = true; // the ball at frame 1
+  trajectory.samples[4].corrected = true; // at frame 2, which is a gap
+  ExportOptions options = exportAs("csv");
+  options.targets = {"ball"};
+  const std::string csv = exported(trajectory, options, "a.csv");
+  EXPECT_NE(csv.find(",valid,filled,corrected\n"), std::string::npos);
+  EXPECT_NE(csv.find("0.1,1,ball,0.1,0.25,2,0.001,0.002,0.003,1e-06,5e-07,0,4e-06,0,9e-06,2,120,1,"
+                     "0,1\n"),
+            std::string::npos);
+  EXPECT_NE(csv.find(",2,120,1,0,0\n"), std::string::npos);
+  EXPECT_NE(csv.find(",,0,0,0\n"), std::string::npos);
+  const std::string lines = exported(trajectory, exportAs("jsonl"), "a.jsonl");
+  EXPECT_NE(lines.find(",\"corrected\":true}"), std::string::npos);
+  EXPECT_EQ(lines.find("corrected", lines.find("corrected") + 1), std::string::npos); // no other
+  EXPECT_NE(exported(trajectory, exportAs("vtp"), "a.vtp").find("Name=\"corrected\""),
+            std::string::npos);
+  EXPECT_NE(exported(trajectory, exportAs("npz"), "a.npz").find("corrected.npy"),
+            std::string::npos);
+  EXPECT_EQ(exported(exportExample(), options, "a.csv").find("corrected"), std::string::npos);
+  options.smooth = true; // the marks stay
+  EXPECT_NE(exported(trajectory, options, "a.csv").find(",corrected\n"), std::string::npos);
+}
+
 TEST(ExportText, TidyCsvIsReadByOurOwnReader) {
   const ExportFolder folder;
   ExportOptions options = exportAs("csv");
