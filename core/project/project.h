@@ -92,18 +92,12 @@ struct Project {
   ParameterValues parameters;
   std::vector<Target> targets;
   std::vector<ProjectCamera> cameras;
-  std::optional<std::filesystem::path> truth; ///< truth.csv, absolute
-  std::string scene;                          ///< name or file of the simulated scene, or empty
-  std::vector<ProjectMark> marks;             ///< in the order of their frames
-  std::optional<ReferenceGrid> grid;          ///< laid over the images to adjust cameras by hand
-  std::vector<MeasuredPoint> points;          ///< measured with a tape, clicked in the images
-  std::optional<WorldBox> volumeOfInterest;   ///< targets are searched for in it alone
-  std::vector<PersonCorrection> people;       ///< in the order of their frames
   std::optional<std::filesystem::path> truth;  ///< truth.csv, absolute
   std::string scene;                           ///< name or file of the simulated scene, or empty
   std::vector<ProjectMark> marks;              ///< in the order of their frames
   std::optional<ReferenceGrid> grid;           ///< laid over the images to adjust cameras by hand
   std::vector<MeasuredPoint> points;           ///< measured with a tape, clicked in the images
+  std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for in it alone
   std::vector<PersonCorrection> people;        ///< in the order of their frames
   std::vector<PositionCorrection> corrections; ///< in the order of their frames
   std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement

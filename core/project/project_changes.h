@@ -15,17 +15,8 @@ struct ProjectChanges {
   bool boxes = false;       ///< of them, those that are followed by methods that follow boxes
   bool calibration = false; ///< of cameras that are otherwise the same
   bool marks = false;
-  bool grid = false;       ///< the reference grid
-  bool volume = false;     ///< the volume of interest
-  bool points = false;     ///< measured points and their clicks
-  bool people = false;     ///< corrections of who is there
-  bool emptyRooms = false; ///< of cameras with the same sources
-  bool sources = false;    ///< which cameras there are, and where images and truth come from
-
-  bool any() const {
-    return name || method || seed || parameters || targets || calibration || sources || marks ||
-           grid || points || people || emptyRooms || volume;
   bool grid = false;        ///< the reference grid
+  bool volume = false;      ///< the volume of interest
   bool points = false;      ///< measured points and their clicks
   bool people = false;      ///< corrections of who is there
   bool corrections = false; ///< of where targets are
@@ -34,7 +25,7 @@ struct ProjectChanges {
 
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || marks ||
-           grid || points || people || corrections || emptyRooms;
+           grid || points || people || corrections || emptyRooms || volume;
   }
 };
 

@@ -100,6 +100,11 @@ struct ShowBoard {
 struct SetPeople {
   std::vector<PersonCorrection> people; ///< in the order of their frames
 };
+/// The corrections of positions, instead of all before; methods that cannot apply them go on
+/// without. The run is tracked again from the first frame for which it is otherwise.
+struct SetCorrections {
+  std::vector<PositionCorrection> corrections; ///< in the order of their frames
+};
 } // namespace command
 
 using Command =
@@ -108,6 +113,6 @@ using Command =
                  command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
                  command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
                  command::ShowShapes, command::ShowBoard, command::SetPeople, command::SetThreads,
-                 command::SetVolumeOfInterest>;
+                 command::SetVolumeOfInterest, command::SetCorrections>;
 
 } // namespace dewpoint::session

@@ -47,7 +47,7 @@ bool RememberedRun::change(RunDefinition wanted) {
   return true;
 }
 
-void RememberedRun::change(const PeopleChange& said) {
+void RememberedRun::change(const RunChange& said) {
   run_->apply(said);
   travel_->changed(*run_, said);
 }

@@ -45,8 +45,8 @@ public:
   /// Another definition, from the next iteration on; what is believed stays as far as it can. False
   /// if the run does not take it: it needs a run of its own.
   bool change(RunDefinition wanted);
-  /// What a person was said to do in the frame the run stands at.
-  void change(const PeopleChange& said);
+  /// A correction in the frame the run stands at, of its people or of a position.
+  void change(const RunChange& said);
   /// After going back: what has changed since then holds from the frame begun now.
   void catchUp();
   void setThreads(int threads);

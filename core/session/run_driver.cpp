@@ -3,6 +3,7 @@
 
 #include "core/base/thread_count.h"
 #include "core/session/box_counterparts.h"
+#include "core/session/correction_changes.h"
 #include "core/session/people/person_correction.h"
 #include "core/tracking/catalog/method_catalog.h"
 
@@ -307,24 +308,47 @@ void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
   change(std::move(wanted));
 }
 
-void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
-  const auto from = firstDifference(definition().people, people);
-  const auto added = additions(definition().people, people);
-  RunDefinition wanted = definition();
-  wanted.people = people;
-  change(std::move(wanted));
-  if (!from || *from > head() || run().capability<PersonPlacing>() == nullptr) {
-    return;
+template <class Correction>
+std::vector<Correction> RunDriver::takeCorrections(std::vector<Correction> RunDefinition::*member,
+                                                   const std::vector<Correction>& wanted,
+                                                   bool canApply) {
+  const auto from = firstDifference(definition().*member, wanted);
+  auto added = additions(definition().*member, wanted);
+  RunDefinition other = definition();
+  other.*member = wanted;
+  change(std::move(other));
+  if (!from || *from > head() || !canApply) {
+    return {};
   }
   if (*from < head() || !added || playback_.head() != Playback::Head::Recorded) {
     rerun(*from, true);
-    return;
+    return {};
   }
-  for (const PersonCorrection& correction : *added) { // the head needs no tracking again
-    kept_.change(correction.frame == head() ? run().changeBy(correction) : PeopleChange{});
+  std::erase_if(*added, [this](const Correction& one) { return one.frame != head(); });
+  return std::move(*added);
+}
+
+void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
+  const auto ofHead =
+      takeCorrections(&RunDefinition::people, people, run().capability<PersonPlacing>() != nullptr);
+  for (const PersonCorrection& correction : ofHead) { // the head needs no tracking again
+    kept_.change(run().changeBy(correction));
   }
-  std::ranges::move(run().takeRefusals(), std::back_inserter(errors_));
-  record();
+  if (!ofHead.empty()) {
+    std::ranges::move(run().takeRefusals(), std::back_inserter(errors_));
+    record();
+  }
+}
+
+void RunDriver::setCorrections(const std::vector<PositionCorrection>& corrections) {
+  const auto ofHead = takeCorrections(&RunDefinition::corrections, corrections,
+                                      run().capability<PositionCorrecting>() != nullptr);
+  for (const PositionCorrection& correction : ofHead) {
+    kept_.change(correction);
+  }
+  if (!ofHead.empty()) {
+    record();
+  }
 }
 
 void RunDriver::setThreads(int wanted) {

@@ -67,6 +67,7 @@ public:
   /// While a board is shown to live cameras none of them is taken for moved.
   void setBoardShown(bool shown) { motionWatch_.setResting(shown); }
   void setPeople(const std::vector<PersonCorrection>& people);
+  void setCorrections(const std::vector<PositionCorrection>& corrections);
   /// As SessionInputs::threads, from the next iteration on.
   void setThreads(int wanted);
 
@@ -104,6 +105,12 @@ private:
   /// Where tracking by another method begins so that it can be tracked at `from`.
   std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
   void changeBoxes(RunDefinition wanted);
+  /// Goes by other corrections, which the method can apply if `canApply`. Tracks again from the
+  /// first frame for which they are otherwise; but when they are only added and begin at the head,
+  /// returns those of the head, to be applied to it.
+  template <class Correction>
+  std::vector<Correction> takeCorrections(std::vector<Correction> RunDefinition::*member,
+                                          const std::vector<Correction>& wanted, bool canApply);
   void note(const Error& error) { errors_.push_back(error); }
   void showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
 

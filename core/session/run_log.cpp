@@ -70,6 +70,7 @@ void RunLog::setThreads(int threads) {
 void RunLog::change(const Project& project) {
   const std::lock_guard lock(mutex_);
   project_ = project;
+  trajectory_.header.hasCorrected = trajectoryHeader(project).hasCorrected;
 }
 
 void RunLog::countIteration(double seconds) {

@@ -28,7 +28,7 @@ public:
   /// Forgets the run; what follows belongs to this project, as it is now, and is filtered by so
   /// many threads.
   void restart(const Project& project, int threads = 1);
-  /// The project has other parameters from now on.
+  /// The project has other parameters, or corrections, from now on.
   void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
   /// Samples of one frame; they replace those of the same frame, if it was the last one.

@@ -124,6 +124,9 @@ public:
   void setFilterThreads(int threads) { send(command::SetThreads{threads}); }
   void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }
   void setPeople(const std::vector<PersonCorrection>& people) { send(command::SetPeople{people}); }
+  void setCorrections(const std::vector<PositionCorrection>& corrections) {
+    send(command::SetCorrections{corrections});
+  }
   /// Gives every frame set that is taken from now on to `tap` too, in the tracking thread; an empty
   /// one ends it. Cameras that a person calibrates are seen so while they are tracked.
   void setFrameTap(FrameTap tap);

@@ -148,6 +148,11 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetVolumeOfInterest& w
   return Publish::Now;
 }
 
+TrackingLoop::Publish TrackingLoop::handle(const command::SetCorrections& wish) {
+  driver_.setCorrections(wish.corrections);
+  return Publish::Now;
+}
+
 TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& wish) {
   driver_.setThreads(wish.threads);
   return Publish::Now;

@@ -48,6 +48,7 @@ private:
   Publish handle(const command::SetEmptyRooms& wish);
   Publish handle(const command::SetPeople& wish);
   Publish handle(const command::SetVolumeOfInterest& wish);
+  Publish handle(const command::SetCorrections& wish);
   Publish handle(const command::SetThreads& wish);
   Publish handle(const command::ShowMasks& wish);
   Publish handle(const command::ShowMaps& wish);

@@ -148,6 +148,7 @@ private Q_SLOTS:
   void aDragIsOneStepAndItsEndSeparates();
   void aRefusedEditChangesNothing();
   void whatComesFromTheCamerasFollowsThemUntilItIsChanged();
+  void correctionsAreStepsAndGoWithTheirTarget();
   void killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost();
   void whatIsSavedOrGivenUpLeavesNothingBehind();
 };
@@ -250,6 +251,44 @@ void DocumentTest::whatComesFromTheCamerasFollowsThemUntilItIsChanged() {
   QVERIFY(std::abs(used("start_z") - 1.5) < 0.02);
   document.undoStack()->undo();
   QCOMPARE(used("start_z"), depth);
+}
+
+void DocumentTest::correctionsAreStepsAndGoWithTheirTarget() {
+  Document document;
+  Project project = someProject();
+  project.targets.push_back({"cap", 0.0, {10.0, 40.0, 0.2, 0.9, 0.1, 0.9}});
+  document.replace(project);
+  QSignalSpy told(&document, &Document::correctionsChanged);
+  PositionCorrection correction;
+  correction.frame = 12;
+  correction.target = 1;
+  correction.covariance *= 1e-4;
+  correction.clicks = {{0, {320.0, 200.0}}};
+  const auto correct = [&] {
+    return document.edit(QStringLiteral("Correct position"),
+                         [&](Project& edited) { addCorrection(edited, correction); });
+  };
+  QVERIFY(correct());
+  QCOMPARE(told.count(), 1);
+  correction.position.x() = 0.5;
+  QVERIFY(correct());
+  QCOMPARE(document.project().corrections, std::vector{correction}); // in place of the first
+  correction.target = 2;
+  QVERIFY(!correct()); // there is no such target
+  QCOMPARE(document.undoStack()->count(), 2);
+  document.undoStack()->undo();
+  QCOMPARE(document.project().corrections.at(0).position.x(), 0.0);
+  document.undoStack()->undo();
+  QVERIFY(document.project().corrections.empty());
+  document.undoStack()->redo();
+  document.undoStack()->redo();
+  QCOMPARE(told.count(), 6);
+  QCOMPARE(document.project().corrections.at(0).position.x(), 0.5);
+  QVERIFY(document.edit(QStringLiteral("Remove target"),
+                        [](Project& edited) { removeTarget(edited, 0); }));
+  QCOMPARE(document.project().corrections.at(0).target, 0); // the cap's number now
+  document.undoStack()->undo();
+  QCOMPARE(document.project().corrections.at(0).target, 1);
 }
 
 /// The seed in the only copy of a folder; 0 if there is none that can be read.

@@ -111,6 +111,9 @@ void Document::announce(const ProjectChanges& changes) {
   if (changes.people) {
     Q_EMIT peopleChanged();
   }
+  if (changes.corrections) {
+    Q_EMIT correctionsChanged();
+  }
   if (changes.sources) {
     Q_EMIT sourcesChanged();
   }

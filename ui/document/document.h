@@ -75,6 +75,7 @@ Q_SIGNALS:
   void emptyRoomsChanged();
   void volumeChanged();
   void peopleChanged();
+  void correctionsChanged();
   void sourcesChanged();
   void fileChanged();
 

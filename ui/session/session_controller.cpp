@@ -76,6 +76,11 @@ void SessionController::connectDocument() {
       bridge_->session().setPeople(document_.project().people);
     }
   });
+  connect(&document_, &Document::correctionsChanged, this, [this] {
+    if (bridge_ != nullptr) {
+      bridge_->session().setCorrections(document_.project().corrections);
+    }
+  });
   // Queued: what is being edited may be a view that goes with it.
   connect(&document_, &Document::calibrationChanged, this, &SessionController::applyCalibration,
           Qt::QueuedConnection);

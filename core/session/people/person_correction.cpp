@@ -53,20 +53,4 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
   return change;
 }
 
-std::optional<std::int64_t> firstDifference(const std::vector<PersonCorrection>& before,
-                                            const std::vector<PersonCorrection>& after) {
-  const auto [a, b] = std::ranges::mismatch(before, after);
-  if (a == before.end() && b == after.end()) {
-    return std::nullopt;
-  }
-  return a == before.end() ? b->frame : b == after.end() ? a->frame : std::min(a->frame, b->frame);
-}
-
-std::optional<std::vector<PersonCorrection>> additions(const std::vector<PersonCorrection>& before,
-                                                       const std::vector<PersonCorrection>& after) {
-  const auto [a, b] = std::ranges::mismatch(before, after);
-  return a == before.end() ? std::optional(std::vector<PersonCorrection>(b, after.end()))
-                           : std::nullopt;
-}
-
 } // namespace dewpoint::session

@@ -24,11 +24,4 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
                           const CameraRig& rig, const ParameterValues& parameters,
                           std::vector<Error>& refusals);
 
-/// The first frame for which other corrections hold; nothing when they are the same.
-std::optional<std::int64_t> firstDifference(const std::vector<PersonCorrection>& before,
-                                            const std::vector<PersonCorrection>& after);
-/// What `after` adds to `before`, with which it begins; nothing when it does not.
-std::optional<std::vector<PersonCorrection>> additions(const std::vector<PersonCorrection>& before,
-                                                       const std::vector<PersonCorrection>& after);
-
 } // namespace dewpoint::session

@@ -45,6 +45,7 @@ RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> emp
   }
   definition.people = project.people;
   definition.volumeOfInterest = project.volumeOfInterest;
+  definition.corrections = project.corrections;
   definition.seed = project.seed;
   definition.useCameras();
   return definition;
@@ -56,6 +57,7 @@ Project RunDefinition::appliedTo(Project project) const {
   project.targets = targets;
   project.people = people;
   project.volumeOfInterest = volumeOfInterest;
+  project.corrections = corrections;
   project.seed = seed;
   for (std::size_t k = 0; k < std::min(project.cameras.size(), rig->size()); ++k) {
     project.cameras[k].camera = (*rig)[k];
@@ -72,7 +74,8 @@ bool RunDefinition::operator==(const RunDefinition& other) const {
   return method == other.method && parameters == other.parameters && targets == other.targets &&
          (rig == other.rig || *rig == *other.rig) && areSameRooms(emptyRooms, other.emptyRooms) &&
          emptyRoomFiles == other.emptyRoomFiles && people == other.people &&
-         volumeOfInterest == other.volumeOfInterest && seed == other.seed;
+         volumeOfInterest == other.volumeOfInterest && corrections == other.corrections &&
+         seed == other.seed;
 }
 
 std::string differences(const RunDefinition& before, const RunDefinition& after) {

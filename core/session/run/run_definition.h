@@ -21,13 +21,14 @@ namespace dewpoint::session {
 /// that the tracking thread, its history and its snapshots can share it. A change is another value.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters;               ///< those in use, see useCameras()
-  std::vector<Target> targets;              ///< the project's; methods for people find others
-  std::shared_ptr<const CameraRig> rig;     ///< never null; in the order of the project
-  std::vector<cv::Mat> emptyRooms;          ///< per camera, as of loadEmptyRooms(); may be empty
-  std::vector<std::string> emptyRoomFiles;  ///< per camera, as the project names them
-  std::vector<PersonCorrection> people;     ///< by frame; methods for people make them come true
-  std::optional<WorldBox> volumeOfInterest; ///< targets are searched for in it alone
+  ParameterValues parameters;                  ///< those in use, see useCameras()
+  std::vector<Target> targets;                 ///< the project's; methods for people find others
+  std::shared_ptr<const CameraRig> rig;        ///< never null; in the order of the project
+  std::vector<cv::Mat> emptyRooms;             ///< per camera, as of loadEmptyRooms(); may be empty
+  std::vector<std::string> emptyRoomFiles;     ///< per camera, as the project names them
+  std::vector<PersonCorrection> people;        ///< by frame; methods for people make them come true
+  std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for in it alone
+  std::vector<PositionCorrection> corrections; ///< by frame; methods apply them that can
   std::uint64_t seed = 1;
 
   /// What a project says; `emptyRooms` as of loadEmptyRooms(), or none.
@@ -52,7 +53,7 @@ std::string volumeText(const WorldBox& volume);
 bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
 
 /// What is otherwise in `after` than in `before`, in words for the header of a trajectory; empty
-/// when nothing is.
+/// when nothing is. Corrections of positions are not told: rows of a trajectory are marked by them.
 std::string differences(const RunDefinition& before, const RunDefinition& after);
 
 } // namespace dewpoint::session

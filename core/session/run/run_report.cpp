@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/run_report.h"
 
+#include "core/project/project_rig.h"
+
 #include <nlohmann/json.hpp>
 
 namespace dewpoint::session {
@@ -8,6 +10,33 @@ namespace {
 
 constexpr double kMicroseconds = 1e6; ///< in a second
 constexpr double kMilliseconds = 1e3;
+
+/// Nothing where the target or camera has just been removed.
+template <class Named>
+std::string nameAt(const std::vector<Named>& all, int index, std::string Named::*name) {
+  const auto k = static_cast<std::size_t>(index);
+  return k < all.size() ? all[k].*name : std::string();
+}
+
+/// A correction of a position; `sigma` are the standard deviations along the axes.
+nlohmann::ordered_json correctionJson(const PositionCorrection& correction,
+                                      const Project& project) {
+  const Eigen::Vector3d& p = correction.position;
+  const Eigen::Vector3d s = correction.covariance.diagonal().cwiseSqrt();
+  const CameraRig rig = rigOf(project);
+  nlohmann::ordered_json json;
+  json["target"] = nameAt(project.targets, correction.target, &Target::name);
+  json["frame"] = correction.frame;
+  json["position"] = {p.x(), p.y(), p.z()};
+  json["sigma"] = {s.x(), s.y(), s.z()};
+  json["clicks"] = nlohmann::ordered_json::array();
+  for (const PointClick& click : correction.clicks) {
+    nlohmann::ordered_json& one = json["clicks"].emplace_back();
+    one["camera"] = nameAt(rig, click.camera, &Camera::name);
+    one["pixel"] = {click.pixel.x(), click.pixel.y()};
+  }
+  return json;
+}
 
 } // namespace
 
@@ -38,6 +67,9 @@ std::string runReport(const Project& project, const RunFigures& figures) {
     const auto& [min, max] = *project.volumeOfInterest;
     json["volume_of_interest"] = {{"min", {min.x(), min.y(), min.z()}},
                                   {"max", {max.x(), max.y(), max.z()}}};
+  }
+  for (const PositionCorrection& correction : project.corrections) {
+    json["corrections"].push_back(correctionJson(correction, project));
   }
   json["notices"] = figures.notices;
   return json.dump(2) + "\n";

@@ -22,7 +22,7 @@ struct RunFigures {
   std::vector<std::string> notices;
 };
 
-/// The text of run.json: figures, method, seed and parameters of a run.
+/// The text of run.json: figures, method, seed, parameters and corrections of a run.
 std::string runReport(const Project& project, const RunFigures& figures);
 
 } // namespace dewpoint::session

@@ -67,6 +67,7 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   const Method* const method = findMethod(project.method);
   header.hasSeen = method != nullptr && method->writesMeasurements;
   header.hasBest = method != nullptr && method->family.tables == RunTables::Trajectory;
+  header.hasCorrected = header.hasBest && !project.corrections.empty();
   return header;
 }
 
@@ -161,7 +162,8 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
 
 void TrackingRun::apply(const RunChange& change) {
   std::visit(Overloaded{[this](const DefinitionChange& other) { apply(other.after); },
-                        [this](const PeopleChange& people) { place(people); }},
+                        [this](const PeopleChange& people) { place(people); },
+                        [this](const PositionCorrection& position) { correct(position); }},
              change);
 }
 
@@ -220,6 +222,7 @@ double TrackingRun::iterate() {
   ++iterations_;
   if (++frameIterations_ == iterationsPerFrame()) {
     correctPeople();
+    correctPositions();
   }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
   return took.count() / static_cast<double>(std::max<std::size_t>(1, trackedCount()));
@@ -240,6 +243,30 @@ PeopleChange TrackingRun::changeBy(const PersonCorrection& correction) {
              : PeopleChange{};
 }
 
+void TrackingRun::correct(const PositionCorrection& correction) {
+  auto* const correcting = tracking::capability<PositionCorrecting>(*tracker_);
+  const auto target = static_cast<std::size_t>(correction.target);
+  if (correcting != nullptr && target < tracker_->trackCount()) {
+    correcting->correctPosition(target, {correction.position, correction.covariance}, *team_);
+  }
+}
+
+void TrackingRun::correctPositions() {
+  for (const PositionCorrection& correction : definition_->corrections) {
+    if (frames_ && correction.frame == frames_->index) {
+      correct(correction);
+    }
+  }
+}
+
+bool TrackingRun::isCorrected(std::size_t target) const {
+  return capability<PositionCorrecting>() != nullptr &&
+         std::ranges::any_of(definition_->corrections, [&](const PositionCorrection& correction) {
+           return correction.frame == frames_->index &&
+                  static_cast<std::size_t>(correction.target) == target;
+         });
+}
+
 std::size_t TrackingRun::trackedCount() const {
   const auto* const finding = capability<PeopleFinding>();
   return finding != nullptr ? finding->people().size() : targets().size();
@@ -252,6 +279,7 @@ std::vector<TrajectorySample> TrackingRun::samples() const {
     std::visit(Overloaded{[&](const SphereEstimate& sphere) {
                             samples.push_back(
                                 sampleOf(sphere, targets()[k].name, frames_->index, time));
+                            samples.back().corrected = isCorrected(k);
                           },
                           [&](const PersonEstimate& person) {
                             samples.push_back(sampleOf(person, frames_->index, time));

@@ -35,7 +35,7 @@ struct DefinitionChange {
 };
 
 /// A change for a run under way.
-using RunChange = std::variant<DefinitionChange, PeopleChange>;
+using RunChange = std::variant<DefinitionChange, PeopleChange, PositionCorrection>;
 
 /// The tracker of all targets fed with frame sets: what the window's tracking thread and
 /// the command line both drive. Not thread safe.
@@ -85,7 +85,7 @@ public:
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
   /// One filter iteration for every target; microseconds it took, averaged over the targets. With
-  /// the last one of a frame, what was said of people in it comes true.
+  /// the last one of a frame, the corrections of this frame come true.
   double iterate();
 
   /// What a correction means in the current frame; nothing unless the method finds people.
@@ -127,6 +127,11 @@ private:
   TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
   void place(const PeopleChange& people);
   void correctPeople();
+  /// Nothing unless the method can, and has this target.
+  void correct(const PositionCorrection& correction);
+  void correctPositions();
+  /// Whether the position of a target was corrected in the current frame.
+  bool isCorrected(std::size_t target) const;
 
   RunDefinitionPtr definition_;
   std::unique_ptr<Tracker> tracker_;

@@ -84,6 +84,7 @@ TEST(RunDefinition, IsComparedAsAWhole) {
       [](RunDefinition& other) {
         other.volumeOfInterest = WorldBox{{0, 0, 0}, {1, 1, 1}};
       },
+      [](RunDefinition& other) { other.corrections.emplace_back(); },
       [](RunDefinition& other) { ++other.seed; }};
   for (std::size_t k = 0; k < changes.size(); ++k) {
     RunDefinition other = one;
@@ -99,6 +100,7 @@ TEST(RunDefinition, GoesIntoAProjectAndBack) {
   other.targets[0].name = "another ball";
   other.emptyRoomFiles[1] = "/rooms/two.png";
   other.volumeOfInterest = WorldBox{{0, 0, 0}, {1, 1, 1}};
+  other.corrections.emplace_back().frame = 12;
   const Project changed = other.appliedTo(project);
   EXPECT_EQ(changed.name, project.name);
   EXPECT_EQ(changed.cameras[1].emptyRoom, "/rooms/two.png");
