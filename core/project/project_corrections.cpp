@@ -66,7 +66,7 @@ Status checkCorrection(const PositionCorrection& correction, const std::string& 
   if (correction.target < 0 || correction.target >= static_cast<int>(project.targets.size())) {
     return wrong(".target", fmt::format("there is no target {}", correction.target + 1));
   }
-  if (!(correction.position.cwiseAbs().maxCoeff() <= kMostMeters)) {
+  if (!correction.position.allFinite() || correction.position.cwiseAbs().maxCoeff() > kMostMeters) {
     return wrong(".position", fmt::format("numbers up to {} m are expected", kMostMeters));
   }
   if (!isCovariance(correction.covariance)) {
