@@ -35,3 +35,29 @@ holds() {
 holds within/trajectory.csv || fail "the ball within the volume was not found"
 expectExit 0 track demo --out beside --frames 0:20 --volume -0.9,-0.9,-0.2,-0.2,-0.2,0.6
 ! holds beside/trajectory.csv || fail "something outside the volume was found"
+# A project may say where the target is at a frame.
+cat >corrected.toml <<'END'
+format = 2
+method = "barrera"
+scene = "demo"
+[[target]]
+name = "ball"
+hue = [300, 335]
+[[correction]]
+frame = 3
+target = 1
+position = [0.5, 0.25, 0.125]
+covariance = [1e-4, 0, 0, 1e-4, 0, 1e-4]
+[[correction.click]]
+camera = 2
+pixel = [10, 20]
+END
+expectExit 0 track corrected.toml --out corrected --frames 0:6
+expectText corrected/trajectory.csv ',best_z_m,corrected' ',3,ball,0.5,0.25,0.125,'
+[[ $(grep -c ',1$' corrected/trajectory.csv) == 1 ]] || fail "not one row is marked"
+expectText corrected/run.json '"corrections"' '"frame": 3' '"clicks"'
+expectExit 0 export corrected --format jsonl --out corrected.jsonl
+expectText corrected.jsonl '"corrected":true'
+sed -i 's/target = 1/target = 2/' corrected.toml
+expectExit $kBadInput track corrected.toml --out corrected --frames 0:6
+expectSentence corrected.toml 'correction 1.target'
