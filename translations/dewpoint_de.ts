@@ -575,8 +575,8 @@
 <context>
     <name>BoardWords</name>
     <message>
-        <source>%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px</source>
-        <translation>%1: rms %2 px, Brennweite %3 px, %4 Bilder; auf %5 px bekannt</translation>
+        <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
+        <translation>%1: rms %2, Brennweite %3, %4 Bilder; auf %5 bekannt</translation>
     </message>
     <message>
         <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
@@ -587,12 +587,12 @@
         <translation>%1 behält seinen Platz: die Tafel war dort nie zu sehen.</translation>
     </message>
     <message>
-        <source>%1: rms %2 px</source>
-        <translation>%1: rms %2 px</translation>
+        <source>%1: rms %2</source>
+        <translation>%1: rms %2</translation>
     </message>
     <message>
-        <source>, place ±%1 mm, direction ±%2°</source>
-        <translation>, Ort ±%1 mm, Richtung ±%2°</translation>
+        <source>, place ±%1, direction ±%2</source>
+        <translation>, Ort ±%1, Richtung ±%2</translation>
     </message>
     <message>
         <source>Lenses</source>
@@ -603,8 +603,8 @@
         <translation>%1 behält sein Objektiv: %2</translation>
     </message>
     <message>
-        <source>Places: rms %1 px over %2 positions of the board</source>
-        <translation>Standorte: rms %1 px über %2 Lagen der Tafel</translation>
+        <source>Places: rms %1 over %2 positions of the board</source>
+        <translation>Standorte: rms %1 über %2 Lagen der Tafel</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -707,20 +707,20 @@
         <translation>keine Tafel zu sehen</translation>
     </message>
     <message>
-        <source>⚠ soft, edges of %1 px</source>
-        <translation>⚠ unscharf, Kanten von %1 px</translation>
+        <source>⚠ soft, edges of %1</source>
+        <translation>⚠ unscharf, Kanten von %1</translation>
     </message>
     <message>
-        <source>sharp, edges of %1 px</source>
-        <translation>scharf, Kanten von %1 px</translation>
+        <source>sharp, edges of %1</source>
+        <translation>scharf, Kanten von %1</translation>
     </message>
     <message>
         <source>%1 of at least %2 views</source>
         <translation>%1 von mindestens %2 Ansichten</translation>
     </message>
     <message>
-        <source>%1 views, known to %2 px (wanted: %3 px)</source>
-        <translation>%1 Ansichten, auf %2 px bekannt (gewünscht: %3 px)</translation>
+        <source>%1 views, known to %2 (wanted: %3)</source>
+        <translation>%1 Ansichten, auf %2 bekannt (gewünscht: %3)</translation>
     </message>
     <message>
         <source>● sees the board</source>
@@ -731,8 +731,8 @@
         <translation>○ sieht die Tafel nicht</translation>
     </message>
     <message>
-        <source>%1 views, place known to %2 mm</source>
-        <translation>%1 Ansichten, Standort auf %2 mm bekannt</translation>
+        <source>%1 views, place known to %2</source>
+        <translation>%1 Ansichten, Standort auf %2 bekannt</translation>
     </message>
     <message>
         <source>%1 views with others</source>
@@ -750,8 +750,8 @@
 <context>
     <name>Bump</name>
     <message>
-        <source>turned by %1°</source>
-        <translation>um %1° verdreht</translation>
+        <source>turned by %1</source>
+        <translation>um %1 verdreht</translation>
     </message>
 </context>
 <context>
@@ -769,8 +769,8 @@
         <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu früh. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
     </message>
     <message>
-        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
-        <translation>%1 passt vor %2 s an einen Ort und danach an einen anderen: sie wurde da wahrscheinlich bewegt oder angestoßen. Kalibrieren Sie mit dem Teil danach.</translation>
+        <source>%1 fits one place before %2 and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 passt vor %2 an einen Ort und danach an einen anderen: sie wurde da wahrscheinlich bewegt oder angestoßen. Kalibrieren Sie mit dem Teil danach.</translation>
     </message>
     <message>
         <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
@@ -797,8 +797,8 @@
         <translation>, Größe unbekannt</translation>
     </message>
     <message>
-        <source>, up ±%1°</source>
-        <translation>, Lot ±%1°</translation>
+        <source>, up ±%1</source>
+        <translation>, Lot ±%1</translation>
     </message>
     <message>
         <source>, up not measured</source>
@@ -829,8 +829,8 @@
         <translation>Die Felder der Tafel sind %1-mal so groß angegeben, wie die Kameras sie sehen: messen Sie eine Reihe mit dem Lineal (Drucke werden oft skaliert).</translation>
     </message>
     <message>
-        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
-        <translation>Die Bilder passen, wenn sie um %1 px in beiden Achsen verschoben werden: ein Programm zählt Pixel wahrscheinlich von ihren Ecken aus. Rechnen Sie die Hauptpunkte um.</translation>
+        <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>Die Bilder passen, wenn sie um %1 in beiden Achsen verschoben werden: ein Programm zählt Pixel wahrscheinlich von ihren Ecken aus. Rechnen Sie die Hauptpunkte um.</translation>
     </message>
 </context>
 <context>
@@ -1802,10 +1802,6 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
 <context>
     <name>PlotQuantity</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
     </message>
@@ -1817,8 +1813,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1827,10 +1839,6 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>%1 µs</source>
         <translation>%1 µs</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
     </message>
 </context>
 <context>
@@ -1864,16 +1872,16 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>bei einem Doppelgänger</translation>
     </message>
     <message>
-        <source>%1 px beside a look-alike</source>
-        <translation>%1 px neben einem Doppelgänger</translation>
+        <source>%1 beside a look-alike</source>
+        <translation>%1 neben einem Doppelgänger</translation>
     </message>
     <message>
         <source>no color matches</source>
         <translation>keine passende Farbe</translation>
     </message>
     <message>
-        <source>its color is %1 px away</source>
-        <translation>seine Farbe ist %1 px entfernt</translation>
+        <source>its color is %1 away</source>
+        <translation>seine Farbe ist %1 entfernt</translation>
     </message>
     <message>
         <source>its color, but not its shape</source>
@@ -1938,16 +1946,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
 <context>
     <name>Timeline</name>
     <message>
-        <source>Frame %1, %2 s</source>
-        <translation>Bild %1, %2 s</translation>
+        <source>Frame %1, %2</source>
+        <translation>Bild %1, %2</translation>
     </message>
     <message>
         <source>not tracked</source>
         <translation>nicht verfolgt</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
     </message>
     <message>
         <source>✕ %1</source>
@@ -1958,8 +1962,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Verlauf %1 von %2 MB</translation>
     </message>
     <message>
-        <source>, the last %1 s</source>
-        <translation>, die letzten %1 s</translation>
+        <source>, the last %1</source>
+        <translation>, die letzten %1</translation>
     </message>
     <message>
         <source>tracking again: frame %1 of %2 to %3</source>
@@ -2884,12 +2888,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zentimeter</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 px (fitted anew)</source>
-        <translation>%1: größter Unterschied der Rückprojektion %2 px (neu angepasst)</translation>
+        <source>%1: largest reprojection difference %2 (fitted anew)</source>
+        <translation>%1: größter Unterschied der Rückprojektion %2 (neu angepasst)</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 px</source>
-        <translation>%1: größter Unterschied der Rückprojektion %2 px</translation>
+        <source>%1: largest reprojection difference %2</source>
+        <translation>%1: größter Unterschied der Rückprojektion %2</translation>
     </message>
     <message>
         <source>%1: %2 of 81 directions have no pixel any more</source>
@@ -3059,12 +3063,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>In der Datei steht keine Lage: nur das Objektiv wird übernommen, die Lage bleibt.</translation>
     </message>
     <message>
-        <source>%1 (in the file: %2): %3 cm and %4° from where it is now</source>
-        <translation>%1 (in der Datei: %2): %3 cm und %4° von da, wo sie jetzt ist</translation>
+        <source>%1 (in the file: %2): %3 and %4 from where it is now</source>
+        <translation>%1 (in der Datei: %2): %3 und %4 von da, wo sie jetzt ist</translation>
     </message>
     <message>
-        <source>Largest reprojection difference to the file: %1 px</source>
-        <translation>Größter Unterschied der Rückprojektion zur Datei: %1 px</translation>
+        <source>Largest reprojection difference to the file: %1</source>
+        <translation>Größter Unterschied der Rückprojektion zur Datei: %1</translation>
     </message>
     <message>
         <source>Import calibration</source>
@@ -3392,9 +3396,9 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6 m</source>
+at %4, %5, %6</source>
         <translation>%1 × %2 Pixel, Brennweite %3 Pixel
-bei %4, %5, %6 m</translation>
+bei %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -3597,8 +3601,8 @@ bei %4, %5, %6 m</translation>
         <translation>Das Ding anklicken oder einen Rahmen darum ziehen</translation>
     </message>
     <message>
-        <source>Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press Box and click the thing for another box.</source>
-        <translation>Verfolgt von seinem Rahmen in %1 an, Bild %2: %3 × %4 px. Dieses Verfahren braucht keine Farbe; für einen anderen Rahmen auf Rahmen drücken und das Ding anklicken.</translation>
+        <source>Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press Box and click the thing for another box.</source>
+        <translation>Verfolgt von seinem Rahmen in %1 an, Bild %2: %3 × %4. Dieses Verfahren braucht keine Farbe; für einen anderen Rahmen auf Rahmen drücken und das Ding anklicken.</translation>
     </message>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
@@ -4193,10 +4197,6 @@ bei %4, %5, %6 m</translation>
         <source>frame %1</source>
         <translation>Bild %1</translation>
     </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
     <message numerus="yes">
         <source>%n frames</source>
         <translation>
@@ -4442,12 +4442,8 @@ bei %4, %5, %6 m</translation>
         <translation>Gieren</translation>
     </message>
     <message>
-        <source>%1 %2 cm %3</source>
-        <translation>%1 %2 cm %3</translation>
-    </message>
-    <message>
-        <source>%1 %2° %3</source>
-        <translation>%1 %2° %3</translation>
+        <source>%1 %2 %3</source>
+        <translation>%1 %2 %3</translation>
     </message>
     <message>
         <source>%1 focal length %2 %</source>
@@ -5030,8 +5026,8 @@ bei %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::PlotStack</name>
     <message>
-        <source>frame %1, iteration %2, %3 s</source>
-        <translation>Bild %1, Iteration %2, %3 s</translation>
+        <source>frame %1, iteration %2, %3</source>
+        <translation>Bild %1, Iteration %2, %3</translation>
     </message>
 </context>
 <context>
@@ -5085,8 +5081,8 @@ bei %4, %5, %6 m</translation>
         <translation>Noch kein Punkt wurde angeklickt: einen wählen, dann in den Bildern anklicken</translation>
     </message>
     <message>
-        <source>%1: %2 px off on average</source>
-        <translation>%1: im Mittel %2 px daneben</translation>
+        <source>%1: %2 off on average</source>
+        <translation>%1: im Mittel %2 daneben</translation>
     </message>
     <message>
         <source>%1: %2 points are too few, click four or more</source>
@@ -5097,8 +5093,8 @@ bei %4, %5, %6 m</translation>
         <translation>%1: ihre Punkte liegen auf einer Geraden, einen daneben hinzufügen</translation>
     </message>
     <message>
-        <source>%1: %2 px, but a second pose fits as well: add a point outside the plane</source>
-        <translation>%1: %2 px, aber eine zweite Pose passt ebenso gut: einen Punkt außerhalb der Ebene hinzufügen</translation>
+        <source>%1: %2, but a second pose fits as well: add a point outside the plane</source>
+        <translation>%1: %2, aber eine zweite Pose passt ebenso gut: einen Punkt außerhalb der Ebene hinzufügen</translation>
     </message>
     <message>
         <source>%1: no pose shows the points there</source>
@@ -5109,16 +5105,16 @@ bei %4, %5, %6 m</translation>
         <translation>%1, falls sie nicht so montiert ist</translation>
     </message>
     <message>
-        <source>%1: then its points fit to %2 px</source>
-        <translation>%1: dann passen ihre Punkte auf %2 px</translation>
+        <source>%1: then its points fit to %2</source>
+        <translation>%1: dann passen ihre Punkte auf %2</translation>
     </message>
     <message>
-        <source>%1 does not fit the rest (%2 px, %3 mm): measure or click it again</source>
-        <translation>%1 passt nicht zum Rest (%2 px, %3 mm): neu messen oder neu anklicken</translation>
+        <source>%1 does not fit the rest (%2, %3): measure or click it again</source>
+        <translation>%1 passt nicht zum Rest (%2, %3): neu messen oder neu anklicken</translation>
     </message>
     <message>
-        <source>Worst: %1 (%2 px, %3 mm)</source>
-        <translation>Am schlechtesten: %1 (%2 px, %3 mm)</translation>
+        <source>Worst: %1 (%2, %3)</source>
+        <translation>Am schlechtesten: %1 (%2, %3)</translation>
     </message>
     <message>
         <source>Set how %1 lies</source>
@@ -5212,8 +5208,8 @@ bei %4, %5, %6 m</translation>
         <translation>Die Posen aller Kameras finden, in denen Punkte angeklickt wurden; je vier oder mehr</translation>
     </message>
     <message>
-        <source>%1: %2 px, %3 mm</source>
-        <translation>%1: %2 px, %3 mm</translation>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
     </message>
     <message>
         <source>Set it: %1</source>
@@ -5304,8 +5300,8 @@ bei %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>%1 hierher: x %2, y %3, z %4 m. Dann liegen %5 des Raums innerhalb von %6, statt %7.</translation>
+        <source>Put %1 here: x %2, y %3, z %4. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 hierher: x %2, y %3, z %4. Dann liegen %5 des Raums innerhalb von %6, statt %7.</translation>
     </message>
 </context>
 <context>
@@ -5327,8 +5323,8 @@ bei %4, %5, %6 m</translation>
         <translation>%1 ist jetzt so kalibriert, wie sie steht. Rückgängig nimmt es zurück.</translation>
     </message>
     <message>
-        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
-        <translation>Das Ziel lag %1 px neben dem, wo die anderen es sehen, jetzt %2 px.</translation>
+        <source>The target was %1 beside where the others see it, and is %2 now.</source>
+        <translation>Das Ziel lag %1 neben dem, wo die anderen es sehen, jetzt %2.</translation>
     </message>
 </context>
 <context>
@@ -5539,8 +5535,8 @@ bei %4, %5, %6 m</translation>
         <translation>Bild %1</translation>
     </message>
     <message>
-        <source>x %1  y %2  z %3 m</source>
-        <translation>x %1  y %2  z %3 m</translation>
+        <source>x %1  y %2  z %3</source>
+        <translation>x %1  y %2  z %3</translation>
     </message>
     <message>
         <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
@@ -5587,8 +5583,8 @@ bei %4, %5, %6 m</translation>
         <translation>Effektive Stichprobengröße, von allen Partikeln</translation>
     </message>
     <message>
-        <source>x %1  y %2  %3 × %4 px</source>
-        <translation>x %1  y %2  %3 × %4 px</translation>
+        <source>x %1  y %2  %3 × %4</source>
+        <translation>x %1  y %2  %3 × %4</translation>
     </message>
     <message>
         <source>● people: %1</source>
@@ -5659,17 +5655,17 @@ bei %4, %5, %6 m</translation>
     </message>
     <message>
         <source>%1, in %2
-Center %3, %4 px, size %5 × %6 px
+Center %3, %4, size %5 × %6
 Similarity %7
 Effective sample size %8 of %9</source>
         <translation>%1, in %2
-Mitte %3, %4 px, Größe %5 × %6 px
+Mitte %3, %4, Größe %5 × %6
 Ähnlichkeit %7
 Effektive Stichprobengröße %8 von %9</translation>
     </message>
     <message>
-        <source>Spread %1 px</source>
-        <translation>Streuung %1 px</translation>
+        <source>Spread %1</source>
+        <translation>Streuung %1</translation>
     </message>
     <message>
         <source>Target</source>
@@ -6083,8 +6079,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>dem Durchmesser des Balls</translation>
     </message>
     <message>
-        <source>the ball&apos;s diameter, %1 cm</source>
-        <translation>dem Durchmesser des Balls, %1 cm</translation>
+        <source>the ball&apos;s diameter, %1</source>
+        <translation>dem Durchmesser des Balls, %1</translation>
     </message>
     <message>
         <source>the cameras as they are</source>
@@ -6262,8 +6258,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Doppelklick oder Eingabe zeigt den Augenblick</translation>
     </message>
     <message>
-        <source>%1 s – %2</source>
-        <translation>%1 s – %2</translation>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
@@ -6381,8 +6377,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Um wie viel ihre Bilder später sind als die der ersten Kamera, über das Bekannte hinaus</translation>
     </message>
     <message>
-        <source>That is less sure than the cameras were (off by up to %1 cm): wave through more of the volume.</source>
-        <translation>Das ist unsicherer, als die Kameras waren (bis zu %1 cm daneben): Schwenken Sie durch mehr vom Raum.</translation>
+        <source>That is less sure than the cameras were (off by up to %1): wave through more of the volume.</source>
+        <translation>Das ist unsicherer, als die Kameras waren (bis zu %1 daneben): Schwenken Sie durch mehr vom Raum.</translation>
     </message>
     <message>
         <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
@@ -6416,8 +6412,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Noch nichts gesammelt.</translation>
     </message>
     <message>
-        <source>%1 s collected.</source>
-        <translation>%1 s gesammelt.</translation>
+        <source>%1 collected.</source>
+        <translation>%1 gesammelt.</translation>
     </message>
     <message>
         <source>Every camera saw enough: stop, or refine.</source>

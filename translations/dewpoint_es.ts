@@ -575,8 +575,8 @@
 <context>
     <name>BoardWords</name>
     <message>
-        <source>%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px</source>
-        <translation>%1: rms %2 px, distancia focal %3 px, %4 imágenes; conocido con %5 px</translation>
+        <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
+        <translation>%1: rms %2, distancia focal %3, %4 imágenes; conocido con %5</translation>
     </message>
     <message>
         <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
@@ -587,12 +587,12 @@
         <translation>%1 conserva su posición: nunca vio el tablero.</translation>
     </message>
     <message>
-        <source>%1: rms %2 px</source>
-        <translation>%1: rms %2 px</translation>
+        <source>%1: rms %2</source>
+        <translation>%1: rms %2</translation>
     </message>
     <message>
-        <source>, place ±%1 mm, direction ±%2°</source>
-        <translation>, posición ±%1 mm, dirección ±%2°</translation>
+        <source>, place ±%1, direction ±%2</source>
+        <translation>, posición ±%1, dirección ±%2</translation>
     </message>
     <message>
         <source>Lenses</source>
@@ -603,8 +603,8 @@
         <translation>%1 conserva su objetivo: %2</translation>
     </message>
     <message>
-        <source>Places: rms %1 px over %2 positions of the board</source>
-        <translation>Posiciones: rms %1 px en %2 lugares del tablero</translation>
+        <source>Places: rms %1 over %2 positions of the board</source>
+        <translation>Posiciones: rms %1 en %2 lugares del tablero</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -707,20 +707,20 @@
         <translation>ningún tablero a la vista</translation>
     </message>
     <message>
-        <source>⚠ soft, edges of %1 px</source>
-        <translation>⚠ borroso, bordes de %1 px</translation>
+        <source>⚠ soft, edges of %1</source>
+        <translation>⚠ borroso, bordes de %1</translation>
     </message>
     <message>
-        <source>sharp, edges of %1 px</source>
-        <translation>nítido, bordes de %1 px</translation>
+        <source>sharp, edges of %1</source>
+        <translation>nítido, bordes de %1</translation>
     </message>
     <message>
         <source>%1 of at least %2 views</source>
         <translation>%1 de al menos %2 vistas</translation>
     </message>
     <message>
-        <source>%1 views, known to %2 px (wanted: %3 px)</source>
-        <translation>%1 vistas, conocido con %2 px (deseado: %3 px)</translation>
+        <source>%1 views, known to %2 (wanted: %3)</source>
+        <translation>%1 vistas, conocido con %2 (deseado: %3)</translation>
     </message>
     <message>
         <source>● sees the board</source>
@@ -731,8 +731,8 @@
         <translation>○ no ve el tablero</translation>
     </message>
     <message>
-        <source>%1 views, place known to %2 mm</source>
-        <translation>%1 vistas, posición conocida con %2 mm</translation>
+        <source>%1 views, place known to %2</source>
+        <translation>%1 vistas, posición conocida con %2</translation>
     </message>
     <message>
         <source>%1 views with others</source>
@@ -750,8 +750,8 @@
 <context>
     <name>Bump</name>
     <message>
-        <source>turned by %1°</source>
-        <translation>girada %1°</translation>
+        <source>turned by %1</source>
+        <translation>girada %1</translation>
     </message>
 </context>
 <context>
@@ -769,8 +769,8 @@
         <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas antes. Sincronice los vídeos o haga que se busquen los desfases.</translation>
     </message>
     <message>
-        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
-        <translation>%1 encaja en un lugar antes de %2 s y en otro después: probablemente se movió o recibió un golpe. Calibre con la parte posterior.</translation>
+        <source>%1 fits one place before %2 and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 encaja en un lugar antes de %2 y en otro después: probablemente se movió o recibió un golpe. Calibre con la parte posterior.</translation>
     </message>
     <message>
         <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
@@ -797,8 +797,8 @@
         <translation>, escala desconocida</translation>
     </message>
     <message>
-        <source>, up ±%1°</source>
-        <translation>, vertical ±%1°</translation>
+        <source>, up ±%1</source>
+        <translation>, vertical ±%1</translation>
     </message>
     <message>
         <source>, up not measured</source>
@@ -829,8 +829,8 @@
         <translation>Las casillas del tablero se indicaron %1 veces mayores de lo que ven las cámaras: mida una fila con una regla (las impresiones suelen cambiar de escala).</translation>
     </message>
     <message>
-        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
-        <translation>Las imágenes encajan desplazadas %1 px en ambos ejes: algún programa cuenta los píxeles desde sus esquinas. Convierta los puntos principales.</translation>
+        <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>Las imágenes encajan desplazadas %1 en ambos ejes: algún programa cuenta los píxeles desde sus esquinas. Convierta los puntos principales.</translation>
     </message>
 </context>
 <context>
@@ -1802,10 +1802,6 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
 <context>
     <name>PlotQuantity</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
     </message>
@@ -1817,8 +1813,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1827,10 +1839,6 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>%1 µs</source>
         <translation>%1 µs</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
     </message>
 </context>
 <context>
@@ -1864,16 +1872,16 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>en un objeto parecido</translation>
     </message>
     <message>
-        <source>%1 px beside a look-alike</source>
-        <translation>a %1 px de un objeto parecido</translation>
+        <source>%1 beside a look-alike</source>
+        <translation>a %1 de un objeto parecido</translation>
     </message>
     <message>
         <source>no color matches</source>
         <translation>ningún color coincide</translation>
     </message>
     <message>
-        <source>its color is %1 px away</source>
-        <translation>su color está a %1 px</translation>
+        <source>its color is %1 away</source>
+        <translation>su color está a %1</translation>
     </message>
     <message>
         <source>its color, but not its shape</source>
@@ -1938,16 +1946,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
 <context>
     <name>Timeline</name>
     <message>
-        <source>Frame %1, %2 s</source>
-        <translation>Fotograma %1, %2 s</translation>
+        <source>Frame %1, %2</source>
+        <translation>Fotograma %1, %2</translation>
     </message>
     <message>
         <source>not tracked</source>
         <translation>sin seguimiento</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
     </message>
     <message>
         <source>✕ %1</source>
@@ -1958,8 +1962,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>historial %1 de %2 MB</translation>
     </message>
     <message>
-        <source>, the last %1 s</source>
-        <translation>, los últimos %1 s</translation>
+        <source>, the last %1</source>
+        <translation>, los últimos %1</translation>
     </message>
     <message>
         <source>tracking again: frame %1 of %2 to %3</source>
@@ -2884,12 +2888,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>centímetros</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 px (fitted anew)</source>
-        <translation>%1: mayor diferencia de reproyección %2 px (reajustada)</translation>
+        <source>%1: largest reprojection difference %2 (fitted anew)</source>
+        <translation>%1: mayor diferencia de reproyección %2 (reajustada)</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 px</source>
-        <translation>%1: mayor diferencia de reproyección %2 px</translation>
+        <source>%1: largest reprojection difference %2</source>
+        <translation>%1: mayor diferencia de reproyección %2</translation>
     </message>
     <message>
         <source>%1: %2 of 81 directions have no pixel any more</source>
@@ -3059,12 +3063,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>No hay pose en el archivo: solo se toma el objetivo, la pose se mantiene.</translation>
     </message>
     <message>
-        <source>%1 (in the file: %2): %3 cm and %4° from where it is now</source>
-        <translation>%1 (en el archivo: %2): a %3 cm y %4° de donde está ahora</translation>
+        <source>%1 (in the file: %2): %3 and %4 from where it is now</source>
+        <translation>%1 (en el archivo: %2): a %3 y %4 de donde está ahora</translation>
     </message>
     <message>
-        <source>Largest reprojection difference to the file: %1 px</source>
-        <translation>Mayor diferencia de reproyección con el archivo: %1 px</translation>
+        <source>Largest reprojection difference to the file: %1</source>
+        <translation>Mayor diferencia de reproyección con el archivo: %1</translation>
     </message>
     <message>
         <source>Import calibration</source>
@@ -3392,9 +3396,9 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6 m</source>
+at %4, %5, %6</source>
         <translation>%1 × %2 píxeles, distancia focal %3 píxeles
-en %4, %5, %6 m</translation>
+en %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -3597,8 +3601,8 @@ en %4, %5, %6 m</translation>
         <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor</translation>
     </message>
     <message>
-        <source>Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press Box and click the thing for another box.</source>
-        <translation>Se sigue desde su recuadro en %1, fotograma %2: %3 × %4 px. Este método no necesita color; para otro recuadro pulsa Recuadro y haz clic en la cosa.</translation>
+        <source>Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press Box and click the thing for another box.</source>
+        <translation>Se sigue desde su recuadro en %1, fotograma %2: %3 × %4. Este método no necesita color; para otro recuadro pulsa Recuadro y haz clic en la cosa.</translation>
     </message>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
@@ -4193,10 +4197,6 @@ en %4, %5, %6 m</translation>
         <source>frame %1</source>
         <translation>fotograma %1</translation>
     </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
     <message numerus="yes">
         <source>%n frames</source>
         <translation>
@@ -4442,12 +4442,8 @@ en %4, %5, %6 m</translation>
         <translation>guiñada</translation>
     </message>
     <message>
-        <source>%1 %2 cm %3</source>
-        <translation>%1 %2 cm %3</translation>
-    </message>
-    <message>
-        <source>%1 %2° %3</source>
-        <translation>%1 %2° %3</translation>
+        <source>%1 %2 %3</source>
+        <translation>%1 %2 %3</translation>
     </message>
     <message>
         <source>%1 focal length %2 %</source>
@@ -5030,8 +5026,8 @@ en %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::PlotStack</name>
     <message>
-        <source>frame %1, iteration %2, %3 s</source>
-        <translation>fotograma %1, iteración %2, %3 s</translation>
+        <source>frame %1, iteration %2, %3</source>
+        <translation>fotograma %1, iteración %2, %3</translation>
     </message>
 </context>
 <context>
@@ -5085,8 +5081,8 @@ en %4, %5, %6 m</translation>
         <translation>Aún no se ha marcado ningún punto: elija uno y márquelo en las imágenes</translation>
     </message>
     <message>
-        <source>%1: %2 px off on average</source>
-        <translation>%1: %2 px de error medio</translation>
+        <source>%1: %2 off on average</source>
+        <translation>%1: %2 de error medio</translation>
     </message>
     <message>
         <source>%1: %2 points are too few, click four or more</source>
@@ -5097,8 +5093,8 @@ en %4, %5, %6 m</translation>
         <translation>%1: sus puntos están en una recta, añada uno fuera de ella</translation>
     </message>
     <message>
-        <source>%1: %2 px, but a second pose fits as well: add a point outside the plane</source>
-        <translation>%1: %2 px, pero otra pose encaja igual: añada un punto fuera del plano</translation>
+        <source>%1: %2, but a second pose fits as well: add a point outside the plane</source>
+        <translation>%1: %2, pero otra pose encaja igual: añada un punto fuera del plano</translation>
     </message>
     <message>
         <source>%1: no pose shows the points there</source>
@@ -5109,16 +5105,16 @@ en %4, %5, %6 m</translation>
         <translation>%1, salvo que esté montada así</translation>
     </message>
     <message>
-        <source>%1: then its points fit to %2 px</source>
-        <translation>%1: entonces sus puntos encajan a %2 px</translation>
+        <source>%1: then its points fit to %2</source>
+        <translation>%1: entonces sus puntos encajan a %2</translation>
     </message>
     <message>
-        <source>%1 does not fit the rest (%2 px, %3 mm): measure or click it again</source>
-        <translation>%1 no encaja con el resto (%2 px, %3 mm): mídalo o márquelo otra vez</translation>
+        <source>%1 does not fit the rest (%2, %3): measure or click it again</source>
+        <translation>%1 no encaja con el resto (%2, %3): mídalo o márquelo otra vez</translation>
     </message>
     <message>
-        <source>Worst: %1 (%2 px, %3 mm)</source>
-        <translation>El peor: %1 (%2 px, %3 mm)</translation>
+        <source>Worst: %1 (%2, %3)</source>
+        <translation>El peor: %1 (%2, %3)</translation>
     </message>
     <message>
         <source>Set how %1 lies</source>
@@ -5212,8 +5208,8 @@ en %4, %5, %6 m</translation>
         <translation>Hallar las poses de todas las cámaras en las que se marcaron puntos; cuatro o más en cada una</translation>
     </message>
     <message>
-        <source>%1: %2 px, %3 mm</source>
-        <translation>%1: %2 px, %3 mm</translation>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
     </message>
     <message>
         <source>Set it: %1</source>
@@ -5304,8 +5300,8 @@ en %4, %5, %6 m</translation>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>Ponga %1 aquí: x %2, y %3, z %4 m. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
+        <source>Put %1 here: x %2, y %3, z %4. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>Ponga %1 aquí: x %2, y %3, z %4. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
     </message>
 </context>
 <context>
@@ -5327,8 +5323,8 @@ en %4, %5, %6 m</translation>
         <translation>%1 queda calibrada como está ahora. Deshacer lo revierte.</translation>
     </message>
     <message>
-        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
-        <translation>El objetivo estaba a %1 px de donde lo ven las demás, y ahora a %2 px.</translation>
+        <source>The target was %1 beside where the others see it, and is %2 now.</source>
+        <translation>El objetivo estaba a %1 de donde lo ven las demás, y ahora a %2.</translation>
     </message>
 </context>
 <context>
@@ -5539,8 +5535,8 @@ en %4, %5, %6 m</translation>
         <translation>fotograma %1</translation>
     </message>
     <message>
-        <source>x %1  y %2  z %3 m</source>
-        <translation>x %1  y %2  z %3 m</translation>
+        <source>x %1  y %2  z %3</source>
+        <translation>x %1  y %2  z %3</translation>
     </message>
     <message>
         <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
@@ -5587,8 +5583,8 @@ en %4, %5, %6 m</translation>
         <translation>Tamaño efectivo de la muestra, del total de partículas</translation>
     </message>
     <message>
-        <source>x %1  y %2  %3 × %4 px</source>
-        <translation>x %1  y %2  %3 × %4 px</translation>
+        <source>x %1  y %2  %3 × %4</source>
+        <translation>x %1  y %2  %3 × %4</translation>
     </message>
     <message>
         <source>● people: %1</source>
@@ -5659,17 +5655,17 @@ en %4, %5, %6 m</translation>
     </message>
     <message>
         <source>%1, in %2
-Center %3, %4 px, size %5 × %6 px
+Center %3, %4, size %5 × %6
 Similarity %7
 Effective sample size %8 of %9</source>
         <translation>%1, en %2
-Centro %3, %4 px, tamaño %5 × %6 px
+Centro %3, %4, tamaño %5 × %6
 Similitud %7
 Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
     <message>
-        <source>Spread %1 px</source>
-        <translation>Dispersión %1 px</translation>
+        <source>Spread %1</source>
+        <translation>Dispersión %1</translation>
     </message>
     <message>
         <source>Target</source>
@@ -6083,8 +6079,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>el diámetro de la pelota</translation>
     </message>
     <message>
-        <source>the ball&apos;s diameter, %1 cm</source>
-        <translation>el diámetro de la pelota, %1 cm</translation>
+        <source>the ball&apos;s diameter, %1</source>
+        <translation>el diámetro de la pelota, %1</translation>
     </message>
     <message>
         <source>the cameras as they are</source>
@@ -6262,8 +6258,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Doble clic o Intro muestra el momento</translation>
     </message>
     <message>
-        <source>%1 s – %2</source>
-        <translation>%1 s – %2</translation>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
@@ -6381,8 +6377,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cuánto se retrasan sus imágenes respecto a las de la primera cámara, además de lo ya conocido</translation>
     </message>
     <message>
-        <source>That is less sure than the cameras were (off by up to %1 cm): wave through more of the volume.</source>
-        <translation>Es menos seguro que las cámaras de antes (desviadas hasta %1 cm): agite por una parte mayor del volumen.</translation>
+        <source>That is less sure than the cameras were (off by up to %1): wave through more of the volume.</source>
+        <translation>Es menos seguro que las cámaras de antes (desviadas hasta %1): agite por una parte mayor del volumen.</translation>
     </message>
     <message>
         <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
@@ -6416,8 +6412,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Aún no se ha reunido nada.</translation>
     </message>
     <message>
-        <source>%1 s collected.</source>
-        <translation>%1 s reunidos.</translation>
+        <source>%1 collected.</source>
+        <translation>%1 reunidos.</translation>
     </message>
     <message>
         <source>Every camera saw enough: stop, or refine.</source>

@@ -575,8 +575,8 @@
 <context>
     <name>BoardWords</name>
     <message>
-        <source>%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px</source>
-        <translation>%1: rms %2 px、焦点距離 %3 px、画像 %4 枚、精度 %5 px</translation>
+        <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
+        <translation>%1: rms %2、焦点距離 %3、画像 %4 枚、精度 %5</translation>
     </message>
     <message>
         <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
@@ -587,12 +587,12 @@
         <translation>%1の位置はそのままです。ボードが一度も見えませんでした。</translation>
     </message>
     <message>
-        <source>%1: rms %2 px</source>
-        <translation>%1: rms %2 px</translation>
+        <source>%1: rms %2</source>
+        <translation>%1: rms %2</translation>
     </message>
     <message>
-        <source>, place ±%1 mm, direction ±%2°</source>
-        <translation>、位置 ±%1 mm、向き ±%2°</translation>
+        <source>, place ±%1, direction ±%2</source>
+        <translation>、位置 ±%1、向き ±%2</translation>
     </message>
     <message>
         <source>Lenses</source>
@@ -603,8 +603,8 @@
         <translation>%1のレンズはそのままです: %2</translation>
     </message>
     <message>
-        <source>Places: rms %1 px over %2 positions of the board</source>
-        <translation>位置: ボード %2 か所で rms %1 px</translation>
+        <source>Places: rms %1 over %2 positions of the board</source>
+        <translation>位置: ボード %2 か所で rms %1</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -707,20 +707,20 @@
         <translation>ボードが見えません</translation>
     </message>
     <message>
-        <source>⚠ soft, edges of %1 px</source>
-        <translation>⚠ ぼけ、エッジ幅 %1 px</translation>
+        <source>⚠ soft, edges of %1</source>
+        <translation>⚠ ぼけ、エッジ幅 %1</translation>
     </message>
     <message>
-        <source>sharp, edges of %1 px</source>
-        <translation>鮮明、エッジ幅 %1 px</translation>
+        <source>sharp, edges of %1</source>
+        <translation>鮮明、エッジ幅 %1</translation>
     </message>
     <message>
         <source>%1 of at least %2 views</source>
         <translation>%1 / 少なくとも %2 ビュー</translation>
     </message>
     <message>
-        <source>%1 views, known to %2 px (wanted: %3 px)</source>
-        <translation>%1 ビュー、精度 %2 px（目標: %3 px）</translation>
+        <source>%1 views, known to %2 (wanted: %3)</source>
+        <translation>%1 ビュー、精度 %2（目標: %3）</translation>
     </message>
     <message>
         <source>● sees the board</source>
@@ -731,8 +731,8 @@
         <translation>○ ボードが見えません</translation>
     </message>
     <message>
-        <source>%1 views, place known to %2 mm</source>
-        <translation>%1 ビュー、位置の精度 %2 mm</translation>
+        <source>%1 views, place known to %2</source>
+        <translation>%1 ビュー、位置の精度 %2</translation>
     </message>
     <message>
         <source>%1 views with others</source>
@@ -750,8 +750,8 @@
 <context>
     <name>Bump</name>
     <message>
-        <source>turned by %1°</source>
-        <translation>%1° 回転</translation>
+        <source>turned by %1</source>
+        <translation>%1 回転</translation>
     </message>
 </context>
 <context>
@@ -769,8 +769,8 @@
         <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム早まっています。動画を同期させるか、時間のずれを求めてください。</translation>
     </message>
     <message>
-        <source>%1 fits one place before %2 s and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
-        <translation>%1 は %2 秒より前と後で位置が異なります。そのとき動かされたかぶつけられたようです。その後の部分で較正してください。</translation>
+        <source>%1 fits one place before %2 and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
+        <translation>%1 は %2より前と後で位置が異なります。そのとき動かされたかぶつけられたようです。その後の部分で較正してください。</translation>
     </message>
     <message>
         <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
@@ -797,8 +797,8 @@
         <translation>、縮尺は不明</translation>
     </message>
     <message>
-        <source>, up ±%1°</source>
-        <translation>、鉛直 ±%1°</translation>
+        <source>, up ±%1</source>
+        <translation>、鉛直 ±%1</translation>
     </message>
     <message>
         <source>, up not measured</source>
@@ -829,8 +829,8 @@
         <translation>ボードのマス目はカメラの見る大きさの %1 倍とされています。定規で1列を測ってください（印刷はよく拡大縮小されます）。</translation>
     </message>
     <message>
-        <source>The images fit when shifted by %1 px along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
-        <translation>画像は両軸に %1 px ずらすと合います。ピクセルの角を原点に数えるツールがあるようです。主点を換算してください。</translation>
+        <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
+        <translation>画像は両軸に %1 ずらすと合います。ピクセルの角を原点に数えるツールがあるようです。主点を換算してください。</translation>
     </message>
 </context>
 <context>
@@ -1802,10 +1802,6 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
 <context>
     <name>PlotQuantity</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
     </message>
@@ -1817,8 +1813,24 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1827,10 +1839,6 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>%1 µs</source>
         <translation>%1 µs</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
     </message>
 </context>
 <context>
@@ -1864,16 +1872,16 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>似た物の位置</translation>
     </message>
     <message>
-        <source>%1 px beside a look-alike</source>
-        <translation>似た物から %1 px</translation>
+        <source>%1 beside a look-alike</source>
+        <translation>似た物から %1</translation>
     </message>
     <message>
         <source>no color matches</source>
         <translation>一致する色なし</translation>
     </message>
     <message>
-        <source>its color is %1 px away</source>
-        <translation>その色は %1 px 離れている</translation>
+        <source>its color is %1 away</source>
+        <translation>その色は %1 離れている</translation>
     </message>
     <message>
         <source>its color, but not its shape</source>
@@ -1938,16 +1946,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
 <context>
     <name>Timeline</name>
     <message>
-        <source>Frame %1, %2 s</source>
-        <translation>フレーム %1、%2 秒</translation>
+        <source>Frame %1, %2</source>
+        <translation>フレーム %1、%2</translation>
     </message>
     <message>
         <source>not tracked</source>
         <translation>未追跡</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
     </message>
     <message>
         <source>✕ %1</source>
@@ -1958,8 +1962,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>履歴 %1 / %2 MB</translation>
     </message>
     <message>
-        <source>, the last %1 s</source>
-        <translation>、直近 %1 秒</translation>
+        <source>, the last %1</source>
+        <translation>、直近 %1</translation>
     </message>
     <message>
         <source>tracking again: frame %1 of %2 to %3</source>
@@ -2883,12 +2887,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>センチメートル</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 px (fitted anew)</source>
-        <translation>%1: 再投影の最大差 %2 px（当てはめ直し）</translation>
+        <source>%1: largest reprojection difference %2 (fitted anew)</source>
+        <translation>%1: 再投影の最大差 %2（当てはめ直し）</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 px</source>
-        <translation>%1: 再投影の最大差 %2 px</translation>
+        <source>%1: largest reprojection difference %2</source>
+        <translation>%1: 再投影の最大差 %2</translation>
     </message>
     <message>
         <source>%1: %2 of 81 directions have no pixel any more</source>
@@ -3058,12 +3062,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ファイルに姿勢がありません。レンズだけを取り込み、姿勢はそのままです。</translation>
     </message>
     <message>
-        <source>%1 (in the file: %2): %3 cm and %4° from where it is now</source>
-        <translation>%1（ファイルでは %2）: 今の位置から %3 cm、%4°</translation>
+        <source>%1 (in the file: %2): %3 and %4 from where it is now</source>
+        <translation>%1（ファイルでは %2）: 今の位置から %3、%4</translation>
     </message>
     <message>
-        <source>Largest reprojection difference to the file: %1 px</source>
-        <translation>ファイルとの再投影の最大差: %1 px</translation>
+        <source>Largest reprojection difference to the file: %1</source>
+        <translation>ファイルとの再投影の最大差: %1</translation>
     </message>
     <message>
         <source>Import calibration</source>
@@ -3391,9 +3395,9 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
     <message>
         <source>%1 × %2 pixels, focal length %3 pixels
-at %4, %5, %6 m</source>
+at %4, %5, %6</source>
         <translation>%1 × %2 ピクセル、焦点距離 %3 ピクセル
-位置 %4, %5, %6 m</translation>
+位置 %4, %5, %6</translation>
     </message>
     <message>
         <source>Choose a folder of images</source>
@@ -3596,8 +3600,8 @@ at %4, %5, %6 m</source>
         <translation>物をクリックするか、囲むようにドラッグ</translation>
     </message>
     <message>
-        <source>Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press Box and click the thing for another box.</source>
-        <translation>%1 のフレーム %2 の枠（%3 × %4 px）から追跡しています。この手法に色は要りません。別の枠にするには「枠」を押して物をクリックします。</translation>
+        <source>Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press Box and click the thing for another box.</source>
+        <translation>%1 のフレーム %2 の枠（%3 × %4）から追跡しています。この手法に色は要りません。別の枠にするには「枠」を押して物をクリックします。</translation>
     </message>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
@@ -4192,10 +4196,6 @@ at %4, %5, %6 m</source>
         <source>frame %1</source>
         <translation>フレーム %1</translation>
     </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
     <message numerus="yes">
         <source>%n frames</source>
         <translation>
@@ -4440,12 +4440,8 @@ at %4, %5, %6 m</source>
         <translation>ヨー</translation>
     </message>
     <message>
-        <source>%1 %2 cm %3</source>
-        <translation>%1 %2 cm %3</translation>
-    </message>
-    <message>
-        <source>%1 %2° %3</source>
-        <translation>%1 %2° %3</translation>
+        <source>%1 %2 %3</source>
+        <translation>%1 %2 %3</translation>
     </message>
     <message>
         <source>%1 focal length %2 %</source>
@@ -5028,8 +5024,8 @@ at %4, %5, %6 m</source>
 <context>
     <name>dewpoint::ui::PlotStack</name>
     <message>
-        <source>frame %1, iteration %2, %3 s</source>
-        <translation>フレーム %1、反復 %2、%3 s</translation>
+        <source>frame %1, iteration %2, %3</source>
+        <translation>フレーム %1、反復 %2、%3</translation>
     </message>
 </context>
 <context>
@@ -5083,8 +5079,8 @@ at %4, %5, %6 m</source>
         <translation>まだ点がクリックされていません。点を選び、画像でクリックしてください</translation>
     </message>
     <message>
-        <source>%1: %2 px off on average</source>
-        <translation>%1: 平均 %2 px のずれ</translation>
+        <source>%1: %2 off on average</source>
+        <translation>%1: 平均 %2 のずれ</translation>
     </message>
     <message>
         <source>%1: %2 points are too few, click four or more</source>
@@ -5095,8 +5091,8 @@ at %4, %5, %6 m</source>
         <translation>%1: 点が一直線上にあります。外れた点を加えてください</translation>
     </message>
     <message>
-        <source>%1: %2 px, but a second pose fits as well: add a point outside the plane</source>
-        <translation>%1: %2 px ですが、別の姿勢も同じくらい合います。平面の外の点を加えてください</translation>
+        <source>%1: %2, but a second pose fits as well: add a point outside the plane</source>
+        <translation>%1: %2 ですが、別の姿勢も同じくらい合います。平面の外の点を加えてください</translation>
     </message>
     <message>
         <source>%1: no pose shows the points there</source>
@@ -5107,16 +5103,16 @@ at %4, %5, %6 m</source>
         <translation>%1(わざとそう取り付けた場合を除く)</translation>
     </message>
     <message>
-        <source>%1: then its points fit to %2 px</source>
-        <translation>%1: そうすると点が %2 px で合います</translation>
+        <source>%1: then its points fit to %2</source>
+        <translation>%1: そうすると点が %2 で合います</translation>
     </message>
     <message>
-        <source>%1 does not fit the rest (%2 px, %3 mm): measure or click it again</source>
-        <translation>%1 は他と合いません (%2 px、%3 mm)。測り直すかクリックし直してください</translation>
+        <source>%1 does not fit the rest (%2, %3): measure or click it again</source>
+        <translation>%1 は他と合いません (%2、%3)。測り直すかクリックし直してください</translation>
     </message>
     <message>
-        <source>Worst: %1 (%2 px, %3 mm)</source>
-        <translation>最大のずれ: %1 (%2 px、%3 mm)</translation>
+        <source>Worst: %1 (%2, %3)</source>
+        <translation>最大のずれ: %1 (%2、%3)</translation>
     </message>
     <message>
         <source>Set how %1 lies</source>
@@ -5210,8 +5206,8 @@ at %4, %5, %6 m</source>
         <translation>点をクリックしたすべてのカメラの姿勢を求めます(各四点以上)</translation>
     </message>
     <message>
-        <source>%1: %2 px, %3 mm</source>
-        <translation>%1: %2 px、%3 mm</translation>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2、%3</translation>
     </message>
     <message>
         <source>Set it: %1</source>
@@ -5302,8 +5298,8 @@ at %4, %5, %6 m</source>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>%1 をここに置く：x %2、y %3、z %4 m。空間の %5 が %6 以内になります（現在は %7）。</translation>
+        <source>Put %1 here: x %2, y %3, z %4. Then %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 をここに置く：x %2、y %3、z %4。空間の %5 が %6 以内になります（現在は %7）。</translation>
     </message>
 </context>
 <context>
@@ -5325,8 +5321,8 @@ at %4, %5, %6 m</source>
         <translation>%1 を現在の姿勢に校正しました。元に戻すで取り消せます。</translation>
     </message>
     <message>
-        <source>The target was %1 px beside where the others see it, and is %2 px now.</source>
-        <translation>ターゲットは他のカメラが見る位置から %1 px ずれていましたが、今は %2 px です。</translation>
+        <source>The target was %1 beside where the others see it, and is %2 now.</source>
+        <translation>ターゲットは他のカメラが見る位置から %1 ずれていましたが、今は %2 です。</translation>
     </message>
 </context>
 <context>
@@ -5537,8 +5533,8 @@ at %4, %5, %6 m</source>
         <translation>フレーム %1</translation>
     </message>
     <message>
-        <source>x %1  y %2  z %3 m</source>
-        <translation>x %1  y %2  z %3 m</translation>
+        <source>x %1  y %2  z %3</source>
+        <translation>x %1  y %2  z %3</translation>
     </message>
     <message>
         <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
@@ -5585,8 +5581,8 @@ at %4, %5, %6 m</source>
         <translation>全粒子に対する有効サンプル数</translation>
     </message>
     <message>
-        <source>x %1  y %2  %3 × %4 px</source>
-        <translation>x %1  y %2  %3 × %4 px</translation>
+        <source>x %1  y %2  %3 × %4</source>
+        <translation>x %1  y %2  %3 × %4</translation>
     </message>
     <message>
         <source>● people: %1</source>
@@ -5657,17 +5653,17 @@ at %4, %5, %6 m</source>
     </message>
     <message>
         <source>%1, in %2
-Center %3, %4 px, size %5 × %6 px
+Center %3, %4, size %5 × %6
 Similarity %7
 Effective sample size %8 of %9</source>
         <translation>%1（%2）
-中心 %3, %4 px、大きさ %5 × %6 px
+中心 %3, %4、大きさ %5 × %6
 類似度 %7
 有効サンプル数 %8 / %9</translation>
     </message>
     <message>
-        <source>Spread %1 px</source>
-        <translation>広がり %1 px</translation>
+        <source>Spread %1</source>
+        <translation>広がり %1</translation>
     </message>
     <message>
         <source>Target</source>
@@ -6078,8 +6074,8 @@ Effective sample size %8 of %9</source>
         <translation>ボールの直径</translation>
     </message>
     <message>
-        <source>the ball&apos;s diameter, %1 cm</source>
-        <translation>ボールの直径 %1 cm</translation>
+        <source>the ball&apos;s diameter, %1</source>
+        <translation>ボールの直径 %1</translation>
     </message>
     <message>
         <source>the cameras as they are</source>
@@ -6257,8 +6253,8 @@ Effective sample size %8 of %9</source>
         <translation>ダブルクリックまたは Enter でその瞬間を表示</translation>
     </message>
     <message>
-        <source>%1 s – %2</source>
-        <translation>%1 秒 – %2</translation>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
@@ -6376,8 +6372,8 @@ Effective sample size %8 of %9</source>
         <translation>既知の値に加えて、最初のカメラより画像がどれだけ遅れているか</translation>
     </message>
     <message>
-        <source>That is less sure than the cameras were (off by up to %1 cm): wave through more of the volume.</source>
-        <translation>以前のカメラ（ずれは最大 %1 cm）より不確かです。もっと広い範囲で振ってください。</translation>
+        <source>That is less sure than the cameras were (off by up to %1): wave through more of the volume.</source>
+        <translation>以前のカメラ（ずれは最大 %1）より不確かです。もっと広い範囲で振ってください。</translation>
     </message>
     <message>
         <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
@@ -6411,8 +6407,8 @@ Effective sample size %8 of %9</source>
         <translation>まだ何も集めていません。</translation>
     </message>
     <message>
-        <source>%1 s collected.</source>
-        <translation>%1 秒間集めました。</translation>
+        <source>%1 collected.</source>
+        <translation>%1間集めました。</translation>
     </message>
     <message>
         <source>Every camera saw enough: stop, or refine.</source>

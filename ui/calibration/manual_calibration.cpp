@@ -25,10 +25,6 @@ Eigen::Vector3d cameraAxis(int axis) {
                      : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
 }
 
-QString withSign(double value, int decimals) {
-  return numberText(value, decimals, NumberForm::Signed);
-}
-
 } // namespace
 
 ManualCalibration::ManualCalibration(Document& document, Selection& selection,
@@ -273,9 +269,9 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
   const QString turnedNames[] = {tr("pitch"), tr("roll"), tr("yaw")};
   const QString worldNames[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const QString name = own ? (moves ? movedNames[axis] : turnedNames[axis]) : worldNames[axis];
-  const QString step =
-      moves ? tr("%1 %2 cm %3").arg(nameOf(camera()), withSign(100.0 * sum, 1), name)
-            : tr("%1 %2° %3").arg(nameOf(camera()), withSign(sum / base::kDegree, 2), name);
+  const QString sumText = moves ? lengthText(sum, LengthScale::Centimeters, 1, NumberForm::Signed)
+                                : angleText(sum, 2, NumberForm::Signed);
+  const QString step = tr("%1 %2 %3").arg(nameOf(camera()), sumText, name);
   const Camera now = cameraAt(camera());
   change(camera(), step,
          moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);
@@ -284,7 +280,8 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
 void ManualCalibration::nudgeFocal(double percent, bool repeated) {
   const std::string key = fmt::format("nudge {} focal {}", camera(), percent > 0.0);
   const double sum = runningSum(key, percent, repeated);
-  change(camera(), tr("%1 focal length %2 %").arg(nameOf(camera()), withSign(sum, 1)),
+  change(camera(),
+         tr("%1 focal length %2 %").arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
          zoomed(cameraAt(camera()), 1.0 + percent / 100.0), key);
 }
 

@@ -12,6 +12,7 @@
 #include "ui/document/method_presentation.h"
 #include "ui/style/theme.h"
 #include "ui/text/camera_names.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/text/verdict_text.h"
 
@@ -341,14 +342,14 @@ void ColorPanel::showBox() {
     const TargetBox& box = *project.targets[index].box;
     const auto camera = static_cast<std::size_t>(box.camera);
     verdict_->setText(
-        tr("Followed from its box in %1, frame %2: %3 × %4 px. This method needs no color; press "
+        tr("Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press "
            "Box and click the thing for another box.")
             .arg(cameraName(camera < project.cameras.size() ? project.cameras[camera].camera.name
                                                             : std::string(),
                             camera))
             .arg(box.frame + 1)
-            .arg(qRound(box.box.width))
-            .arg(qRound(box.box.height)));
+            .arg(numberText(box.box.width, 0))
+            .arg(pixelText(box.box.height, 0)));
   } else {
     verdict_->setText(tr("Click the thing or drag a box around it in any camera view."));
   }

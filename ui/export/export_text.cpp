@@ -2,6 +2,7 @@
 #include "ui/export/export_text.h"
 
 #include "core/trajectory/trajectory_export.h"
+#include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -66,8 +67,7 @@ QString exportSizeText(const ExportPreview& preview) {
                                  .arg(locale.toString(static_cast<qulonglong>(preview.gaps)));
   return translated(QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
       .arg(locale.toString(static_cast<qulonglong>(preview.targets)),
-           locale.toString(static_cast<qulonglong>(preview.rows)),
-           locale.toString(preview.rate, 'g', 4), gaps);
+           locale.toString(static_cast<qulonglong>(preview.rows)), rateText(preview.rate), gaps);
 }
 
 } // namespace dewpoint::ui

@@ -71,10 +71,9 @@ void RunAlerts::applyNewPose(int camera) {
   hand_.change(camera, tr("Re-solve %1").arg(name), now);
   QString sentence = tr("%1 is calibrated as it stands now. Undo takes it back.").arg(name);
   if (solved.used > 0) {
-    sentence += QLatin1Char(' ') +
-                tr("The target was %1 px beside where the others see it, and is "
-                   "%2 px now.")
-                    .arg(numberText(solved.pixelsBefore, 1), numberText(solved.pixelsAfter, 1));
+    sentence +=
+        QLatin1Char(' ') + tr("The target was %1 beside where the others see it, and is %2 now.")
+                               .arg(pixelText(solved.pixelsBefore), pixelText(solved.pixelsAfter));
   }
   bench_.messages.showNotice(sentence);
 }

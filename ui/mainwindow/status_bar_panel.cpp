@@ -45,7 +45,7 @@ QString sampleHint(const BudgetFigures& budget) {
       1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
   return hint + QLatin1Char('\n') +
          StatusBarPanel::tr("Time budget %1: kept in %2 % of the iterations of this run")
-             .arg(millisecondsText(budget.milliseconds), numberText(100.0 * kept, 1));
+             .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
 }
 
 QString playWord(const TrackSnapshot& snapshot) {
@@ -172,10 +172,10 @@ void StatusBarPanel::refresh() {
                              .arg(numberText(effectiveSampleSizeOf(target->estimate), 0))
                              .arg(particles));
     spread_->setText(tr("spread %1").arg(lengthText(std::sqrt(position->covariance.trace()))));
-    position_->setText(tr("x %1  y %2  z %3 m")
-                           .arg(numberText(position->mean.x(), 3),
-                                numberText(position->mean.y(), 3),
-                                numberText(position->mean.z(), 3)));
+    position_->setText(tr("x %1  y %2  z %3")
+                           .arg(lengthNumber(position->mean.x(), LengthScale::Meters, 3),
+                                lengthNumber(position->mean.y(), LengthScale::Meters, 3),
+                                lengthText(position->mean.z(), LengthScale::Meters, 3)));
   } else { // not those of another moment
     for (QLabel* label : {sampleSize_, spread_, position_}) {
       label->clear();
@@ -213,10 +213,10 @@ void StatusBarPanel::showBox(const BoxEstimate& estimate) {
                            .arg(estimate.particleCount));
   spread_->setText(tr("spread %1").arg(pixelText(estimate.spread)));
   const Eigen::Vector2d center = estimate.box.center();
-  position_->setText(tr("x %1  y %2  %3 × %4 px")
+  position_->setText(tr("x %1  y %2  %3 × %4")
                          .arg(numberText(center.x(), 1), numberText(center.y(), 1),
                               numberText(estimate.box.width, 0),
-                              numberText(estimate.box.height, 0)));
+                              pixelText(estimate.box.height, 0)));
 }
 
 void StatusBarPanel::changeEvent(QEvent* event) {

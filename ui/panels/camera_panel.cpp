@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/camera_panel.h"
 
+#include "core/base/angle.h"
 #include "core/project/project.h"
 #include "core/session/run/background_images.h"
 #include "core/session/run/snapshot_state.h"
@@ -72,7 +73,7 @@ void CameraPanel::makeFields() {
   calibration_->setWordWrap(true);
   calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   for (const int degrees : {0, 90, 180, 270}) {
-    turn_->addItem(QStringLiteral("%1°").arg(degrees), degrees);
+    turn_->addItem(angleText(degrees * base::kDegree, 0), degrees);
   }
   nameLabel_->setBuddy(name_);
   sourceLabel_->setBuddy(source_);
@@ -220,16 +221,18 @@ void CameraPanel::showChosen() {
 }
 
 void CameraPanel::showCalibration(const ProjectCamera& camera) {
-  const auto number = [](double value, int decimals) {
-    return numberText(value, decimals, NumberForm::Rounded);
+  const auto coordinate = [](double meters) {
+    return lengthNumber(meters, LengthScale::Meters, 3, NumberForm::Rounded);
   };
   const Intrinsics& in = camera.camera.intrinsics;
   const Eigen::Vector3d place = camera.camera.center();
-  calibration_->setText(tr("%1 × %2 pixels, focal length %3 pixels\nat %4, %5, %6 m")
-                            .arg(in.width)
-                            .arg(in.height)
-                            .arg(number(in.focalX, 1), number(place.x(), 3), number(place.y(), 3),
-                                 number(place.z(), 3)));
+  calibration_->setText(
+      tr("%1 × %2 pixels, focal length %3 pixels\nat %4, %5, %6")
+          .arg(in.width)
+          .arg(in.height)
+          .arg(numberText(in.focalX, 1, NumberForm::Rounded), coordinate(place.x()),
+               coordinate(place.y()),
+               lengthText(place.z(), LengthScale::Meters, 3, NumberForm::Rounded)));
 }
 
 void CameraPanel::edit(const QString& step, const std::function<void(ProjectCamera&)>& change) {

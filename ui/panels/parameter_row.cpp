@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/parameter_row.h"
 
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/decimal_field.h"
 
 #include <QCoreApplication>
@@ -24,10 +25,6 @@ int decimalsFor(const ParameterDeclaration& declaration) {
     return declaration.kind == ParameterKind::Integer ? 0 : 3;
   }
   return std::clamp(static_cast<int>(std::ceil(-std::log10(declaration.step) - 1e-9)), 0, 6);
-}
-
-QString plain(double value) {
-  return QLocale().toString(value, 'g', 6);
 }
 
 /// The unit as it stands behind a number; empty where there is none.
@@ -122,8 +119,8 @@ QString ParameterRow::tooltip() const {
   }
   return QCoreApplication::translate("ParameterRow", "%1\nFrom %2 to %3%4; default %5%4.")
       .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
-           plain(declaration_.minimum), plain(declaration_.maximum), unitSuffix(declaration_),
-           plain(declaration_.defaultValue));
+           declaredText(declaration_.minimum), declaredText(declaration_.maximum),
+           unitSuffix(declaration_), declaredText(declaration_.defaultValue));
 }
 
 } // namespace dewpoint::ui

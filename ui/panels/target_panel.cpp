@@ -153,14 +153,14 @@ void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const BoxEstimate& estimate = *target.box();
   const Eigen::Vector2d center = estimate.box.center();
   box_->setText(
-      tr("%1, in %2\nCenter %3, %4 px, size %5 × %6 px\nSimilarity %7\nEffective sample size %8 of "
+      tr("%1, in %2\nCenter %3, %4, size %5 × %6\nSimilarity %7\nEffective sample size %8 of "
          "%9")
           .arg(holdText(holdState(target)), cameraNames(*snapshot).value(target.box()->camera),
-               numberText(center.x(), 1), numberText(center.y(), 1),
-               numberText(estimate.box.width, 1), numberText(estimate.box.height, 1),
-               numberText(estimate.similarity, 2), numberText(estimate.effectiveSampleSize, 0),
+               numberText(center.x(), 1), pixelText(center.y()), numberText(estimate.box.width, 1),
+               pixelText(estimate.box.height), numberText(estimate.similarity, 2),
+               numberText(estimate.effectiveSampleSize, 0),
                QString::number(estimate.particleCount)) +
-      QLatin1Char('\n') + tr("Spread %1 px").arg(numberText(estimate.spread, 1)));
+      QLatin1Char('\n') + tr("Spread %1").arg(pixelText(estimate.spread)));
 }
 
 void TargetPanel::editChosen(const QString& step,

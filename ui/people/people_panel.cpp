@@ -149,7 +149,7 @@ void PeoplePanel::showLearning() {
   learning_->setValue(static_cast<int>(std::lround(100.0 * least)));
   const int count = peopleThere(*snapshot_);
   summary_->setText(learns ? tr("Learning the empty room: %1 %. Keep out of view.")
-                                 .arg(static_cast<int>(std::lround(100.0 * least)))
+                                 .arg(percentText(least))
                     : count == 0 ? tr("Nobody is there. People appear when two cameras see them.")
                                  : tr("People there: %1").arg(QLocale().toString(count)));
 }
@@ -202,11 +202,12 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
     first->setIcon(colorChip(targetColor(target.target.name, person.identity - 1), 12));
     first->setData(Qt::AccessibleTextRole, QString::fromStdString(target.target.name));
   }
+  const auto meters = [](double length) {
+    return lengthNumber(length, LengthScale::Meters, 2, NumberForm::Rounded);
+  };
   put(row, kPlace,
-      QStringLiteral("%1  %2").arg(numberText(person.position.x(), 2, NumberForm::Rounded),
-                                   numberText(person.position.y(), 2, NumberForm::Rounded)));
-  put(row, kHeight,
-      person.height > 0.0 ? numberText(person.height, 2, NumberForm::Rounded) : QString());
+      QStringLiteral("%1  %2").arg(meters(person.position.x()), meters(person.position.y())));
+  put(row, kHeight, person.height > 0.0 ? meters(person.height) : QString());
   put(row, kSpeed, numberText(person.velocity.head<2>().norm(), 1, NumberForm::Rounded));
   put(row, kCameras,
       QStringLiteral("%1/%2").arg(person.camerasSeeing).arg(snapshot_->peopleCameras.size()));

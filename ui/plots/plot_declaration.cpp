@@ -28,7 +28,7 @@ QString quantityText(PlotQuantity quantity, double value) {
   case PlotQuantity::Length:
     return lengthText(value);
   case PlotQuantity::Position:
-    return QCoreApplication::translate("PlotQuantity", "%1 m").arg(number(3));
+    return lengthText(value, LengthScale::Meters, 3, NumberForm::Table);
   case PlotQuantity::Speed:
     return QCoreApplication::translate("PlotQuantity", "%1 m/s").arg(number(2));
   case PlotQuantity::Duration:

@@ -329,10 +329,10 @@ QString PlotStack::placeInWords() const {
     return {};
   }
   const PlotSeries::Row& at = series_->row(*row);
-  return tr("frame %1, iteration %2, %3 s") // people count frames from 1
+  return tr("frame %1, iteration %2, %3") // people count frames from 1
       .arg(at.frame + 1)
       .arg(at.iteration)
-      .arg(numberText(at.time, 2));
+      .arg(secondsText(at.time, 2));
 }
 
 QString PlotStack::valuesInWords() const {

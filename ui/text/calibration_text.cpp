@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::ui {
 namespace {
@@ -32,9 +31,9 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
                             "frames early. Synchronize the videos, or let time offsets be found."))
         .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
-    return Words::tr("%1 fits one place before %2 s and another after: it was likely moved or "
+    return Words::tr("%1 fits one place before %2 and another after: it was likely moved or "
                      "bumped then. Calibrate with the part after it.")
-        .arg(first, numberText(fault.value, 1));
+        .arg(first, secondsText(fault.value, 1));
   case CalibrationFault::VideoFlipped:
     return Words::tr("%1 fits only with flipped images: its video is likely mirrored or upside "
                      "down. Set how its images are turned and mirrored.")
@@ -55,11 +54,10 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
 QString verdictWords(const CalibrationAccuracy& verdict) {
   QString text = Words::tr("In this volume ±%1 (95 %)")
                      .arg(lengthText(verdict.position95, LengthForm::TwoDigits));
-  text += verdict.scale95 ? Words::tr(", scale ±%1 %").arg(digitsText(100.0 * *verdict.scale95, 2))
+  text += verdict.scale95 ? Words::tr(", scale ±%1 %").arg(percentAccuracyText(*verdict.scale95))
                           : Words::tr(", scale unknown");
-  text += verdict.up95
-              ? Words::tr(", up ±%1°").arg(digitsText(*verdict.up95 * 180.0 / std::numbers::pi, 2))
-              : Words::tr(", up not measured");
+  text += verdict.up95 ? Words::tr(", up ±%1").arg(angleAccuracyText(*verdict.up95))
+                       : Words::tr(", up not measured");
   return text + QStringLiteral(".");
 }
 
@@ -90,9 +88,9 @@ QString faultWords(const NamedFault& fault, const QStringList& cameraNames) {
                      "measure a row with a ruler (prints are often rescaled).")
         .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
-    return Words::tr("The images fit when shifted by %1 px along both axes: a program likely "
+    return Words::tr("The images fit when shifted by %1 along both axes: a program likely "
                      "counts pixels from their corners. Convert the principal points.")
-        .arg(numberText(fault.value, 1));
+        .arg(pixelText(fault.value));
   default:
     return cameraFault(fault, name(0), name(1));
   }

@@ -5,8 +5,6 @@
 
 #include <QCoreApplication>
 
-#include <numbers>
-
 namespace dewpoint::ui {
 
 const CameraMotionReport* bumpOf(const TrackSnapshot& snapshot, int camera) {
@@ -23,8 +21,8 @@ QString bumpText(const CameraMotionReport* report) {
   if (report == nullptr) {
     return {};
   }
-  const double degrees = report->event.turn.turn.norm() * 180.0 / std::numbers::pi;
-  return QCoreApplication::translate("Bump", "turned by %1°").arg(numberText(degrees, 2));
+  return QCoreApplication::translate("Bump", "turned by %1")
+      .arg(angleText(report->event.turn.turn.norm(), 2));
 }
 
 } // namespace dewpoint::ui

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace dewpoint::ui {
 namespace {
@@ -18,14 +19,48 @@ QString millimeters(const QString& number) {
   return Quantity::tr("%1 mm").arg(number);
 }
 
+QString centimeters(const QString& number) {
+  return Quantity::tr("%1 cm").arg(number);
+}
+
 QString metersText(const QString& number) {
   return Quantity::tr("%1 m").arg(number);
 }
 
+double unitsOf(double meters, LengthScale scale) {
+  switch (scale) {
+  case LengthScale::Millimeters:
+    return 1000.0 * meters;
+  case LengthScale::Centimeters:
+    return 100.0 * meters;
+  case LengthScale::Meters:
+    break;
+  }
+  return meters;
+}
+
+double inDegrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
+
+QString degreesText(const QString& number) {
+  return Quantity::tr("%1°").arg(number);
+}
+
+QString pixelsText(const QString& number) {
+  return Quantity::tr("%1 px").arg(number);
+}
+
+/// With so many digits at most, as short as it can be written.
+QString shortest(double value, int digits) {
+  return QLocale().toString(value, 'g', digits);
+}
+
 QString readout(double meters) {
   const double size = std::abs(meters);
-  return size < 1.0 ? millimeters(tableText(1000.0 * meters, size < 0.01 ? 1 : 0))
-                    : metersText(tableText(meters, 2));
+  return size < 1.0
+             ? lengthText(meters, LengthScale::Millimeters, size < 0.01 ? 1 : 0, NumberForm::Table)
+             : lengthText(meters, LengthScale::Meters, 2, NumberForm::Table);
 }
 
 QString withoutTrailingZeros(QString text) {
@@ -83,12 +118,16 @@ QString digitsText(double value, int digits) {
   return numberText(value, std::clamp(decimals, 0, 4));
 }
 
-QString differenceText(double value) {
-  return QLocale().toString(value, 'g', 2);
+QString ratioText(double value) {
+  return shortest(value, 3);
 }
 
-QString ratioText(double value) {
-  return QLocale().toString(value, 'g', 3);
+QString declaredText(double value) {
+  return shortest(value, 6);
+}
+
+QString rateText(double perSecond) {
+  return shortest(perSecond, 4);
 }
 
 QString lengthText(double meters, LengthForm form) {
@@ -104,6 +143,35 @@ QString lengthText(double meters, LengthForm form) {
   return readout(meters);
 }
 
+QString lengthText(double meters, LengthScale scale, int decimals, NumberForm form) {
+  const QString number = lengthNumber(meters, scale, decimals, form);
+  switch (scale) {
+  case LengthScale::Millimeters:
+    return millimeters(number);
+  case LengthScale::Centimeters:
+    return centimeters(number);
+  case LengthScale::Meters:
+    break;
+  }
+  return metersText(number);
+}
+
+QString lengthNumber(double meters, LengthScale scale, int decimals, NumberForm form) {
+  return numberText(unitsOf(meters, scale), decimals, form);
+}
+
+QString angleText(double radians, int decimals, NumberForm form) {
+  return degreesText(angleNumber(radians, decimals, form));
+}
+
+QString angleNumber(double radians, int decimals, NumberForm form) {
+  return numberText(inDegrees(radians), decimals, form);
+}
+
+QString angleAccuracyText(double radians) {
+  return degreesText(digitsText(inDegrees(radians), 2));
+}
+
 QString shareText(double share) {
   const bool part = share > 0.0 && share < 1.0;
   const double percent = part ? std::clamp(100.0 * share, 1.0, 99.0) : 100.0 * share;
@@ -114,8 +182,20 @@ QString percentText(double share, int decimals) {
   return numberText(100.0 * share, decimals);
 }
 
+QString percentAccuracyText(double share) {
+  return digitsText(100.0 * share, 2);
+}
+
+QString secondsText(double seconds, int decimals) {
+  return Quantity::tr("%1 s").arg(numberText(seconds, decimals));
+}
+
 QString millisecondsText(double milliseconds) {
   return Quantity::tr("%1 ms").arg(numberText(milliseconds, 1));
+}
+
+QString millisecondsNumber(double seconds, NumberForm form) {
+  return numberText(1000.0 * seconds, 1, form);
 }
 
 QString durationText(double microseconds) {
@@ -123,8 +203,12 @@ QString durationText(double microseconds) {
                                 : millisecondsText(microseconds / 1000.0);
 }
 
-QString pixelText(double pixels) {
-  return Quantity::tr("%1 px").arg(numberText(pixels, 1));
+QString pixelText(double value, int decimals) {
+  return pixelsText(numberText(value, decimals));
+}
+
+QString pixelDifferenceText(double value) {
+  return pixelsText(shortest(value, 2));
 }
 
 } // namespace dewpoint::ui

@@ -2,6 +2,7 @@
 #include "ui/text/reason_text.h"
 
 #include "ui/text/camera_names.h"
+#include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
 
@@ -19,7 +20,7 @@ class Reason {
 } // namespace
 
 QString troubleText(const CameraReport& report) {
-  const int pixels = std::max(1, static_cast<int>(std::lround(report.pixels)));
+  const QString distance = pixelText(std::max(1.0, std::round(report.pixels)), 0);
   switch (report.status) {
   case CameraStatus::None:
     break;
@@ -37,11 +38,11 @@ QString troubleText(const CameraReport& report) {
     return Reason::tr("hidden");
   case CameraStatus::Distractor:
     return report.pixels < 1.0 ? Reason::tr("at a look-alike")
-                               : Reason::tr("%1 px beside a look-alike").arg(pixels);
+                               : Reason::tr("%1 beside a look-alike").arg(distance);
   case CameraStatus::NoColor:
     return Reason::tr("no color matches");
   case CameraStatus::Elsewhere:
-    return Reason::tr("its color is %1 px away").arg(pixels);
+    return Reason::tr("its color is %1 away").arg(distance);
   case CameraStatus::Unclear:
     return Reason::tr("its color, but not its shape");
   }

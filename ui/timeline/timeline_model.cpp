@@ -69,8 +69,8 @@ double TimelineModel::secondsOf(qint64 frame) const {
 
 QString TimelineModel::describe(qint64 frame) const {
   const QLocale locale;
-  QString text = QCoreApplication::translate("Timeline", "Frame %1, %2 s")
-                     .arg(locale.toString(frame + 1), numberText(secondsOf(frame), 2));
+  QString text = QCoreApplication::translate("Timeline", "Frame %1, %2")
+                     .arg(locale.toString(frame + 1), secondsText(secondsOf(frame), 2));
   const FrameRecord* record = at(frame);
   if (record == nullptr) {
     return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");

@@ -136,7 +136,7 @@ QString clock(double seconds, double step) {
   const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
   const int minutes = static_cast<int>(seconds / 60.0);
   if (minutes == 0) {
-    return QCoreApplication::translate("Timeline", "%1 s").arg(numberText(seconds, decimals));
+    return secondsText(seconds, decimals);
   }
   return QStringLiteral("%1:%2").arg(minutes).arg(
       numberText(seconds - 60.0 * minutes, decimals)
@@ -302,7 +302,7 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
   QString text = QCoreApplication::translate("Timeline", "history %1 of %2 MB")
                      .arg(megabytes(model.history.bytes), megabytes(model.history.mostBytes));
   if (model.live && model.history.last >= 0) {
-    text += QCoreApplication::translate("Timeline", ", the last %1 s").arg(numberText(span, 0));
+    text += QCoreApplication::translate("Timeline", ", the last %1").arg(secondsText(span, 0));
   }
   if (model.rerun) {
     text = QCoreApplication::translate("Timeline", "tracking again: frame %1 of %2 to %3")

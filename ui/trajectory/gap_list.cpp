@@ -64,10 +64,9 @@ void GapList::fill() {
   setRowCount(static_cast<int>(gaps_.size()));
   for (int row = 0; row < rowCount(); ++row) {
     const TrajectoryGap& gap = gaps_[static_cast<std::size_t>(row)];
-    const QString seconds = numberText(gap.seconds(), 2);
     const QStringList texts{tr("frame %1").arg(gap.firstFrame + 1),
                             tr("frame %1").arg(gap.lastFrame + 1),
-                            tr("%1 s").arg(seconds) + QStringLiteral(" · ") +
+                            secondsText(gap.seconds(), 2) + QStringLiteral(" · ") +
                                 tr("%n frames", nullptr, static_cast<int>(gap.frames())),
                             QString::fromStdString(gap.target)};
     for (int column = 0; column < columnCount(); ++column) {

@@ -74,11 +74,13 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case X:
   case Y:
   case Z:
-    return tableText(sample.position[index.column() - X], 4);
+    return lengthNumber(sample.position[index.column() - X], LengthScale::Meters, 4,
+                        NumberForm::Table);
   case SigmaX:
   case SigmaY:
   case SigmaZ:
-    return tableText(1000.0 * sigmaOf(sample, index.column() - SigmaX), 1);
+    return lengthNumber(sigmaOf(sample, index.column() - SigmaX), LengthScale::Millimeters, 1,
+                        NumberForm::Table);
   case Speed:
     return tableText(row.speed, 2);
   case Cameras:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/angle.h"
 #include "ui/text/quantity_text.h"
 
 #include <QLocale>
@@ -54,6 +55,32 @@ TEST(QuantityText, AnAccuracyHasTwoDigits) {
   EXPECT_EQ(digitsText(0.0, 2), QStringLiteral("0"));
   EXPECT_EQ(ratioText(100.0), QStringLiteral("100"));
   EXPECT_EQ(ratioText(1.0833), QStringLiteral("1.08"));
+  EXPECT_EQ(percentAccuracyText(0.001), QStringLiteral("0.10"));
+  EXPECT_EQ(angleAccuracyText(0.2 * base::kDegree), QStringLiteral("0.20°"));
+}
+
+TEST(QuantityText, LengthsThatAreComparedKeepTheirUnit) {
+  EXPECT_EQ(lengthText(0.00123, LengthScale::Millimeters, 1), QStringLiteral("1.2 mm"));
+  EXPECT_EQ(lengthText(1.5, LengthScale::Millimeters, 2), QStringLiteral("1,500.00 mm"));
+  EXPECT_EQ(lengthText(0.01, LengthScale::Centimeters, 1, NumberForm::Signed),
+            QStringLiteral("+1.0 cm"));
+  EXPECT_EQ(lengthText(-0.0012, LengthScale::Meters, 3, NumberForm::Table),
+            QStringLiteral("−0.001 m"));
+  EXPECT_EQ(lengthNumber(0.0707, LengthScale::Centimeters, 1), QStringLiteral("7.1"));
+}
+
+TEST(QuantityText, AnglesAreInDegrees) {
+  EXPECT_EQ(angleText(0.31 * base::kDegree, 2), QStringLiteral("0.31°"));
+  EXPECT_EQ(angleText(90.0 * base::kDegree, 0), QStringLiteral("90°"));
+  EXPECT_EQ(angleText(1.2 * base::kDegree, 2, NumberForm::Signed), QStringLiteral("+1.20°"));
+  EXPECT_EQ(angleNumber(-2.5 * base::kDegree, 1), QStringLiteral("-2.5"));
+}
+
+TEST(QuantityText, WhatWasDeclaredIsAsShortAsItCanBe) {
+  EXPECT_EQ(declaredText(0.05), QStringLiteral("0.05"));
+  EXPECT_EQ(declaredText(20000.0), QStringLiteral("20,000"));
+  EXPECT_EQ(rateText(30.0), QStringLiteral("30"));
+  EXPECT_EQ(rateText(29.97003), QStringLiteral("29.97"));
 }
 
 TEST(QuantityText, AShareIsAllOrNothingOnlyWhenItIs) {
@@ -68,7 +95,11 @@ TEST(QuantityText, DurationsAndPixelsHaveTheirUnits) {
   EXPECT_EQ(durationText(850.4), QStringLiteral("850 µs"));
   EXPECT_EQ(durationText(12345.0), QStringLiteral("12.3 ms"));
   EXPECT_EQ(millisecondsText(0.26), QStringLiteral("0.3 ms"));
+  EXPECT_EQ(millisecondsNumber(-0.0123, NumberForm::Signed), QStringLiteral("-12.3"));
+  EXPECT_EQ(secondsText(4.4, 2), QStringLiteral("4.40 s"));
   EXPECT_EQ(pixelText(12.34), QStringLiteral("12.3 px"));
+  EXPECT_EQ(pixelText(0.4567, 3), QStringLiteral("0.457 px"));
+  EXPECT_EQ(pixelDifferenceText(0.00312), QStringLiteral("0.0031 px"));
 }
 
 } // namespace

@@ -10,7 +10,6 @@
 #include <QStringList>
 
 #include <algorithm>
-#include <numbers>
 
 namespace dewpoint::ui {
 namespace {
@@ -23,14 +22,13 @@ constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warn
 
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
-  QString line =
-      Words::tr("%1: rms %2 px, focal length %3 px, %4 pictures; known to %5 px")
-          .arg(name, numberText(lens.rmsPx, 3), numberText(lens.camera.intrinsics.focalX, 1),
-               QString::number(used), numberText(lens.worstProjectionPx, 2));
+  QString line = Words::tr("%1: rms %2, focal length %3, %4 pictures; known to %5")
+                     .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
+                          QString::number(used), pixelText(lens.worstProjectionPx, 2));
   if (lens.worstProjectionPx > kPoorlyKnownPx) {
     line += QStringLiteral("\n⚠ ") + Words::tr("Corners in only %1 % of its image: show the board "
                                                "in all of it, also tilted.")
-                                         .arg(numberText(100.0 * lens.coverage.imagePart(), 0));
+                                         .arg(percentText(lens.coverage.imagePart()));
   }
   return line;
 }
@@ -39,11 +37,11 @@ QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.views.empty()) {
     return Words::tr("%1 keeps its place: it never saw the board.").arg(name);
   }
-  QString line = Words::tr("%1: rms %2 px").arg(name, numberText(fit.rmsPx, 3));
+  QString line = Words::tr("%1: rms %2").arg(name, pixelText(fit.rmsPx, 3));
   if (fit.centerSigma > 0.0) {
-    line += Words::tr(", place ±%1 mm, direction ±%2°")
-                .arg(numberText(1e3 * fit.centerSigma, 2),
-                     numberText(fit.turnSigma * 180.0 / std::numbers::pi, 3));
+    line += Words::tr(", place ±%1, direction ±%2")
+                .arg(lengthText(fit.centerSigma, LengthScale::Millimeters, 2),
+                     angleText(fit.turnSigma, 3));
   }
   return line;
 }
@@ -69,8 +67,8 @@ void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places
   if (!lines.isEmpty()) {
     lines << QString();
   }
-  lines << Words::tr("Places: rms %1 px over %2 positions of the board")
-               .arg(numberText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
+  lines << Words::tr("Places: rms %1 over %2 positions of the board")
+               .arg(pixelText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
     lines << placeLine(calibrator.nameOf(k), places.fits[k]);
   }
@@ -146,10 +144,10 @@ QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceS
   if (!camera.seen) {
     return Words::tr("no board in sight");
   }
-  const QString edges = numberText(camera.seen->edgeWidthPx, 1);
+  const QString edges = pixelText(camera.seen->edgeWidthPx);
   return camera.seen->edgeWidthPx > settings.softEdgePart * camera.width
-             ? Words::tr("⚠ soft, edges of %1 px").arg(edges)
-             : Words::tr("sharp, edges of %1 px").arg(edges);
+             ? Words::tr("⚠ soft, edges of %1").arg(edges)
+             : Words::tr("sharp, edges of %1").arg(edges);
 }
 
 QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
@@ -157,9 +155,9 @@ QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSe
     return Words::tr("%1 of at least %2 views")
         .arg(QString::number(camera.lens.views), QString::number(settings.leastViews));
   }
-  return Words::tr("%1 views, known to %2 px (wanted: %3 px)")
-      .arg(QString::number(camera.lens.views), numberText(*camera.lens.projectionPx, 2),
-           numberText(settings.requestedProjectionPx, 2));
+  return Words::tr("%1 views, known to %2 (wanted: %3)")
+      .arg(QString::number(camera.lens.views), pixelText(*camera.lens.projectionPx, 2),
+           pixelText(settings.requestedProjectionPx, 2));
 }
 
 QString seenWords(const BoardGuideState::PerCamera& camera) {
@@ -170,9 +168,10 @@ QString seenWords(const BoardGuideState::PerCamera& camera) {
 
 QString placeWords(const BoardGuideState::PerCamera& camera) {
   const QString views = QString::number(camera.pairViews);
-  return camera.positionSigma ? Words::tr("%1 views, place known to %2 mm")
-                                    .arg(views, numberText(1e3 * *camera.positionSigma, 2))
-                              : Words::tr("%1 views with others").arg(views);
+  return camera.positionSigma
+             ? Words::tr("%1 views, place known to %2")
+                   .arg(views, lengthText(*camera.positionSigma, LengthScale::Millimeters, 2))
+             : Words::tr("%1 views with others").arg(views);
 }
 
 QString outcomeWords(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {

@@ -115,9 +115,10 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
   }
   lines << QString();
   for (const CameraDifference& camera : conversion.cameras) {
-    lines << (camera.refitted ? tr("%1: largest reprojection difference %2 px (fitted anew)")
-                              : tr("%1: largest reprojection difference %2 px"))
-                 .arg(QString::fromStdString(camera.camera), differenceText(camera.largestPixels));
+    lines << (camera.refitted ? tr("%1: largest reprojection difference %2 (fitted anew)")
+                              : tr("%1: largest reprojection difference %2"))
+                 .arg(QString::fromStdString(camera.camera),
+                      pixelDifferenceText(camera.largestPixels));
     if (camera.lostDirections > 0) {
       lines << tr("%1: %2 of 81 directions have no pixel any more")
                    .arg(QString::fromStdString(camera.camera))

@@ -16,7 +16,6 @@
 #include <QRegularExpression>
 #include <QSignalBlocker>
 
-#include <numbers>
 #include <set>
 
 namespace dewpoint::ui {
@@ -217,13 +216,13 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   }
   lines << QString();
   for (const ImportedCamera& camera : made->cameras) {
-    lines << tr("%1 (in the file: %2): %3 cm and %4° from where it is now")
+    lines << tr("%1 (in the file: %2): %3 and %4 from where it is now")
                  .arg(QString::fromStdString(camera.name), QString::fromStdString(camera.fileName),
-                      numberText(100.0 * camera.shift.meters, 1),
-                      numberText(camera.shift.radians * 180.0 / std::numbers::pi, 2));
+                      lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
+                      angleText(camera.shift.radians, 2));
   }
-  lines << tr("Largest reprojection difference to the file: %1 px")
-               .arg(differenceText(made->largestPixels));
+  lines << tr("Largest reprojection difference to the file: %1")
+               .arg(pixelDifferenceText(made->largestPixels));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }
 

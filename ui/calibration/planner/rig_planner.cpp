@@ -237,10 +237,12 @@ void RigPlanner::takePlacement(const Result<Placement>& found) {
   Q_EMIT changed();
   const Eigen::Vector3d place = found->camera.center();
   Q_EMIT messageRequested(
-      tr("Put %1 here: x %2, y %3, z %4 m. Then %5 of the volume is within %6, instead "
+      tr("Put %1 here: x %2, y %3, z %4. Then %5 of the volume is within %6, instead "
          "of %7.")
-          .arg(QString::fromStdString(found->camera.name), numberText(place.x(), 2),
-               numberText(place.y(), 2), numberText(place.z(), 2), shareText(found->withinAfter),
+          .arg(QString::fromStdString(found->camera.name),
+               lengthNumber(place.x(), LengthScale::Meters, 2),
+               lengthNumber(place.y(), LengthScale::Meters, 2),
+               lengthText(place.z(), LengthScale::Meters, 2), shareText(found->withinAfter),
                lengthText(look_.goodSigma, LengthForm::Short), shareText(found->withinBefore)));
 }
 

@@ -192,7 +192,7 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
   QString line;
   switch (camera.trouble) {
   case PoseStatus::None:
-    line = tr("%1: %2 px off on average").arg(name, numberText(camera.rmsPx, 2));
+    line = tr("%1: %2 off on average").arg(name, pixelText(camera.rmsPx, 2));
     break;
   case PoseStatus::TooFew:
     line = tr("%1: %2 points are too few, click four or more").arg(name).arg(camera.clicks);
@@ -201,8 +201,8 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
     line = tr("%1: its points lie on one line, add one beside it").arg(name);
     break;
   case PoseStatus::Ambiguous:
-    line = tr("%1: %2 px, but a second pose fits as well: add a point outside the plane")
-               .arg(name, numberText(camera.rmsPx, 2));
+    line = tr("%1: %2, but a second pose fits as well: add a point outside the plane")
+               .arg(name, pixelText(camera.rmsPx, 2));
     break;
   case PoseStatus::NoPose:
     line = tr("%1: no pose shows the points there").arg(name);
@@ -210,10 +210,11 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
   }
   if (camera.proposal) {
     const QString what = symmetryText(name, camera.proposal->symmetry);
-    line += QLatin1Char('\n') + (camera.proposal->byUprightness
-                                     ? tr("%1, unless it was mounted so").arg(what)
-                                     : tr("%1: then its points fit to %2 px")
-                                           .arg(what, numberText(camera.proposal->rmsPx, 2)));
+    line +=
+        QLatin1Char('\n') +
+        (camera.proposal->byUprightness
+             ? tr("%1, unless it was mounted so").arg(what)
+             : tr("%1: then its points fit to %2").arg(what, pixelText(camera.proposal->rmsPx, 2)));
   }
   return line;
 }
@@ -229,11 +230,11 @@ QString PointCalibrator::worstPointSentence(const PointSolution& solution) const
     }
   }
   const QString name = QString::fromStdString(points()[worst].name);
+  const QString distance = lengthText(meters, LengthScale::Millimeters, 1);
   return solution.worstExplains
-             ? tr("%1 does not fit the rest (%2 px, %3 mm): measure or click it again")
-                   .arg(name, numberText(pixels, 1), numberText(1000.0 * meters, 1))
-             : tr("Worst: %1 (%2 px, %3 mm)")
-                   .arg(name, numberText(pixels, 2), numberText(1000.0 * meters, 1));
+             ? tr("%1 does not fit the rest (%2, %3): measure or click it again")
+                   .arg(name, pixelText(pixels), distance)
+             : tr("Worst: %1 (%2, %3)").arg(name, pixelText(pixels, 2), distance);
 }
 
 std::optional<int> PointCalibrator::proposedCamera() const {

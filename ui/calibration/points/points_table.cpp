@@ -130,7 +130,7 @@ void PointsTable::fillRow(int row) {
   const QString name = QString::fromStdString(point.name);
   setCell(row, Name, worst ? QStringLiteral("▲ ") + name : name, true);
   for (int axis = 0; axis < 3; ++axis) {
-    setCell(row, X + axis, numberText(point.world[axis], 3), true);
+    setCell(row, X + axis, lengthNumber(point.world[axis], LengthScale::Meters, 3), true);
   }
   setCell(row, Clicks, QStringLiteral("%1/%2").arg(point.clicks.size()).arg(hand_.cameraCount()),
           false);
@@ -153,13 +153,14 @@ void PointsTable::showResiduals() {
       if (residual.point == row) {
         pixels = std::max(pixels, residual.pixels);
         meters = std::max(meters, residual.meters);
-        each << tr("%1: %2 px, %3 mm")
-                    .arg(hand_.nameOf(residual.camera), numberText(residual.pixels, 2),
-                         numberText(1000.0 * residual.meters, 1));
+        each << tr("%1: %2, %3")
+                    .arg(hand_.nameOf(residual.camera), pixelText(residual.pixels, 2),
+                         lengthText(residual.meters, LengthScale::Millimeters, 1));
       }
     }
     setCell(row, Pixels, pixels < 0.0 ? QStringLiteral("–") : numberText(pixels, 2), false);
-    setCell(row, Millimeters, meters < 0.0 ? QStringLiteral("–") : numberText(1000.0 * meters, 1),
+    setCell(row, Millimeters,
+            meters < 0.0 ? QStringLiteral("–") : lengthNumber(meters, LengthScale::Millimeters, 1),
             false);
     for (const int column : {int(Clicks), int(Pixels), int(Millimeters)}) {
       table_->item(row, column)->setToolTip(each.join(QLatin1Char('\n')));

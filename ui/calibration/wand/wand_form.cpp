@@ -166,9 +166,9 @@ void WandForm::fillSizes() {
   const auto ball =
       balls.empty() ? targets.end() : std::ranges::find(targets, balls.front(), &Target::name);
   const QString diameter =
-      ball == targets.end()
-          ? tr("the ball's diameter")
-          : tr("the ball's diameter, %1 cm").arg(numberText(200.0 * ball->radius, 1));
+      ball == targets.end() ? tr("the ball's diameter")
+                            : tr("the ball's diameter, %1")
+                                  .arg(lengthText(2.0 * ball->radius, LengthScale::Centimeters, 1));
   setTexts(*size_, {tr("the cameras as they are"), diameter, tr("a distance touched")});
 }
 

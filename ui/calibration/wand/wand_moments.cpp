@@ -72,7 +72,7 @@ void WandMoments::refresh() {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const TouchedInstant& moment : calibrator_.moments()) {
-      list_->addItem(tr("%1 s – %2").arg(numberText(moment.seconds, 3), touchWords(moment.role)));
+      list_->addItem(tr("%1 – %2").arg(secondsText(moment.seconds, 3), touchWords(moment.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }

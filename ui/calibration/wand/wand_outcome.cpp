@@ -20,7 +20,6 @@
 #include <QVBoxLayout>
 
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::ui {
 namespace {
@@ -175,9 +174,10 @@ void WandOutcome::showOutcome() {
     }
     if (saysTooLittle(*found)) {
       notes << QStringLiteral("⚠ ") +
-                   tr("That is less sure than the cameras were (off by up to %1 "
-                      "cm): wave through more of the volume.")
-                       .arg(numberText(100.0 * found->options.initialPositionError, 1));
+                   tr("That is less sure than the cameras were (off by up to %1): "
+                      "wave through more of the volume.")
+                       .arg(lengthText(found->options.initialPositionError,
+                                       LengthScale::Centimeters, 1));
     }
     if (!calibrator_.isApplied()) {
       notes << tr("The cameras are as they were.");
@@ -224,10 +224,10 @@ void WandOutcome::fillTable() {
     const PoseShift shift = poseShift(found.before[k], result.cameras[k]);
     set(k, Name, cameraName(found.before, k));
     set(k, Pixels, numberText(result.bundle.cameraRms[k], 2));
-    set(k, Moved, numberText(100.0 * shift.meters, 1));
-    set(k, Turned, numberText(shift.radians * 180.0 / std::numbers::pi, 2));
+    set(k, Moved, lengthNumber(shift.meters, LengthScale::Centimeters, 1));
+    set(k, Turned, angleNumber(shift.radians, 2));
     // True time is the camera's plus the offset: a late image has a negative one.
-    set(k, Offset, numberText(-1000.0 * result.offsets[k], 1, NumberForm::Signed));
+    set(k, Offset, millisecondsNumber(-result.offsets[k], NumberForm::Signed));
   }
   table_->resizeRowsToContents();
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();

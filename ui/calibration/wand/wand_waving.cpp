@@ -101,7 +101,7 @@ void WandWaving::showCameras() {
             .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
             .arg(static_cast<qulonglong>(seen.count)));
   }
-  QString text = tr("%1 s collected.").arg(numberText(collected->seconds, 1));
+  QString text = tr("%1 collected.").arg(secondsText(collected->seconds, 1));
   text += QLatin1Char(' ') +
           (enough ? tr("Every camera saw enough: stop, or refine.")
                   : tr("Go on: each camera should see the ball 150 times, in half of its image."));
