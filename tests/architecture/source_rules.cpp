@@ -2,6 +2,7 @@
 #include "tests/architecture/source_rules.h"
 
 #include "tests/architecture/namespace_rule.h"
+#include "tests/architecture/quantity_rule.h"
 #include "tests/architecture/room_tables.h"
 
 #include <algorithm>
@@ -253,6 +254,9 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
   }
   if (!opensItsNamespace(path, text)) {
     found.push_back(path + " does not open its namespace " + namespaceOf(path));
+  }
+  for (const std::string& written : quantitiesByHand(path, text)) {
+    found.push_back(path + " writes a quantity by hand, see ui/text/quantity_text.h: " + written);
   }
   return found;
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/architecture/quantity_rule.h"
+
+#include <regex>
+
+namespace dewpoint::tests {
+
+std::vector<std::string> quantitiesByHand(const std::string& path, std::string_view text) {
+  if (!path.starts_with("ui/") || path.starts_with("ui/text/quantity_text.")) {
+    return {};
+  }
+  // A text may be divided over lines; what comments say is shown to nobody.
+  static const std::regex kComment("//[^\n]*");
+  static const std::regex kSeam("\"\\s*\"");
+  const std::string code =
+      std::regex_replace(std::regex_replace(std::string(text), kComment, ""), kSeam, "");
+  static const std::regex kUnit("%[0-9]+(°| ?(px|mm|cm|m|µs|ms|s)(?![A-Za-z0-9_/]))");
+  static const std::regex kFactor(
+      "(number|table|digits)Text\\([^,;]*\\b(1000\\.0|1e3|200\\.0|180\\.0|100\\.0|kDegree)\\b");
+  std::vector<std::string> found;
+  for (const std::regex& rule : {kUnit, kFactor}) {
+    for (std::sregex_iterator match(code.begin(), code.end(), rule), end; match != end; ++match) {
+      found.push_back(match->str());
+    }
+  }
+  return found;
+}
+
+} // namespace dewpoint::tests

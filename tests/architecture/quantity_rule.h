@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dewpoint::tests {
+
+/// Where a source file of the window writes a quantity by hand, as it stands there: a text with a
+/// unit behind a number ("%1 px"), or a number brought to another unit as it is written. One
+/// function for each quantity does both (ui/text/quantity_text.h).
+std::vector<std::string> quantitiesByHand(const std::string& path, std::string_view text);
+
+} // namespace dewpoint::tests

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/architecture/quantity_rule.h"
+#include "tests/architecture/source_rules.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+using Found = std::vector<std::string>;
+
+const std::string kFile = "ui/plots/plot_row.cpp";
+
+TEST(QuantityRule, AUnitBehindANumberIsTheFormattersWork) {
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"%1: %2 px\")"), Found{"%2 px"});
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"off by up to %1 \"\n   \"cm)\")"), Found{"%1 cm"});
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"±%1°, %2 m.\")"), (Found{"%1°", "%2 m"}));
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"%1 s – %2\")"), Found{"%1 s"});
+
+  EXPECT_EQ(quantitiesByHand(kFile, "tr(\"%1 samples, %2 m/s, %3 % of %4\")"), Found{});
+  EXPECT_EQ(quantitiesByHand(kFile, "/// \"%1 px\"\ntr(\"%1\", \"px\")"), Found{});
+}
+
+TEST(QuantityRule, ANumberIsNotBroughtToAnotherUnitAsItIsWritten) {
+  EXPECT_EQ(quantitiesByHand(kFile, "numberText(1000.0 * meters, 1)"), Found{"numberText(1000.0"});
+  EXPECT_EQ(quantitiesByHand(kFile, "numberText(1e3 * *camera.sigma, 2)"), Found{"numberText(1e3"});
+  EXPECT_EQ(quantitiesByHand(kFile, "tableText(sigmaOf(sample) * 100.0, 1)"),
+            Found{"tableText(sigmaOf(sample) * 100.0"});
+  EXPECT_EQ(quantitiesByHand(kFile, "digitsText(angle * 180.0 / std::numbers::pi, 2)"),
+            Found{"digitsText(angle * 180.0"});
+
+  EXPECT_EQ(quantitiesByHand(kFile, "numberText(value, 3); x = 100.0 * y;"), Found{});
+}
+
+TEST(QuantityRule, ItIsAskedOfTheWindowAlone) {
+  const std::string planted = "namespace dewpoint::ui {\nauto a = tr(\"%1 mm\");\n}\n";
+  EXPECT_EQ(violations(kFile, planted).size(), 1U);
+  EXPECT_EQ(violations("ui/text/quantity_text.cpp", planted).size(), 0U);
+  EXPECT_EQ(quantitiesByHand("app/dewpoint-cli/main.cpp", planted), Found{});
+}
+
+} // namespace
+} // namespace dewpoint::tests
