@@ -20,34 +20,42 @@ namespace {
 
 /// The one camera of a file under the name of the project's camera it is about.
 Status nameAsWished(const Project& project, const ImportRequest& wish, CameraRig& rig) {
-  if (wish.camera.empty()) {
+  if (!wish.camera) {
     return {};
   }
+  if (*wish.camera >= project.cameras.size()) {
+    return failure(ErrorCode::NotFound, wish.path.string(), "camera",
+                   fmt::format("number {}", *wish.camera + 1));
+  }
+  const std::string& name = project.cameras[*wish.camera].camera.name;
   if (rig.size() != 1) {
-    return failure(ErrorCode::Mismatch, wish.path.string(), wish.camera,
+    return failure(ErrorCode::Mismatch, wish.path.string(), name,
                    fmt::format("the file has {} cameras, not one", rig.size()));
   }
-  const auto found = std::ranges::find_if(project.cameras, [&](const ProjectCamera& camera) {
-    return camera.camera.name == wish.camera;
-  });
-  if (found == project.cameras.end()) {
-    return failure(ErrorCode::NotFound, wish.path.string(), "camera", wish.camera);
-  }
-  rig.front().name = wish.camera;
+  rig.front().name = name;
   return {};
 }
 
-/// Takes one camera alone: where a file is about one of several.
-Result<MadeProject> withOneCamera(Project project, const Camera& camera, const std::string& file) {
+/// The project's camera that a file of one camera is about, where the project has several.
+Result<std::size_t> cameraOfFile(const Project& project, const ImportRequest& wish,
+                                 const std::string& name) {
+  if (wish.camera) {
+    return *wish.camera;
+  }
   const auto found = std::ranges::find_if(
-      project.cameras, [&](const ProjectCamera& one) { return one.camera.name == camera.name; });
+      project.cameras, [&](const ProjectCamera& one) { return one.camera.name == name; });
   if (found == project.cameras.end()) {
-    return failure(ErrorCode::Mismatch, file, "camera",
+    return failure(ErrorCode::Mismatch, wish.path.string(), "camera",
                    fmt::format("one camera called \"{}\", but none of the project's {} is called "
                                "so: say which one it is",
-                               camera.name, project.cameras.size()));
+                               name, project.cameras.size()));
   }
-  found->camera = camera;
+  return static_cast<std::size_t>(found - project.cameras.begin());
+}
+
+/// Takes one camera alone.
+MadeProject withOneCamera(Project project, std::size_t index, const Camera& camera) {
+  project.cameras[index].camera = camera;
   MadeProject made;
   made.project = std::move(project);
   return made;
@@ -99,9 +107,16 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     return tl::make_unexpected(named.error());
   }
   const CameraRig original = read->rig;
-  const bool one = original.size() == 1 && project.cameras.size() > 1;
-  auto made = one ? withOneCamera(project, original.front(), file)
-                  : withCalibration(project, read->rig, file);
+  std::optional<std::size_t> only; // camera that a file of one is about
+  if (original.size() == 1 && project.cameras.size() > 1) {
+    const auto found = cameraOfFile(project, wish, original.front().name);
+    if (!found) {
+      return tl::make_unexpected(found.error());
+    }
+    only = *found;
+  }
+  auto made = only ? withOneCamera(project, *only, original.front())
+                   : withCalibration(project, read->rig, file);
   if (!made) {
     return tl::make_unexpected(made.error());
   }
@@ -116,12 +131,12 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     if (result.lensOnly) {
       rig[k].cameraFromWorld = before.cameraFromWorld;
     }
-    const auto source = std::ranges::find(original, before.name, &Camera::name);
-    if (one && source == original.end()) {
+    if (only && k != *only) {
       continue;
     }
+    const auto source = std::ranges::find(original, before.name, &Camera::name);
     const std::string& from = source != original.end() ? source->name : original[k].name;
-    result.cameras.push_back({before.name, from, poseShift(before, rig[k])});
+    result.cameras.push_back({k, before.name, from, poseShift(before, rig[k])});
   }
   const auto loss = lossOfKeeping(rig, file);
   if (!loss) {

@@ -5,7 +5,9 @@
 #include "core/calibration/manual/pose_change.h"
 #include "core/project/project.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +17,13 @@ namespace dewpoint::setup {
 struct ImportRequest {
   std::filesystem::path path; ///< a file, or a folder with a file per camera
   CalibrationHints hints;
-  /// The project's camera that a file of one camera is about; empty: found by name.
-  std::string camera = {};
+  /// Index of the project's camera that a file of one camera is about; nothing: found by name.
+  std::optional<std::size_t> camera = {};
 };
 
 /// What taking it would change about one camera.
 struct ImportedCamera {
+  std::size_t camera;   ///< in the project
   std::string name;     ///< in the project
   std::string fileName; ///< in the file
   PoseShift shift;      ///< from the project's present pose

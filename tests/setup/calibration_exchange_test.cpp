@@ -89,13 +89,19 @@ TEST_F(CalibrationExchange, AFileOfOneCameraIsForTheOneThatIsNamed) {
   const auto unknown = importCalibration(project_, wish);
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().field, "camera");
-  wish.camera = "right";
+  wish.camera = 1;
   const auto made = importCalibration(project_, wish);
   ASSERT_TRUE(made) << sentence(made.error());
   EXPECT_EQ(made->project.cameras[0].camera, project_.cameras[0].camera);
   EXPECT_NE(made->project.cameras[1].camera.intrinsics.focalX, 150.0);
   EXPECT_EQ(made->project.cameras[1].camera.name, "right");
   ASSERT_EQ(made->cameras.size(), 1U);
+  EXPECT_EQ(made->cameras[0].camera, 1U);
+  EXPECT_EQ(made->cameras[0].name, "right");
+  wish.camera = 2;
+  const auto missing = importCalibration(project_, wish);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::NotFound);
 }
 
 } // namespace

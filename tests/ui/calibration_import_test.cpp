@@ -6,6 +6,7 @@
 #include "tests/ui/calibration_window.h"
 #include "ui/calibration/exchange/calibration_export.h"
 #include "ui/calibration/exchange/calibration_import.h"
+#include "ui/document/camera_list_model.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QComboBox>
@@ -32,6 +33,7 @@ private Q_SLOTS:
   void whatIsExportedComesBack_data();
   void whatIsExportedComesBack();
   void theFileThatWasFoundIsTheOneNamed();
+  void aCameraWithoutANameCanBeMeant();
 
 private:
   QString preview(const char* name) { return find<QPlainTextEdit>(name)->toPlainText(); }
@@ -135,7 +137,8 @@ void CalibrationImportTest::goldenFilesAreTaken() {
     project.cameras[k].camera.name = "eye " + std::to_string(k);
   }
   document.replace(project);
-  CalibrationImportDialog dialog(document);
+  const CameraListModel cameraList(document);
+  CalibrationImportDialog dialog(document, cameraList);
   dialog.show();
   dialog.setFile(kGolden + file);
   if (!size.isEmpty()) {
@@ -273,6 +276,28 @@ void CalibrationImportTest::theFileThatWasFoundIsTheOneNamed() {
   // Typed while the preview is made, and not yet entered.
   find<QLineEdit>("calibrationExportFile")->setText(folder_.filePath(QStringLiteral("other.toml")));
   QVERIFY(waitText("calibrationExportPreview", QStringLiteral("there.toml exists")));
+}
+
+void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
+  Document document;
+  Project nameless = window_->document().project();
+  nameless.cameras[0].camera.name = "left";
+  nameless.cameras[1].camera.name.clear();
+  document.replace(nameless);
+  const CameraListModel cameras(document);
+  CalibrationImportDialog dialog(document, cameras);
+  auto* meant = dialog.findChild<QComboBox*>("calibrationImportCamera");
+  QCOMPARE(meant->count(), 3);
+  QVERIFY(!meant->itemData(0).isValid()); // as the names say
+  QCOMPARE(meant->itemText(1), QStringLiteral("only left"));
+  QCOMPARE(meant->itemData(1), QVariant(0));
+  QCOMPARE(meant->itemText(2), QStringLiteral("only camera 2"));
+  QCOMPARE(meant->itemData(2), QVariant(1));
+  // Named meanwhile: the list follows, and what was chosen stays.
+  meant->setCurrentIndex(2);
+  QVERIFY(document.edit(QStringLiteral("name"),
+                        [](Project& project) { project.cameras[1].camera.name = "by the door"; }));
+  QCOMPARE(meant->currentText(), QStringLiteral("only by the door"));
 }
 
 } // namespace dewpoint::tests

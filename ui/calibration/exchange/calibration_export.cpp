@@ -2,6 +2,7 @@
 #include "ui/calibration/exchange/calibration_export.h"
 
 #include "ui/document/document.h"
+#include "ui/text/camera_names.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 
@@ -114,14 +115,15 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
     lines << QString::fromStdString(decision);
   }
   lines << QString();
-  for (const CameraDifference& camera : conversion.cameras) {
+  for (std::size_t k = 0; k < conversion.cameras.size(); ++k) {
+    const CameraDifference& camera = conversion.cameras[k];
+    const QString name = cameraName(camera.camera, k);
     lines << (camera.refitted ? tr("%1: largest reprojection difference %2 (fitted anew)")
                               : tr("%1: largest reprojection difference %2"))
-                 .arg(QString::fromStdString(camera.camera),
-                      pixelDifferenceText(camera.largestPixels));
+                 .arg(name, pixelDifferenceText(camera.largestPixels));
     if (camera.lostDirections > 0) {
       lines << tr("%1: %2 of 81 directions have no pixel any more")
-                   .arg(QString::fromStdString(camera.camera))
+                   .arg(name)
                    .arg(camera.lostDirections);
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/exchange/calibration_import.h"
 
+#include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
@@ -15,6 +16,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalBlocker>
+#include <QVariant>
 
 #include <set>
 
@@ -22,7 +24,7 @@ namespace dewpoint::ui {
 namespace {
 
 /// Other texts with data; what is chosen stays.
-using Choices = std::vector<std::pair<QString, QString>>;
+using Choices = std::vector<std::pair<QString, QVariant>>;
 
 void setChoices(QComboBox& box, const Choices& choices) {
   const QSignalBlocker quiet(box);
@@ -36,11 +38,12 @@ void setChoices(QComboBox& box, const Choices& choices) {
 
 } // namespace
 
-CalibrationImportDialog::CalibrationImportDialog(Document& document, QWidget* parent)
+CalibrationImportDialog::CalibrationImportDialog(Document& document, const CameraListModel& cameras,
+                                                 QWidget* parent)
     : ExchangeDialog(QStringLiteral("calibrationImport"), parent), document_(document),
-      format_(addChoice("Format")), unit_(addChoice("Unit")), lens_(addChoice("Lens")),
-      size_(new QLineEdit(this)), poses_(addChoice("Poses")), camera_(addChoice("Camera")),
-      folder_(new QPushButton(this)) {
+      cameras_(cameras), format_(addChoice("Format")), unit_(addChoice("Unit")),
+      lens_(addChoice("Lens")), size_(new QLineEdit(this)), poses_(addChoice("Poses")),
+      camera_(addChoice("Camera")), folder_(new QPushButton(this)) {
   size_->setObjectName(QStringLiteral("calibrationImportSize"));
   folder_->setObjectName(QStringLiteral("calibrationImportFolder"));
   unit_->setEditable(true);
@@ -57,6 +60,10 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, QWidget* pa
     }
   });
   connect(&document_, &Document::replaced, this, &QDialog::close);
+  connect(&cameras_, &CameraListModel::dataChanged, this, [this] {
+    fillCameras();
+    refresh(); // what is taken has the names, too
+  });
   begin();
 }
 
@@ -92,9 +99,8 @@ void CalibrationImportDialog::chooseFile() {
 
 void CalibrationImportDialog::fillCameras() {
   Choices choices = {{tr("as the names say"), {}}};
-  for (const ProjectCamera& camera : document_.project().cameras) {
-    const QString name = QString::fromStdString(camera.camera.name);
-    choices.emplace_back(tr("only %1").arg(name), name);
+  for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
+    choices.emplace_back(tr("only %1").arg(cameras_.nameOf(camera)), camera);
   }
   setChoices(*camera_, choices);
 }
@@ -163,7 +169,9 @@ ImportRequest CalibrationImportDialog::wish() const {
   if (!poses.isEmpty()) {
     wish.hints.posesAreWorldFromCamera = poses == QLatin1String("yes");
   }
-  wish.camera = camera_->currentData().toString().toStdString();
+  if (const QVariant camera = camera_->currentData(); camera.isValid()) {
+    wish.camera = static_cast<std::size_t>(camera.toInt());
+  }
   return wish;
 }
 
@@ -217,7 +225,8 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   lines << QString();
   for (const ImportedCamera& camera : made->cameras) {
     lines << tr("%1 (in the file: %2): %3 and %4 from where it is now")
-                 .arg(QString::fromStdString(camera.name), QString::fromStdString(camera.fileName),
+                 .arg(cameras_.nameOf(static_cast<int>(camera.camera)),
+                      QString::fromStdString(camera.fileName),
                       lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
                       angleText(camera.shift.radians, 2));
   }

@@ -8,6 +8,7 @@
 
 namespace dewpoint::ui {
 
+class CameraListModel;
 class Document;
 
 /// Takes the calibration of any tool into the project: asks what the file leaves open, shows what
@@ -15,7 +16,9 @@ class Document;
 class CalibrationImportDialog : public ExchangeDialog {
   Q_OBJECT
 public:
-  explicit CalibrationImportDialog(Document& document, QWidget* parent = nullptr);
+  /// `cameras`: those of the document, from which one is chosen.
+  CalibrationImportDialog(Document& document, const CameraListModel& cameras,
+                          QWidget* parent = nullptr);
 
   /// For a dialog that chooses a file: every dialect by its name and ending.
   static QString fileFilter();
@@ -34,6 +37,7 @@ private:
   void fillCameras();
 
   Document& document_;
+  const CameraListModel& cameras_;
   QComboBox* format_;
   QComboBox* unit_;
   QComboBox* lens_;

@@ -12,10 +12,11 @@ namespace dewpoint::ui {
 
 namespace {
 
-template <class Dialog> void open(const Workbench& bench) {
+/// `parts`: what the dialog is made of.
+template <class Dialog, class... Parts> void open(const Workbench& bench, Parts&... parts) {
   auto* dialog = bench.window.findChild<Dialog*>();
   if (dialog == nullptr) {
-    dialog = new Dialog(bench.document, &bench.window);
+    dialog = new Dialog(parts..., &bench.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &ExchangeDialog::failed, &bench.messages, &MessageBar::showError);
     QObject::connect(dialog, &ExchangeDialog::done, &bench.messages, &MessageBar::showNotice);
@@ -26,10 +27,11 @@ template <class Dialog> void open(const Workbench& bench) {
 } // namespace
 
 void installCalibrationExchange(const Workbench& bench) {
-  bench.onTriggered("actionImportCalibration", &bench.window,
-                    [bench] { open<CalibrationImportDialog>(bench); });
+  bench.onTriggered("actionImportCalibration", &bench.window, [bench] {
+    open<CalibrationImportDialog>(bench, bench.document, bench.cameras);
+  });
   bench.onTriggered("actionExportCalibration", &bench.window,
-                    [bench] { open<CalibrationExportDialog>(bench); });
+                    [bench] { open<CalibrationExportDialog>(bench, bench.document); });
   bench.needRun({"actionImportCalibration", "actionExportCalibration"});
 }
 
