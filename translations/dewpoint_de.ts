@@ -2233,8 +2233,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Die Person anklicken</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>Bild von Kamera %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass dort eine Person ist</translation>
+        <source>Image of %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass dort eine Person ist</translation>
     </message>
 </context>
 <context>
@@ -4376,8 +4376,8 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
-        <translation>Bild der Kamera %1: Pfeiltasten bewegen ein Kreuz, Enter zeigt dorthin</translation>
+        <source>Image of %1: arrow keys move a cross, Enter points there</source>
+        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Enter zeigt dorthin</translation>
     </message>
 </context>
 <context>

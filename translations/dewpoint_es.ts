@@ -2233,8 +2233,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Haga clic en la persona</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro dice que allí hay una persona</translation>
+        <source>Image of %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>Imagen de %1: las flechas mueven una cruz, Intro dice que allí hay una persona</translation>
     </message>
 </context>
 <context>
@@ -4376,8 +4376,8 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
-        <translation>Imagen de la cámara %1: las flechas mueven una cruz, Intro señala ahí</translation>
+        <source>Image of %1: arrow keys move a cross, Enter points there</source>
+        <translation>Imagen de %1: las flechas mueven una cruz, Intro señala ahí</translation>
     </message>
 </context>
 <context>

@@ -2233,8 +2233,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>人物をクリック</translation>
     </message>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>カメラ %1 の画像：矢印キーで十字を動かし、Enter でそこに人物がいると伝えます</translation>
+        <source>Image of %1: arrow keys move a cross, Enter says that a person is there</source>
+        <translation>%1 の画像：矢印キーで十字を動かし、Enter でそこに人物がいると伝えます</translation>
     </message>
 </context>
 <context>
@@ -4374,8 +4374,8 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>Image of camera %1: arrow keys move a cross, Enter points there</source>
-        <translation>カメラ %1 の画像: 矢印キーで十字を動かし、Enter でその場所を指します</translation>
+        <source>Image of %1: arrow keys move a cross, Enter points there</source>
+        <translation>%1 の画像: 矢印キーで十字を動かし、Enter でその場所を指します</translation>
     </message>
 </context>
 <context>

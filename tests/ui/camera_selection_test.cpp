@@ -2,9 +2,12 @@
 // A camera chosen in any place of the window is chosen in all of them; and the lists of cameras and
 // targets, which all places share.
 #include "tests/ui/calibration_window.h"
+#include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
+#include "ui/cameraview/image_pick_tool.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/target_list_model.h"
+#include "ui/people/add_person_tool.h"
 #include "ui/selection/selection.h"
 #include "ui/view3d/birds_eye_view.h"
 
@@ -14,6 +17,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -32,6 +36,7 @@ private Q_SLOTS:
   void aNameThatChangesLeavesTheChoice();
   void targetsComeAndGoInTheirList();
   void thePaletteChoosesThem();
+  void imagesAreCalledLikeTheirCameras();
 
 private:
   QListView& list() { return *find<QListView>("cameraList"); }
@@ -166,6 +171,34 @@ void CameraSelectionTest::thePaletteChoosesThem() {
   run(QStringLiteral("targets other"));
   QCOMPARE(window_->selection().target(), static_cast<int>(project().targets.size()) - 1);
   QCOMPARE(find<QLineEdit>("targetName")->text(), QStringLiteral("other"));
+}
+
+void CameraSelectionTest::imagesAreCalledLikeTheirCameras() {
+  Project nameless = project();
+  nameless.cameras[0].camera.name = "left";
+  nameless.cameras[1].camera.name.clear();
+  Document document;
+  const CameraListModel cameras(document);
+  document.replace(nameless);
+  ImagePickTool pick(cameras);
+  AddPersonTool person(find<BirdsEyeView>("birdsEyeView"), cameras, nullptr);
+  CameraView left(0);
+  CameraView right(1);
+  const auto isCalled = [](const CameraView& view, const QString& name) {
+    const auto layers = view.findChildren<ImagePickOverlay*>();
+    return layers.size() == 2 && std::ranges::all_of(layers, [&](const ImagePickOverlay* layer) {
+             return layer->accessibleName().startsWith(name);
+           });
+  };
+  for (CameraView* view : {&left, &right}) {
+    pick.attach(view == &left ? 0 : 1, view);
+    person.attach(view == &left ? 0 : 1, view);
+  }
+  QVERIFY(isCalled(left, QStringLiteral("Image of left: ")));
+  QVERIFY(isCalled(right, QStringLiteral("Image of camera 2: ")));
+  QVERIFY(document.edit(QStringLiteral("name"),
+                        [](Project& project) { project.cameras[1].camera.name = "by the door"; }));
+  QVERIFY(isCalled(right, QStringLiteral("Image of by the door: ")));
 }
 
 } // namespace dewpoint::tests

@@ -20,7 +20,7 @@
 namespace dewpoint::ui {
 
 CameraDocks::CameraDocks(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), pick_(new ImagePickTool(this)) {
+    : QObject(&bench.window), bench_(bench), pick_(new ImagePickTool(bench.cameras, this)) {
   connect(pick_, &ImagePickTool::cameraChosen, &bench_.selection, &Selection::selectCamera);
   connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
   connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);

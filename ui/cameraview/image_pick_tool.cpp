@@ -2,16 +2,22 @@
 #include "ui/cameraview/image_pick_tool.h"
 
 #include "ui/cameraview/camera_view.h"
+#include "ui/document/camera_list_model.h"
 #include "ui/text/retranslation.h"
 
 namespace dewpoint::ui {
 
+ImagePickTool::ImagePickTool(const CameraListModel& cameras, QObject* parent)
+    : QObject(parent), cameras_(cameras) {}
+
 void ImagePickTool::attach(int camera, CameraView* view) {
   auto* layer = new ImagePickOverlay(view);
-  onRetranslate(layer, [layer, camera] {
-    layer->setAccessibleName(
-        tr("Image of camera %1: arrow keys move a cross, Enter points there").arg(camera + 1));
-  });
+  const auto name = [this, layer, camera] {
+    layer->setAccessibleName(tr("Image of %1: arrow keys move a cross, Enter points there")
+                                 .arg(cameras_.nameOf(camera)));
+  };
+  onRetranslate(layer, name);
+  connect(&cameras_, &CameraListModel::dataChanged, layer, name);
   layers_.emplace_back(camera, layer);
   connect(layer, &QObject::destroyed, this, [this, layer] {
     std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });

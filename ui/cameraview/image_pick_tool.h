@@ -10,12 +10,15 @@
 
 namespace dewpoint::ui {
 
+class CameraListModel;
+
 /// The mouse and the keys in all camera images: a click or a dragged box is for whoever asked for
 /// one, and otherwise selects.
 class ImagePickTool : public QObject {
   Q_OBJECT
 public:
-  using QObject::QObject;
+  /// `cameras`: what their images are called.
+  explicit ImagePickTool(const CameraListModel& cameras, QObject* parent = nullptr);
 
   /// From now on the user can point at objects in this view; views that are gone are forgotten.
   void attach(int camera, CameraView* view);
@@ -38,6 +41,7 @@ Q_SIGNALS:
   void imageClicked(int camera, const QPointF& pixel);
 
 private:
+  const CameraListModel& cameras_;
   std::vector<std::pair<int, ImagePickOverlay*>> layers_;
 };
 

@@ -260,7 +260,7 @@ void ColorPanel::setInFront(bool inFront) {
 void ColorPanel::updateVerdict() {
   std::vector<QString> cameras;
   for (const auto& camera : document_.project().cameras) {
-    cameras.push_back(QString::fromStdString(camera.camera.name));
+    cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
   verdict_->setText(verdictText(said_, cameras));
 }

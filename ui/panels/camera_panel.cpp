@@ -329,8 +329,7 @@ void CameraPanel::keepAsEmptyRoom(int camera, const cv::Mat& image) {
   setEmptyRoom(QString::fromStdString(kept->string()));
   Q_EMIT messageRequested(
       tr("The image shown is now the empty room of %1; it is kept as %2.")
-          .arg(QString::fromStdString(project.cameras[std::size_t(camera)].camera.name),
-               QString::fromStdString(kept->string())));
+          .arg(cameras_.nameOf(camera), QString::fromStdString(kept->string())));
 }
 
 } // namespace dewpoint::ui

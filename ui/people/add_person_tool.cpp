@@ -3,13 +3,15 @@
 
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
+#include "ui/document/camera_list_model.h"
 #include "ui/text/retranslation.h"
 #include "ui/view3d/birds_eye_view.h"
 
 namespace dewpoint::ui {
 
-AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, QObject* parent)
-    : QObject(parent), birdsEye_(birdsEye) {
+AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras,
+                             QObject* parent)
+    : QObject(parent), birdsEye_(birdsEye), cameras_(cameras) {
   connect(birdsEye_, &BirdsEyeView::placeClicked, this, &AddPersonTool::placed);
 }
 
@@ -18,12 +20,14 @@ void AddPersonTool::attach(int camera, CameraView* view) {
   layer->setObjectName(view->objectName() + QStringLiteral("Person"));
   layer->hide();
   layers_.push_back(layer);
-  onRetranslate(layer, [layer, camera] {
+  const auto name = [this, layer, camera] {
     layer->setHint(tr("Click the person"));
     layer->setAccessibleName(
-        tr("Image of camera %1: arrow keys move a cross, Enter says that a person is there")
-            .arg(camera + 1));
-  });
+        tr("Image of %1: arrow keys move a cross, Enter says that a person is there")
+            .arg(cameras_.nameOf(camera)));
+  };
+  onRetranslate(layer, name);
+  connect(&cameras_, &CameraListModel::dataChanged, layer, name);
   connect(layer, &QObject::destroyed, this, [this, layer] { std::erase(layers_, layer); });
   connect(layer, &ImagePickOverlay::cancelled, this, &AddPersonTool::cancelled);
   connect(layer, &ImagePickOverlay::picked, this, [this, camera](const QRectF& region) {

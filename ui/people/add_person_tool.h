@@ -11,6 +11,7 @@
 namespace dewpoint::ui {
 
 class BirdsEyeView;
+class CameraListModel;
 class CameraView;
 class ImagePickOverlay;
 
@@ -19,7 +20,8 @@ class ImagePickOverlay;
 class AddPersonTool : public QObject {
   Q_OBJECT
 public:
-  AddPersonTool(BirdsEyeView* birdsEye, QObject* parent);
+  /// `cameras`: what their images are called.
+  AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras, QObject* parent);
 
   /// Another camera view, which may go at any time.
   void attach(int camera, CameraView* view);
@@ -33,6 +35,7 @@ Q_SIGNALS:
 
 private:
   BirdsEyeView* birdsEye_;
+  const CameraListModel& cameras_;
   std::vector<ImagePickOverlay*> layers_;
 };
 

@@ -54,7 +54,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
     : QObject(&bench.window), bench_(bench),
       panel_(new PeoplePanel(bench.selection, bench.action("actionPlacePerson"),
                              bench.action("actionRemovePerson"), &bench.window)),
-      placer_(new AddPersonTool(&birdsEye, this)),
+      placer_(new AddPersonTool(&birdsEye, bench.cameras, this)),
       check_(new LatestJob(LatestJob::Overtaken::Dropped, this)),
       writing_(new LatestJob(LatestJob::Overtaken::Kept, this)), others_(std::move(others)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("peopleDock"),
