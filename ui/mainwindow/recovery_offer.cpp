@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 namespace {
 /// How often is looked for work of a window that was still there before. Chosen: a person waits no
 /// longer for it.
-constexpr int kLookAgainMs = 8000;
+constexpr std::chrono::seconds kLookAgain(8);
 } // namespace
 
 RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder,
@@ -31,7 +31,7 @@ RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path
       offer();
     }
   });
-  lookAgain_.start(kLookAgainMs);
+  lookAgain_.start(kLookAgain);
 }
 
 void RecoveryOffer::offer() {
@@ -39,6 +39,7 @@ void RecoveryOffer::offer() {
   recovery_->look([this](const std::vector<RecoverableWork>& left) {
     looking_ = false;
     ask(left);
+    Q_EMIT looked();
   });
 }
 

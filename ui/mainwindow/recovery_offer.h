@@ -6,6 +6,7 @@
 
 #include <QTimer>
 
+#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -20,6 +21,8 @@ public:
 
   /// Asks about the newest work that was left behind, if there is any.
   void offer();
+  /// How often is looked again until some was found.
+  void setInterval(std::chrono::milliseconds interval) { lookAgain_.setInterval(interval); }
   /// The document is this work now.
   void take(const RecoverableWork& work) { recovery_->take(work); }
   /// The work of this window is saved or given up on purpose.
@@ -28,6 +31,8 @@ public:
   void recover(const RecoverableWork& work);
 
 Q_SIGNALS:
+  /// It was looked for work, and asked about what was found.
+  void looked();
   /// The person wants it: recover() it, or offer() it again later.
   void wanted(const RecoverableWork& work);
   /// It is read, and to be opened.
