@@ -151,9 +151,13 @@ void WindowAssemblyTest::anotherProjectIsSeenWhole() {
   auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
   // Long enough to be looked at in part.
   QTRY_VERIFY_WITH_TIMEOUT((plots->showPart(1.0, 6.0), !plots->showsAll()), kPatienceMs);
+  dock("trajectoryDock")->raise(); // the panel follows the run while it is seen
+  auto* motion = window_->findChild<PlotStack*>(QStringLiteral("motionPlots"));
+  QTRY_VERIFY_WITH_TIMEOUT((motion->showPart(0.5, 1.0), !motion->showsAll()), kPatienceMs);
   openDemo();
   QCOMPARE(room->currentView(), Scene3d::View::Above);
   QVERIFY(plots->showsAll());
+  QVERIFY(motion->showsAll());
 }
 
 void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
