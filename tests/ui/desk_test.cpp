@@ -8,6 +8,7 @@
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
+#include "ui/color/color_learner.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/preferences/preferences.h"
@@ -263,7 +264,8 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
   }
   QVERIFY(window_->document().project().targets.empty());
   // The verdict was of that target.
-  letTimePass(); // a judgement may be under way
+  const auto* learner = window_->findChild<ColorLearner*>();
+  QVERIFY(waitFor([&] { return !learner->isBusy(); })); // a judgement may be under way
   QVERIFY(!find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
 
   // The same place by keys: the cross begins in the middle, Ctrl and an arrow move it by a pixel.

@@ -4,6 +4,7 @@
 #include "core/session/run/snapshot.h"
 #include "ui/calibration/manual/grid_layer.h"
 #include "ui/cameraview/camera_view.h"
+#include "ui/jobs/job_thread.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/view3d/birds_eye_view.h"
 
@@ -18,6 +19,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <chrono>
 
 namespace dewpoint::tests::test {
 
@@ -115,6 +117,15 @@ bool WindowFixture::settles(QWidget& widget) {
            last = std::move(now);
            return same >= kRounds;
          });
+}
+
+bool WindowFixture::jobsEnd() {
+  constexpr int kRounds = 5; // of the event loop: what one job found may begin the next
+  int idle = 0;
+  return waitFor([&] {
+    idle = waitForDetached(std::chrono::milliseconds(0)) ? idle + 1 : 0;
+    return idle >= kRounds;
+  });
 }
 
 void WindowFixture::scrollTo(QWidget* part) {

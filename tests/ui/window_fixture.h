@@ -63,6 +63,9 @@ protected:
   static bool draws(const QWidget& widget);
   /// Waits until, moreover, the widget's picture no longer changes: not for live cameras.
   static bool settles(QWidget& widget);
+  /// Waits until no job runs beside the window any more, and what they found has come: not for a
+  /// window whose views still change.
+  static bool jobsEnd();
   /// Scrolls the areas around a part of the window until it can be seen.
   static void scrollTo(QWidget* part);
 
