@@ -6,6 +6,7 @@
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "tests/ui/wait.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/document/recovery.h"
@@ -140,7 +141,7 @@ std::string textOf(const Document& document) {
 
 } // namespace
 
-class DocumentTest : public QObject {
+class DocumentTest : public QObject, private test::Waiting {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -351,7 +352,7 @@ void DocumentTest::killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost() {
         }
       }
     });
-    QVERIFY(QTest::qWaitFor([&] { return seen >= copies && sinceKept.elapsed() > delay; }, 60000));
+    QVERIFY(waitFor([&] { return seen >= copies && sinceKept.elapsed() > delay; }));
     child.kill();
     QVERIFY(child.waitForFinished());
 
@@ -386,19 +387,19 @@ void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
     return document.edit(QStringLiteral("Name"), [&](Project& project) { project.name = name; });
   };
   QVERIFY(edit("a"));
-  QVERIFY(QTest::qWaitFor([&] { return copies() == 1; }, 60000));
+  QVERIFY(waitFor([&] { return copies() == 1; }));
   std::optional<std::size_t> left;
   recovery.look([&](const std::vector<RecoverableWork>& found) { left = found.size(); });
-  QVERIFY(QTest::qWaitFor([&] { return left.has_value(); }, 60000));
+  QVERIFY(waitFor([&] { return left.has_value(); }));
   QCOMPARE(*left, std::size_t{0}); // its own work is not left behind
   ProjectSaver saver(document);
   saver.save(place / "project.toml");
-  QVERIFY(QTest::qWaitFor([&] { return !document.isUnsaved(); }, 60000));
-  QVERIFY(QTest::qWaitFor([&] { return copies() == 0; }, 60000));
+  QVERIFY(waitFor([&] { return !document.isUnsaved(); }));
+  QVERIFY(waitFor([&] { return copies() == 0; }));
   QVERIFY(edit("b"));
-  QVERIFY(QTest::qWaitFor([&] { return copies() == 1; }, 60000));
+  QVERIFY(waitFor([&] { return copies() == 1; }));
   recovery.removeBackup();
-  QVERIFY(QTest::qWaitFor([&] { return copies() == 0; }, 60000));
+  QVERIFY(waitFor([&] { return copies() == 0; }));
 }
 
 } // namespace dewpoint::tests

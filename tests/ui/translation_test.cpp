@@ -30,8 +30,6 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS;  ///< software OpenGL, a loaded machine, a sanitizer
 const QChar kMark(0x2020); ///< a dagger: no text of ours has one
 
 /// Marks every text that is not Qt's own, and remembers what it was asked for.
@@ -158,8 +156,7 @@ void TranslationTest::everyTextFollowsAChangeOfLanguage() {
   QVERIFY(QCoreApplication::installTranslator(&marking));
   QStringList untranslated;
   // The widgets are told through the event queue, and the next snapshot fills in the figures.
-  (void)QTest::qWaitFor([&] { return (untranslated = untranslatedTexts(*window_)).isEmpty(); },
-                        3000);
+  (void)waitFor([&] { return (untranslated = untranslatedTexts(*window_)).isEmpty(); });
   QVERIFY2(untranslated.isEmpty(), qPrintable(untranslated.join(QLatin1Char('\n'))));
   QCoreApplication::removeTranslator(&marking);
 }

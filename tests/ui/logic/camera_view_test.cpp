@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/snapshot.h"
+#include "tests/ui/wait.h"
 #include "ui/cameraview/camera_view.h"
 
 #include <QImage>
@@ -24,17 +25,17 @@ TrackSnapshotPtr showing(const cv::Scalar& color) {
   return snapshot;
 }
 
-bool isDrawn(const CameraView& view) {
-  return QTest::qWaitFor([&] { return view.isDrawn(); }, 60'000);
-}
-
 QColor middleOf(CameraView& view) {
   const QImage picture = view.grab().toImage();
   return picture.pixelColor(picture.width() / 2, picture.height() / 2);
 }
 
-class ShownCameraView : public testing::Test {
+class ShownCameraView : public testing::Test, protected test::Waiting {
 protected:
+  static bool isDrawn(const CameraView& view) {
+    return waitFor([&] { return view.isDrawn(); });
+  }
+
   void SetUp() override {
     view_.resize(160, 120);
     view_.show();
@@ -118,7 +119,7 @@ TEST_F(ShownCameraView, InAMinimizedWindowNothingIsMade) {
   view_.setWindowState(Qt::WindowNoState);
   EXPECT_FALSE(view_.isDrawn());
   // The platform's own word of both states comes later.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !view_.isMinimized() && view_.isDrawn(); }, 60'000));
+  ASSERT_TRUE(waitFor([&] { return !view_.isMinimized() && view_.isDrawn(); }));
   EXPECT_EQ(middleOf(view_), QColor(0, 0, 200));
 }
 
