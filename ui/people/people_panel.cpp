@@ -148,10 +148,10 @@ void PeoplePanel::showLearning() {
   learning_->setVisible(learns);
   learning_->setValue(static_cast<int>(std::lround(100.0 * least)));
   const int count = peopleThere(*snapshot_);
-  summary_->setText(learns ? tr("Learning the empty room: %1 %. Keep out of view.")
-                                 .arg(percentText(least))
-                    : count == 0 ? tr("Nobody is there. People appear when two cameras see them.")
-                                 : tr("People there: %1").arg(QLocale().toString(count)));
+  summary_->setText(
+      learns       ? tr("Learning the empty room: %1 %. Keep out of view.").arg(percentText(least))
+      : count == 0 ? tr("Nobody is there. People appear when two cameras see them.")
+                   : tr("People there: %1").arg(QLocale().toString(count)));
 }
 
 void PeoplePanel::refresh() {

@@ -19,7 +19,7 @@ QString millimeters(const QString& number) {
   return Quantity::tr("%1 mm").arg(number);
 }
 
-QString centimeters(const QString& number) {
+QString centimetersText(const QString& number) {
   return Quantity::tr("%1 cm").arg(number);
 }
 
@@ -149,7 +149,7 @@ QString lengthText(double meters, LengthScale scale, int decimals, NumberForm fo
   case LengthScale::Millimeters:
     return millimeters(number);
   case LengthScale::Centimeters:
-    return centimeters(number);
+    return centimetersText(number);
   case LengthScale::Meters:
     break;
   }
