@@ -174,6 +174,7 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/tracking/boxes/a.h", "\"core/tracking/people/b.h\""), 1U);
   EXPECT_EQ(complaints("core/tracking/dewpoint/a.h", "\"core/tracking/barrera/b.h\""), 1U);
   EXPECT_EQ(complaints("core/tracking/people/a.h", "\"core/tracking/catalog/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/tracking/catalog/a.h", "\"core/project/project.h\""), 1U);
   EXPECT_EQ(complaints("core/session/frames/a.h", "\"core/session/run/b.h\""), 1U);
   EXPECT_EQ(complaints("core/session/people/a.h", "\"core/session/rewind/b.h\""), 1U);
   EXPECT_EQ(complaints("core/session/run/a.h", "\"core/session/rewind/b.h\""), 1U);
@@ -191,6 +192,7 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/simulation/sensor/a.h", "\"core/simulation/people/b.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/people/a.h", "\"core/simulation/body/b.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/body/a.h", "\"core/simulation/scene/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/simulation/scene/a.h", "\"core/capture/frame.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/a.h", "<vector>"), 1U) << "beside the rooms";
 
   EXPECT_EQ(complaints("core/calibration/a.h", "<vector>"), 1U) << "beside the rooms";
@@ -207,6 +209,8 @@ TEST(SourceRules, RoomsInsideARoomKeepTheirOrder) {
   EXPECT_EQ(complaints(scenarios + "wild/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "draft/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "targets/a.h", "\"" + scenarios + "catalog/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "catalog/a.h", "\"" + scenarios + "people/b.h\""), 1U);
+  EXPECT_EQ(complaints(scenarios + "catalog/a.h", "\"" + scenarios + "wild/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "people/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "cellar/a.h", "<vector>"), 1U) << "no such room";
@@ -223,10 +227,14 @@ TEST(SourceRules, RoomsOfTheWindowKeepTheirOrder) {
   EXPECT_EQ(complaints("ui/jobs/a.h", "\"ui/text/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/selection/a.h", "\"ui/document/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/text/a.h", "\"ui/style/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/style/a.h", "\"ui/jobs/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/preferences/a.h", "\"ui/widgets/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/widgets/a.h", "\"ui/document/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/document/a.h", "\"ui/session/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/session/a.h", "\"ui/document/b.h\""), 0U);
+  EXPECT_EQ(complaints("ui/session/a.h", "\"ui/actions/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/actions/a.h", "\"ui/plots/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/workbench/a.h", "\"ui/cameraview/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/cameraview/a.h", "\"ui/view3d/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/view3d/a.h", "\"ui/color/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/plots/a.h", "\"ui/timeline/b.h\""), 1U);
@@ -238,8 +246,13 @@ TEST(SourceRules, RoomsOfTheWindowKeepTheirOrder) {
   EXPECT_EQ(complaints("ui/export/a.h", "\"ui/experiments/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/experiments/a.h", "\"ui/start/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/start/a.h", "\"ui/mainwindow/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/mainwindow/a.h", "\"app/wiring/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/calibration/board/a.h", "\"ui/calibration/wand/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/calibration/points/a.h", "\"ui/calibration/manual/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/calibration/manual/a.h", "\"ui/calibration/board/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/calibration/wand/a.h", "\"ui/calibration/points/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/calibration/planner/a.h", "\"ui/calibration/exchange/b.h\""), 1U);
+  EXPECT_EQ(complaints("ui/calibration/exchange/a.h", "\"ui/calibration/planner/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/calibration/a.h", "\"ui/calibration/board/b.h\""), 1U);
   EXPECT_EQ(complaints("ui/attic/a.h", "<vector>"), 1U) << "no such room";
 }
