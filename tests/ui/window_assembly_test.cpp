@@ -2,6 +2,7 @@
 // How the window is put together: a view that is added with one line, views that fill the window
 // and come back, and what another project finds.
 #include "core/session/session.h"
+#include "tests/added_view/frame_clock.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_stack.h"
@@ -13,7 +14,7 @@
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
-#include <QLabel>
+#include <QFile>
 #include <QMenu>
 #include <QSignalSpy>
 
@@ -24,30 +25,6 @@
 
 namespace dewpoint::tests {
 
-namespace {
-
-/// A view as somebody would add it (docs/architecture.md).
-class FrameNumber : public QLabel {
-public:
-  using QLabel::QLabel;
-  void setSnapshot(const TrackSnapshotPtr& snapshot) {
-    ++given;
-    snapshot ? setNum(static_cast<int>(snapshot->frame)) : clear();
-  }
-  int given = 0;
-};
-
-FrameNumber* installFrameNumber(const Workbench& bench) {
-  auto* view = new FrameNumber(&bench.window);
-  bench.docks.make({.name = QStringLiteral("frameNumberDock"),
-                    .title = [] { return QStringLiteral("Frame number"); },
-                    .content = view});
-  bench.connectView(view);
-  return view;
-}
-
-} // namespace
-
 class WindowAssemblyTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
@@ -55,6 +32,7 @@ private Q_SLOTS:
   void init() { makeWindow({.play = false}); }
   void cleanup() { window_.reset(); }
   void aViewIsAddedWithOneLine();
+  void thatViewIsTheOneOfThePage();
   void aMaximizedViewGivesTheOthersTheirPlacesBack();
   void whatIsWantedWhileOneViewFillsTheWindowStays();
   void anotherProjectIsSeenWhole();
@@ -94,24 +72,43 @@ std::map<QString, QRect> WindowAssemblyTest::places() const {
 }
 
 void WindowAssemblyTest::aViewIsAddedWithOneLine() {
-  FrameNumber* view = installFrameNumber(window_->workbench());
+  installFrameClock(window_->workbench());
+  const auto* view = window_->findChild<FrameClock*>();
+  QVERIFY(view != nullptr);
   openDemo();
   QCOMPARE(view->text(), QString::number(window_->shown()->frame));
   // It is a tab of the inspector, and in the list of views.
-  QVERIFY(!dock("frameNumberDock")->isHidden());
-  QVERIFY(window_->tabifiedDockWidgets(dock("parameterDock")).contains(dock("frameNumberDock")));
+  QVERIFY(!dock("frameClockDock")->isHidden());
+  QVERIFY(window_->tabifiedDockWidgets(dock("parameterDock")).contains(dock("frameClockDock")));
   auto* views = window_->findChild<QMenu*>(QStringLiteral("menuViews"));
   QVERIFY(views != nullptr);
   Q_EMIT views->aboutToShow();
-  QVERIFY(views->actions().contains(dock("frameNumberDock")->toggleViewAction()));
+  QVERIFY(views->actions().contains(dock("frameClockDock")->toggleViewAction()));
   // Who puts it away does not find it again after the views were arranged anew.
-  dock("frameNumberDock")->toggleViewAction()->trigger();
+  dock("frameClockDock")->toggleViewAction()->trigger();
   window_->findChild<QAction*>(QStringLiteral("actionResetLayout"))->trigger();
-  QVERIFY(dock("frameNumberDock")->isHidden());
-  const int before = view->given;
+  QVERIFY(dock("frameClockDock")->isHidden());
+  QVERIFY(!view->text().isEmpty());
   window_->findChild<QAction*>(QStringLiteral("actionCloseProject"))->trigger();
-  QVERIFY(view->given > before);
-  QCOMPARE(view->text(), QString());
+  QCOMPARE(view->text(), QString()); // it is told, hidden as it is
+}
+
+// Each fenced block of the page under the name of its file; the page has no license lines.
+void WindowAssemblyTest::thatViewIsTheOneOfThePage() {
+  const auto textOf = [](const QString& name) {
+    QFile file(QStringLiteral(DEWPOINT_SOURCE_DIR "/") + name);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+  };
+  const QString page = textOf(QStringLiteral("docs/architecture.md"));
+  const QString fence = QStringLiteral("```");
+  for (const QString& name : {QStringLiteral("frame_clock.h"), QStringLiteral("frame_clock.cpp")}) {
+    const QString built = textOf(QStringLiteral("tests/added_view/") + name);
+    const qsizetype named = page.indexOf(QLatin1Char('`') + name + QLatin1Char('`'));
+    QVERIFY2(named >= 0 && !built.isEmpty(), qPrintable(name));
+    const qsizetype begin = page.indexOf(QLatin1Char('\n'), page.indexOf(fence, named)) + 1;
+    const QString shown = page.mid(begin, page.indexOf(fence, begin) - begin);
+    QCOMPARE(shown, built.mid(built.indexOf(QLatin1Char('\n')) + 1));
+  }
 }
 
 void WindowAssemblyTest::aMaximizedViewGivesTheOthersTheirPlacesBack() {
