@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A camera is turned during a run: the window says so, and one click puts it right.
+// A camera is turned during a run: the window says so, and one click puts it right. A board that is
+// shown to live cameras to calibrate them is no such turn.
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/capture/recording.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/calibration/board/board_calibrator.h"
 #include "ui/document/document.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/widgets/message_bar.h"
@@ -12,8 +14,12 @@
 #include <QPushButton>
 #include <QUndoStack>
 
+#include <atomic>
+#include <chrono>
 #include <memory>
 #include <numbers>
+#include <thread>
+#include <utility>
 
 namespace dewpoint::tests {
 namespace {
@@ -33,13 +39,18 @@ Camera bumpedCamera() {
   return rotatedCamera(stillScene().cameras[kBumped], Eigen::Vector3d(0.2, -0.4, 0.1) * kDegree);
 }
 
+/// The same scene after the bump.
+Scene bumpedScene() {
+  Scene scene = stillScene();
+  scene.cameras[kBumped] = bumpedCamera();
+  return scene;
+}
+
 /// The demo, whose second camera is turned from kBumpFrame on.
 Result<SessionInputs> openBumped(const SessionRequest&) {
   const Scene scene = stillScene();
-  Scene after = scene;
-  after.cameras[kBumped] = bumpedCamera();
   const auto still = std::make_shared<const SceneRenderer>(scene);
-  const auto rotated = std::make_shared<const SceneRenderer>(after);
+  const auto rotated = std::make_shared<const SceneRenderer>(bumpedScene());
   std::vector<RecordedCamera> cameras;
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
     RecordedCamera camera;
@@ -61,6 +72,35 @@ Result<SessionInputs> openBumped(const SessionRequest&) {
   return inputs;
 }
 
+/// The demo before live cameras, ten frames to a second of their time stamps; the second camera is
+/// turned as long as `turned` is set.
+class LiveDemo final : public FrameSetSource {
+public:
+  explicit LiveDemo(std::shared_ptr<const std::atomic<bool>> turned) : turned_(std::move(turned)) {}
+
+  std::optional<std::int64_t> frameCount() const override { return std::nullopt; }
+  double framesPerSecond() const override { return still_.scene().framesPerSecond; }
+  Status seek(std::int64_t) override { return {}; }
+  Result<FrameSetPtr> next() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10)); // the window has its turns as well
+    auto set = std::make_shared<FrameSet>();
+    set->index = index_++;
+    set->time = timeStamp(frameTime(still_.scene(), set->index));
+    const SceneRenderer& now = *turned_ ? rotated_ : still_;
+    for (int k = 0; k < static_cast<int>(still_.scene().cameras.size()); ++k) {
+      set->frames.push_back(
+          std::make_shared<const Frame>(Frame{set->index, set->time, now.render(k, set->index)}));
+    }
+    return set;
+  }
+
+private:
+  std::shared_ptr<const std::atomic<bool>> turned_;
+  SceneRenderer still_{stillScene()};
+  SceneRenderer rotated_{bumpedScene()};
+  std::int64_t index_ = 0;
+};
+
 double degreesBetween(const Camera& a, const Camera& b) {
   return Eigen::AngleAxisd(a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose())
              .angle() /
@@ -73,11 +113,16 @@ class BumpMessageTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void init();
   void cleanup() { window_.reset(); }
   void aClickSolvesTheCameraAgain();
+  void whileABoardIsShownNoCameraIsTakenForMoved();
 
 private:
+  /// Waits until so many more frames were tracked.
+  bool passes(std::int64_t frames) {
+    const auto before = shown().frame;
+    return waitFor([&] { return shown().frame >= before + frames; });
+  }
   const Camera& camera() { return window_->document().project().cameras[kBumped].camera; }
   QPushButton* answer() {
     auto* button = window_->findChild<QPushButton*>("messageAnswer0");
@@ -85,12 +130,9 @@ private:
   }
 };
 
-void BumpMessageTest::init() {
+void BumpMessageTest::aClickSolvesTheCameraAgain() {
   makeWindow({.opener = &openBumped, .size = {1400, 900}, .theme = Theme::Light});
   open();
-}
-
-void BumpMessageTest::aClickSolvesTheCameraAgain() {
   const Camera before = camera();
   const double error = degreesBetween(before, bumpedCamera()); // 0.46 degrees
   QVERIFY(error > 0.4);
@@ -125,6 +167,40 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   QVERIFY(answer() == nullptr);
   history.undo();
   QVERIFY(camera() == before);
+}
+
+// What a waved board does to the images, a turned camera does as well, and that is noticed for sure
+// when somebody looks: within two seconds (camera_motion_detector_test.cpp).
+void BumpMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
+  constexpr std::int64_t kLongEnough = 40; // frames: 4 s
+  const auto turned = std::make_shared<std::atomic<bool>>(false);
+  makeWindow({.opener = [turned](const SessionRequest&) -> Result<SessionInputs> {
+                return SessionInputs{
+                    projectOfScene(stillScene(), "demo"), std::make_unique<LiveDemo>(turned), {}};
+              },
+              .size = {1400, 900},
+              .theme = Theme::Light});
+  open();
+  auto* board = window_->findChild<BoardCalibrator*>();
+  QVERIFY(board != nullptr);
+  QVERIFY(waitFor([&] { return board->isLive(); }));
+  QVERIFY(passes(kLongEnough)); // the cameras are watched, and stand still
+  QVERIFY(shown().cameraMotions.empty());
+
+  action("actionCalibrateBoard")->trigger();
+  find<QPushButton>("boardStart")->click();
+  QVERIFY(board->isWatching());
+  *turned = true;
+  QVERIFY(passes(kLongEnough));
+  QVERIFY(shown().cameraMotions.empty());
+  // Afterwards it stands as it was calibrated, as it does then; the board is put down for 3 s.
+  board->stop();
+  QVERIFY(passes(30 + kLongEnough));
+  QVERIFY(shown().cameraMotions.empty());
+  // Now that no board is shown, the same turn is one.
+  *turned = false;
+  QVERIFY(waitFor([&] { return !shown().cameraMotions.empty(); }));
+  QCOMPARE(shown().cameraMotions.front().event.camera, std::size_t{kBumped});
 }
 
 } // namespace dewpoint::tests
