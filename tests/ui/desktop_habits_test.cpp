@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person expects of every window of the desktop: it is where it was, has the system's
 // colors, and no slip of a key does harm.
-#include "app/wiring/open_project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "tests/ui/saved_run.h"
-#include "tests/ui/wait.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/actions/action_id.h"
 #include "ui/actions/action_registry.h"
 #include "ui/document/document.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/preferences/preferences.h"
 #include "ui/style/theme.h"
 #include "ui/text/language.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFile>
@@ -25,10 +20,7 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
-#include <QSettings>
 #include <QSpinBox>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QThread>
 #include <QToolButton>
 #include <QUndoStack>
@@ -41,10 +33,11 @@
 
 namespace dewpoint::tests {
 
-class DesktopHabitsTest : public QObject, private test::Waiting {
+class DesktopHabitsTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 private Q_SLOTS:
-  void init();
+  void initTestCase() { useLanguage(QStringLiteral("en")); }
+  void init() { makeWindow(kUnseen); }
   void cleanup() { window_.reset(); }
   void assertionsAreOn();
   void everyNamedActionIsDeclared();
@@ -57,29 +50,18 @@ private Q_SLOTS:
   void theFilterUsesAsManyThreadsAsChosen();
 
 private:
-  QAction* action(const char* name) { return window_->findChild<QAction*>(QLatin1String(name)); }
+  /// The test shows the window, where and when it wants to.
+  static inline const test::WindowSetup kUnseen{.play = false, .show = false};
+
   void openDemo();
-  void makeWindow();
   static bool looksDark() { return isDarkPalette(QApplication::palette()); }
-
-  std::unique_ptr<MainWindow> window_;
 };
-
-void DesktopHabitsTest::init() {
-  QSettings().clear();
-  makeWindow();
-}
-
-void DesktopHabitsTest::makeWindow() {
-  window_ = std::make_unique<MainWindow>(&openProject);
-  window_->setPlayOnOpen(false);
-}
 
 void DesktopHabitsTest::openDemo() {
   window_->show();
   window_->activateWindow();
   QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-  window_->openProject({});
+  open();
   QVERIFY(waitFor([this] { return window_->shown() && action("actionPlay")->isEnabled(); }));
 }
 
@@ -108,16 +90,16 @@ void DesktopHabitsTest::theWindowIsWhereItWas() {
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
   const QRect before = window_->geometry();
   QVERIFY(window_->close());
-  makeWindow();
+  makeAnotherWindow(kUnseen);
   QVERIFY(window_->size() != before.size());
   window_->keepGeometry();
   QCOMPARE(window_->geometry(), before);
   // Windows that nobody sees, for a picture or a run, change nothing of that.
-  makeWindow();
+  makeAnotherWindow(kUnseen);
   window_->resize(900, 600);
   window_->show();
   QVERIFY(window_->close());
-  makeWindow();
+  makeAnotherWindow(kUnseen);
   window_->keepGeometry();
   QCOMPARE(window_->geometry(), before);
 }
@@ -174,7 +156,7 @@ void DesktopHabitsTest::undoAndRedoAreThoseOfTheHistory() {
 
 void DesktopHabitsTest::theKeyThatRestartsAsks() {
   openDemo();
-  const auto frame = [this] { return window_->shown()->history.head; };
+  const auto frame = [this] { return shown().history.head; };
   const auto reach = [&](std::int64_t wanted) {
     while (frame() < wanted) {
       const auto before = frame();
@@ -185,22 +167,21 @@ void DesktopHabitsTest::theKeyThatRestartsAsks() {
     }
     return true;
   };
-  auto* message = window_->findChild<QLabel*>("messageText");
   for (const auto modifier : {Qt::NoModifier, Qt::ShiftModifier}) {
     QVERIFY(reach(3));
     QTest::keyClick(window_.get(), Qt::Key_R, modifier);
-    QVERIFY(message->text().contains(QStringLiteral("Restart")));
+    QVERIFY(messageText().contains(QStringLiteral("Restart")));
     QTest::keyClick(window_.get(), Qt::Key_R, modifier); // is no answer
     const auto head = frame();
     QVERIFY(head >= 3);
     QVERIFY(reach(head + 1)); // the run goes on
-    QTest::mouseClick(window_->findChild<QPushButton*>("messageAnswer0"), Qt::LeftButton);
+    QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
     QVERIFY(waitFor([&] { return frame() < head; }));
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the answers
   }
   // The button is pressed on purpose.
   QVERIFY(reach(3));
-  QTest::mouseClick(window_->findChild<QToolButton*>("actionRestartButton"), Qt::LeftButton);
+  QTest::mouseClick(find<QToolButton>("actionRestartButton"), Qt::LeftButton);
   QVERIFY(waitFor([&] { return frame() < 3; }));
 }
 
@@ -221,18 +202,17 @@ void DesktopHabitsTest::dialogsHaveTheirButtonsWhereThePlatformPutsThem() {
 }
 
 void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
-  QTemporaryDir folder;
   const auto threadsOfRun = [&] {
-    QFile report(folder.filePath(QStringLiteral("run.json")));
-    return test::savesRun(*window_, folder.path().toStdString()) && report.open(QIODevice::ReadOnly)
+    QFile report(file("run.json"));
+    return test::savesRun(*window_, folder_.path().toStdString()) &&
+                   report.open(QIODevice::ReadOnly)
                ? QJsonDocument::fromJson(report.readAll()).object().value("threads").toInt()
                : -1;
   };
   const auto choose = [&](int wanted) {
     action("actionFilterThreads")->trigger();
-    auto* threads = window_->findChild<QSpinBox*>("threadCount");
-    threads->setValue(wanted);
-    QTest::mouseClick(window_->findChild<QPushButton*>("threadCountAccept"), Qt::LeftButton);
+    find<QSpinBox>("threadCount")->setValue(wanted);
+    QTest::mouseClick(find<QPushButton>("threadCountAccept"), Qt::LeftButton);
     QVERIFY(waitFor([this] { return window_->findChild<QSpinBox*>("threadCount") == nullptr; }));
   };
   window_->show();
@@ -249,13 +229,8 @@ void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("desktop-habits"));
-  dewpoint::ui::useLanguage(QStringLiteral("en"));
-  dewpoint::tests::DesktopHabitsTest test;
-  return QTest::qExec(&test, argc, argv);
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::DesktopHabitsTest>(argc, argv,
+                                                                                  "desktop-habits");
 }
 
 #include "desktop_habits_test.moc"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A disk that does not answer and a stream that hangs: the window opens, edits and closes all the
 // same. A window that waits for one of its threads never gets to the end of these tests.
-#include "app/wiring/open_project.h"
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "core/project/project_load.h"
@@ -9,29 +8,22 @@
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "tests/ui/gate.h"
-#include "tests/ui/wait.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/jobs/job_thread.h"
-#include "ui/mainwindow/main_window.h"
 #include "ui/preferences/preferences.h"
 #include "ui/start/new_project_page.h"
 #include "ui/start/recent_projects.h"
-#include "ui/view3d/birds_eye_view.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
 #include <QTableWidget>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <opencv2/core.hpp>
 
@@ -76,7 +68,7 @@ private:
 
 } // namespace
 
-class SlowWorldTest : public QObject, private test::Waiting {
+class SlowWorldTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 private Q_SLOTS:
   void init();
@@ -92,37 +84,31 @@ private Q_SLOTS:
   void aRunIsWrittenWhenTheWindowIsGone();
 
 private:
-  std::filesystem::path place(const char* name) const {
-    return folder_->filePath(QLatin1String(name)).toStdString();
-  }
   /// A project file of the demo, called so.
   std::filesystem::path demoFile(const char* name) const;
   bool isOpen(const std::string& name) {
     return waitFor([&] { return window_->shown() && window_->document().project().name == name; });
   }
-  void trigger(const char* action) { window_->findChild<QAction*>(action)->trigger(); }
+  void trigger(const char* name) { action(name)->trigger(); }
   /// Answers the next question about unsaved changes.
   static void answer(QMessageBox::StandardButton button);
   double particlesIn(const std::filesystem::path& file) const;
   /// A recording whose name does not say what it is, and whose first bytes do not come: whoever
   /// looks at it waits until the file that this returns is closed. -1: nobody looks at it.
   int pipeThatIsRead() const;
-  QString pipe() const { return folder_->filePath(QStringLiteral("pipe")); }
+  QString pipe() const { return file("pipe"); }
 
-  std::unique_ptr<QTemporaryDir> folder_;
   std::shared_ptr<Gate> disk_;
   std::shared_ptr<Gate> stream_;
   std::shared_ptr<std::atomic<bool>> opens_; ///< projects are opened at once
-  std::unique_ptr<MainWindow> window_;
 };
 
 void SlowWorldTest::init() {
-  QSettings().clear();
-  folder_ = std::make_unique<QTemporaryDir>();
+  folder_ = QTemporaryDir(); // with nothing of the last test
   disk_ = std::make_shared<Gate>();
   stream_ = std::make_shared<Gate>();
   opens_ = std::make_shared<std::atomic<bool>>(true);
-  const auto open = [stream = stream_, opens = opens_](const SessionRequest& request) {
+  const auto opener = [stream = stream_, opens = opens_](const SessionRequest& request) {
     if (!*opens) {
       stream->pass(); // a camera that does not answer
     }
@@ -131,13 +117,11 @@ void SlowWorldTest::init() {
       return inputs;
     });
   };
-  window_ = std::make_unique<MainWindow>(open);
+  makeWindow({.opener = opener});
   window_->saver().setWriter([disk = disk_](const Project& project, const auto& file) {
     disk->pass();
     return saveProject(project, file);
   });
-  window_->show();
-  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
 }
 
 void SlowWorldTest::cleanup() {
@@ -150,11 +134,11 @@ void SlowWorldTest::cleanup() {
 std::filesystem::path SlowWorldTest::demoFile(const char* name) const {
   auto project = *resolveProject("demo");
   project.name = name;
-  const auto file = place((std::string(name) + ".toml").c_str());
-  if (!saveProject(project, file)) {
+  const auto made = path((std::string(name) + ".toml").c_str());
+  if (!saveProject(project, made)) {
     qFatal("cannot write");
   }
-  return file;
+  return made;
 }
 
 void SlowWorldTest::answer(QMessageBox::StandardButton button) {
@@ -175,7 +159,7 @@ double SlowWorldTest::particlesIn(const std::filesystem::path& file) const {
 
 void SlowWorldTest::opensEditsAndClosesAllTheSame() {
   const auto one = demoFile("one");
-  window_->useRecovery(place("recovery"), [disk = disk_](const auto& file, const auto& text) {
+  window_->useRecovery(path("recovery"), [disk = disk_](const auto& file, const auto& text) {
     disk->pass();
     return writeTextFile(file, text);
   });
@@ -282,17 +266,17 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
 
 void SlowWorldTest::recentProjectsAreOfferedUntilTheDiskAnswers() {
   const QString one = QString::fromStdString(demoFile("one").string());
-  Preferences().addRecentProject(QString::fromStdString(place("gone.toml").string()));
+  Preferences().addRecentProject(QString::fromStdString(path("gone.toml").string()));
   Preferences().addRecentProject(one);
   window_->findChild<RecentProjects*>()->setExists([disk = disk_](const QString& file) {
     disk->pass();
     return QFile::exists(file);
   });
   trigger("actionNew");
-  window_->findChild<QPushButton*>("newCancel")->click(); // to the start page
-  auto* list = window_->findChild<QListWidget*>("startRecent");
+  find<QPushButton>("newCancel")->click(); // to the start page
+  auto* list = find<QListWidget>("startRecent");
   QCOMPARE(list->count(), 2);
-  auto* menu = window_->findChild<QMenu*>("menuRecent");
+  auto* menu = find<QMenu>("menuRecent");
   Q_EMIT menu->aboutToShow();
   QCOMPARE(menu->actions().size(), 4); // with the line, and what forgets them
   QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));
@@ -321,8 +305,8 @@ void SlowWorldTest::footageComesInOrderOnceItIsRead() {
   QCOMPARE(::mkfifo(pipe().toStdString().c_str(), 0600), 0);
   const QString address = QStringLiteral("rtsp://camera.example/1");
   auto* page = window_->findChild<NewProjectPage*>();
-  auto* rows = window_->findChild<QTableWidget*>("newCameras");
-  auto* create = window_->findChild<QPushButton*>("newCreate");
+  auto* rows = find<QTableWidget>("newCameras");
+  auto* create = find<QPushButton>("newCreate");
   trigger("actionNew");
   page->addFiles({pipe()});
   page->addFiles({address});
@@ -342,46 +326,42 @@ void SlowWorldTest::footageThatIsGivenUpIsNotHeard() {
   QCOMPARE(::mkfifo(pipe().toStdString().c_str(), 0600), 0);
   const QString address = QStringLiteral("rtsp://camera.example/1");
   auto* page = window_->findChild<NewProjectPage*>();
-  auto* rows = window_->findChild<QTableWidget*>("newCameras");
+  auto* rows = find<QTableWidget>("newCameras");
   trigger("actionNew");
   page->addFiles({pipe()});
   const int writer = pipeThatIsRead();
   QVERIFY(writer >= 0);
-  window_->findChild<QPushButton*>("newCancel")->click();
+  find<QPushButton>("newCancel")->click();
   trigger("actionNew");
   page->addFiles({address});
   QVERIFY(waitFor([&] { return rows->rowCount() == 1; }));
-  QVERIFY(window_->findChild<QPushButton*>("newCreate")->isEnabled());
+  QVERIFY(find<QPushButton>("newCreate")->isEnabled());
   ::close(writer);
   QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
   QTest::qWait(0);
   QCOMPARE(rows->rowCount(), 1);
   QCOMPARE(rows->item(0, 1)->text(), address);
-  QVERIFY(!window_->findChild<QLabel*>("messageText")->isVisible());
+  QVERIFY(!find<QLabel>("messageText")->isVisible());
 }
 
 void SlowWorldTest::aRunIsWrittenWhenTheWindowIsGone() {
   window_->openProject(demoFile("one"));
   QVERIFY(isOpen("one"));
-  window_->saveRun(place("first"), [disk = disk_](bool) { disk->pass(); });
-  window_->saveRun(place("second"));
+  window_->saveRun(path("first"), [disk = disk_](bool) { disk->pass(); });
+  window_->saveRun(path("second"));
   QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));
   window_.reset();
-  QVERIFY(std::filesystem::exists(place("first") / "run.json"));
-  QVERIFY(!std::filesystem::exists(place("second")));
+  QVERIFY(std::filesystem::exists(path("first") / "run.json"));
+  QVERIFY(!std::filesystem::exists(path("second")));
   disk_->open();
-  QVERIFY(waitFor([this] { return std::filesystem::exists(place("second") / "run.json"); }));
+  QVERIFY(waitFor([this] { return std::filesystem::exists(path("second") / "run.json"); }));
 }
 
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QStringLiteral("slow-world"));
-  dewpoint::tests::SlowWorldTest test;
-  return QTest::qExec(&test, argc, argv);
+  return dewpoint::tests::test::runWindowTest<dewpoint::tests::SlowWorldTest>(argc, argv,
+                                                                              "slow-world");
 }
 
 #include "slow_world_test.moc"

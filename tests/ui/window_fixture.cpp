@@ -57,6 +57,9 @@ void WindowFixture::makeAnotherWindow(const WindowSetup& setup) {
   if (!setup.size.isEmpty()) {
     window_->resize(setup.size);
   }
+  if (!setup.show) {
+    return;
+  }
   window_->show();
   window_->activateWindow(); // else shortcuts vanish
   QVERIFY(QTest::qWaitForWindowExposed(window_.get()));

@@ -23,6 +23,7 @@ struct WindowSetup {
   QSize size = {}; ///< empty: as large as the window wants to be
   std::optional<Theme> theme = {};
   bool play = true; ///< a project plays as soon as it is open
+  bool show = true; ///< else the test shows it when it is ready
 };
 
 /// The real window on a display, what tests look up in it and wait for, and a folder of the test's
