@@ -2,6 +2,7 @@
 // What tests of scenarios count in the images of a run.
 #pragma once
 
+#include "core/base/time.h"
 #include "core/color/match_image.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/geometry/projector.h"
@@ -10,6 +11,7 @@
 #include <opencv2/core.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -43,6 +45,19 @@ inline void expectSameBits(const std::string& name, std::int64_t frame) {
     EXPECT_EQ(cv::norm(one->frames[camera]->image, same->frames[camera]->image, cv::NORM_INF), 0.0)
         << name;
   }
+}
+
+/// Largest distance between the time stamps of the frames and of their sets in the first frames.
+inline double largestStampError(const ScenarioRun& run) {
+  double largest = 0.0;
+  for (std::int64_t frame = 0; frame < 5; ++frame) {
+    const FrameSetPtr set = run.frames(frame);
+    for (const FramePtr& one : set->frames) {
+      largest = one == nullptr ? largest
+                               : std::max(largest, std::abs(seconds(one->captureTime - set->time)));
+    }
+  }
+  return largest;
 }
 
 /// The targets' true positions at a frame, in the order of the targets.
