@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenarios in which the target is not always to be seen, or moves under gravity or in a crowd: S17
 // to S19.
+#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "tests/experiment/scenarios/scenario_drafts.h"
 #include "tests/experiment/scenarios/scenario_images.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +11,13 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace dewpoint::tests {
 namespace {
 
+using experiment::scenarios::apart;
 using Kind = ScenarioEvent::Kind;
 
 /// Pixels in a camera's image that match the first target's color.
@@ -127,6 +132,94 @@ TEST(ScenarioCrowd, OnlyTheTargetIsInTheStartBox) {
     // Six balls or more of 389 pixels at the middle's distance, some before others.
     EXPECT_GT(matching(run, 0, 0), 2 * 389) << name;
   }
+}
+
+/// Where all balls of a crowd are, meters; the first one is the target.
+std::vector<Eigen::Vector3d> ballsAt(const ScenarioDraft& draft, double time) {
+  std::vector<Eigen::Vector3d> balls;
+  for (const simulation::StageBody& body : draft.stage.bodies) {
+    balls.push_back(body.path(time));
+  }
+  return balls;
+}
+
+/// Whether a point is behind a ball or something of the room as a camera sees it.
+bool isHidden(const ScenarioDraft& draft, std::size_t camera,
+              const std::vector<Eigen::Vector3d>& balls, const Eigen::Vector3d& point) {
+  const simulation::CameraView& view = *draft.stage.views[camera];
+  const Eigen::Vector3d eye = draft.rig[camera].center();
+  const auto pixel = view.projector.project(point);
+  EXPECT_TRUE(pixel);
+  const auto column = static_cast<int>(std::lround(pixel->x()));
+  const auto row = static_cast<int>(std::lround(pixel->y()));
+  return view.distances[view.index(column, row)] < (point - eye).norm() ||
+         std::ranges::any_of(balls, [&](const Eigen::Vector3d& other) {
+           return (other - eye).norm() < (point - eye).norm() - 1e-9 &&
+                  !apart(view, other, 0.035, point, 1e-6);
+         });
+}
+
+TEST(ScenarioCrowd, AsManyBallsAreInTheImagesAsTheNameSays) {
+  for (const auto& [name, distractors] :
+       {std::pair("S19-crowd-5", 5), std::pair("S19-crowd-8", 8), std::pair("S19-crowd-12", 12),
+        std::pair("S19-crowd-8-four-cameras", 8)}) {
+    const ScenarioDraft draft = draftOf(experiment::scenarios::crowdScenarios(), name);
+    const auto balls = ballsAt(draft, 0.0);
+    ASSERT_EQ(balls.size(), static_cast<std::size_t>(distractors) + 1) << name;
+    const ScenarioRun run = scenarioRun(name);
+    const FrameSetPtr set = run.frames(0);
+    for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
+      std::size_t seen = 0;
+      for (const Eigen::Vector3d& ball : balls) {
+        if (isHidden(draft, camera, balls, ball)) {
+          continue;
+        }
+        ++seen;
+        const ImageDisc middle{discOf(draft.rig[camera], ball, 0.035).center, 3.0};
+        EXPECT_GT(matchingShare(set->frames[camera]->image, run.targets.front().color, middle), 0.7)
+            << name << ", camera " << camera << ": not at " << ball.transpose();
+      }
+      EXPECT_GE(2 * seen, balls.size()) << name;
+    }
+  }
+}
+
+TEST(ScenarioCrowd, BallsTouchAndCoverTheTarget) {
+  constexpr double kRadius = 0.035;
+  int ofTarget = 0;
+  for (const char* name : {"S19-crowd-5", "S19-crowd-8", "S19-crowd-12"}) {
+    const ScenarioDraft draft = draftOf(experiment::scenarios::crowdScenarios(), name);
+    double nearest = HUGE_VAL;
+    int contacts = 0; // counted as long as they last
+    for (int instant = 0; instant < 6 * 240; ++instant) {
+      const auto balls = ballsAt(draft, instant / 240.0);
+      for (std::size_t one = 0; one < balls.size(); ++one) {
+        for (std::size_t other = one + 1; other < balls.size(); ++other) {
+          const double distance = (balls[one] - balls[other]).norm();
+          nearest = std::min(nearest, distance);
+          contacts += distance < 2.02 * kRadius ? 1 : 0;
+          ofTarget += one == 0 && distance < 2.02 * kRadius ? 1 : 0;
+        }
+      }
+    }
+    // At 0.2 m/s among 5 others in 36 x 36 x 22 cm a ball flies 0.22 m from one to the next.
+    EXPECT_GT(contacts, 0) << name;
+    EXPECT_GT(nearest, 1.9 * kRadius) << name << ": a step at 0.8 m/s is 3 mm";
+    int covered = 0; // frames and cameras
+    for (std::int64_t frame = 0; frame < draft.frameCount; ++frame) {
+      const auto balls = ballsAt(draft, draft.timeOf(frame));
+      for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
+        const Eigen::Vector3d eye = draft.rig[camera].center();
+        covered += std::any_of(balls.begin() + 1, balls.end(), [&](const Eigen::Vector3d& other) {
+          return (other - eye).norm() < (balls[0] - eye).norm() &&
+                 !apart(*draft.stage.views[camera], balls[0], kRadius, other, kRadius);
+        });
+      }
+    }
+    // Each of them covers some of it in a twelfth of the frames: 150 of 360 for five.
+    EXPECT_GT(covered, 30) << name;
+  }
+  EXPECT_GT(ofTarget, 0);
 }
 
 TEST(ScenarioCrowd, AnEvenStartFavorsNeither) {

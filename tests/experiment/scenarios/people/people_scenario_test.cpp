@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace dewpoint::tests {
@@ -176,7 +177,25 @@ TEST(PeopleScenario, FurnitureIsMovedAfterPeopleHaveAppeared) {
   }
 }
 
+/// Whether it is a color of the office: of its walls, white and gray furniture, oak, partition,
+/// sofa or floor.
+bool isRoomColor(const simulation::Vector3f& color) {
+  using simulation::rgb;
+  const std::array<simulation::Vector3f, 7> room{
+      rgb(226, 219, 203), rgb(214, 212, 206), rgb(148, 152, 158), rgb(186, 138, 88),
+      rgb(112, 132, 150), rgb(74, 98, 128),   rgb(82, 73, 60)};
+  return std::ranges::find(room, color) != room.end();
+}
+
 TEST(PeopleScenario, ClothesLikeTheRoomAndPatterned) {
+  for (const auto clothes : {PeopleClothes::Different, PeopleClothes::Similar}) {
+    for (const PeopleScenario& scenario : drawn("room-clothes", clothes)) {
+      for (const Walker& walker : scenario.scene.people) {
+        EXPECT_TRUE(isRoomColor(walker.clothes.shirt)) << walker.clothes.shirt.transpose();
+        EXPECT_TRUE(isRoomColor(walker.clothes.trousers)) << walker.clothes.trousers.transpose();
+      }
+    }
+  }
   for (const PeopleScenario& scenario : drawn("room-clothes")) {
     EXPECT_NE(scenario.scene.people[0].clothes.shirt, scenario.scene.people[1].clothes.shirt);
   }

@@ -26,10 +26,14 @@ double targetPixels(const WildRig& wild) {
 TEST(WildRig, ShowsTargetsFromFourPixelsToHalfTheImage) {
   double smallest = 1e9;
   double largest = 0.0;
+  int small = 0;
+  int large = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Draws draws(seed, "wild rig test");
     const WildRig wild = drawRig(simulation::demoRig(), Furnishing::ClutteredDesk, 0, draws);
     const double pixels = targetPixels(wild);
+    small += pixels < 8.0 ? 1 : 0;
+    large += pixels > 80.0 ? 1 : 0;
     smallest = std::min(smallest, pixels);
     largest = std::max(largest, pixels);
     EXPECT_LE(wild.radiusScale, 1.0);
@@ -47,6 +51,10 @@ TEST(WildRig, ShowsTargetsFromFourPixelsToHalfTheImage) {
   EXPECT_LT(smallest, 6.0);
   EXPECT_GT(largest, 80.0);
   EXPECT_LT(largest, 133.0);
+  // ln(8 / 4) / ln(120 / 4) = 0.20 of 200, 41 with a standard deviation of 6, and ln(120 / 80) of
+  // it, 24 with one of 5.
+  EXPECT_GT(small, 20);
+  EXPECT_GT(large, 8);
 }
 
 TEST(WildRig, LaterAttemptsHaveTheUsualSizeAtMost) {
@@ -145,6 +153,32 @@ TEST(WildGrade, GivesEverySeedItsOwnCameras) {
   ASSERT_NE(first, nullptr) << "frame 0 always comes";
   EXPECT_EQ(first->image.cols, one->trueRig[1].intrinsics.width);
   EXPECT_EQ(first->image.rows, one->trueRig[1].intrinsics.height);
+}
+
+// A rig in which no path is found is replaced by one nearer to the usual size, but not always.
+TEST(WildGrade, HasRunsWithTinyAndWithHugeTargets) {
+  const auto scenario = std::ranges::find(scenarioCatalog(), "S0-slow", &ScenarioDeclaration::name);
+  double smallest = 1e9;
+  double largest = 0.0;
+  for (std::uint64_t seed = 1; seed <= 60 && (smallest >= 8.0 || largest <= 80.0); ++seed) {
+    Draws draws(seed, "S0-slow wild 0"); // the run's own: only those of interest are made
+    const double wanted =
+        targetPixels(drawRig(simulation::demoRig(), Furnishing::ClutteredDesk, 0, draws));
+    const bool isOfInterest =
+        (wanted < 8.0 && smallest >= 8.0) || (wanted > 80.0 && largest <= 80.0);
+    const auto run = isOfInterest
+                         ? scenario->make(seed, Grade::Wild)
+                         : Result<ScenarioRun>(failure(ErrorCode::Undetermined, "", "", ""));
+    if (run) {
+      WildRig own;
+      own.rig = run->trueRig;
+      own.radiusScale = run->targets.front().radius / 0.035;
+      smallest = std::min(smallest, targetPixels(own));
+      largest = std::max(largest, targetPixels(own));
+    }
+  }
+  EXPECT_LT(smallest, 8.0);
+  EXPECT_GT(largest, 80.0);
 }
 
 } // namespace
