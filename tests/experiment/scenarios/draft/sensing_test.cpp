@@ -9,9 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace dewpoint::tests {
 namespace {
