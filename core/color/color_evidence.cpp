@@ -56,7 +56,8 @@ struct MatchingObjects {
   cv::Mat labels, statistics;
   int count = 0;
 
-  MatchingObjects(const cv::Mat& image, const ColorRange& range) {
+  MatchingObjects(const cv::Mat& image, const ColorRange& range, EvidenceWork& work) {
+    ++work.floods;
     cv::Mat centers;
     count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(range)), labels,
                                              statistics, centers);
@@ -69,8 +70,9 @@ struct MatchingObjects {
 };
 
 /// The largest thing that matches, if it can be the target by its size; else nothing.
-cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area) {
-  const MatchingObjects objects(image, range);
+cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area,
+                     EvidenceWork& work) {
+  const MatchingObjects objects(image, range, work);
   int largest = 0;
   for (int i = 1; i < objects.count; ++i) {
     if (largest == 0 || objects.area(i) > objects.area(largest)) {
@@ -86,8 +88,9 @@ cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area)
 
 /// Adds the rest of things that are in the mask already, by part: shading makes a target of one
 /// color many.
-void completeObjects(const cv::Mat& image, const ColorRange& range, double area, cv::Mat& mask) {
-  const MatchingObjects objects(image, range);
+void completeObjects(const cv::Mat& image, const ColorRange& range, double area, cv::Mat& mask,
+                     EvidenceWork& work) {
+  const MatchingObjects objects(image, range, work);
   std::vector<bool> inMask(std::size_t(objects.count), false);
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
@@ -111,16 +114,19 @@ ColorSample clickInMiddle(ColorSample box) {
 }
 
 /// Where the clicks of one camera still show what was clicked; empty if nowhere.
-cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image) {
+cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image,
+                       EvidenceWork& work) {
   cv::Mat mask;
   for (const ColorSample& sample : samples) {
     if (sample.camera != camera || sample.excluded) {
       continue;
     }
+    ++work.growths;
     const cv::Mat region = regionOfSample(image, sample);
     if (stillShows(image, region, sample)) {
       mask = mask.empty() ? region : cv::Mat(mask | region);
       if (sample.isBox()) { // what goes on around the box is not background
+        ++work.growths;
         mask |= regionOfSample(image, clickInMiddle(sample));
       }
     }
@@ -128,36 +134,22 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
   return mask;
 }
 
-/// Where no click shows it.
-cv::Mat unclickedTarget(const cv::Mat& image, const ColorRange& typical,
-                        const std::optional<ColorRange>& range, double area) {
-  cv::Mat mask = likelyTarget(image, typical, area);
-  if (range && cv::countNonZero(mask) == 0) {
-    mask = likelyTarget(image, *range, area);
-  } else if (range) {
-    completeObjects(image, *range, area, mask);
+/// Where no click shows it: `similar`, an object of the typical colors, as far as it matches.
+cv::Mat unclickedTarget(const cv::Mat& image, const cv::Mat& similar,
+                        const std::optional<ColorRange>& range, double area, EvidenceWork& work) {
+  if (!range) {
+    return similar.clone();
   }
+  if (cv::countNonZero(similar) == 0) {
+    return likelyTarget(image, *range, area, work);
+  }
+  cv::Mat mask = similar.clone();
+  completeObjects(image, *range, area, mask, work);
   return mask;
 }
 
 bool hasSamePixels(const cv::Mat& one, const cv::Mat& other) {
   return one.data == other.data && one.size() == other.size() && one.type() == other.type();
-}
-
-/// clickedTargets() of every image, as far as they are not known from `before`.
-std::vector<cv::Mat> allClickedTargets(const std::vector<ColorSample>& samples,
-                                       const std::vector<cv::Mat>& images,
-                                       const ColorEvidence* before) {
-  std::vector<cv::Mat> clicked(images.size());
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    if (before != nullptr && i < before->images.size() &&
-        hasSamePixels(images[i], before->images[i])) {
-      clicked[i] = before->clicked[i];
-    } else if (images[i].type() == CV_8UC3) {
-      clicked[i] = clickedTargets(samples, int(i), images[i]);
-    }
-  }
-  return clicked;
 }
 
 void addColors(const ColorSample& sample, double weight, HsiCounts& counts) {
@@ -189,50 +181,166 @@ std::vector<HsiColors> inOtherLight(const std::vector<HsiColors>& colors) {
 
 namespace {
 
-ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector<cv::Mat>& images,
-                      const std::optional<ColorRange>& range, const ColorEvidence* before) {
-  ColorEvidence evidence;
-  evidence.images = images;
-  evidence.clicked = allClickedTargets(samples, images, before);
-  const auto shown = std::ranges::count(samples, false, &ColorSample::excluded);
-  for (const ColorSample& sample : samples) {
-    evidence.targetArea += sample.excluded ? 0.0 : double(sample.area) / double(shown);
+/// Pixels are whole numbers, whose sums are exact in any order. The shares of an excluded sample
+/// are not: for the same bits, what is counted after them is counted again.
+bool areSumsExact(const std::vector<ColorSample>& samples) {
+  return std::ranges::none_of(samples, &ColorSample::excluded);
+}
+
+/// An image and its target mask; both empty where there is none.
+struct MaskedImage {
+  cv::Mat image, mask;
+
+  static MaskedImage of(const ColorEvidence& evidence, std::size_t camera) {
+    return camera < evidence.images.size()
+               ? MaskedImage{evidence.images[camera].image, evidence.targetMasks[camera]}
+               : MaskedImage{};
   }
-  const auto views = std::ranges::count(images, CV_8UC3, [](const cv::Mat& m) { return m.type(); });
-  // One target in every image, and each click counts the same: a far view is no less the target.
-  const double weight = std::max(evidence.targetArea, 1.0) * double(std::max<long>(views, 1));
+  bool operator==(const MaskedImage& other) const {
+    return hasSamePixels(image, other.image) && mask.size() == other.mask.size() &&
+           (mask.empty() || cv::norm(mask, other.mask, cv::NORM_INF) == 0.0);
+  }
+};
+
+/// Counts the pixels beside the mask in `now` in place of those in `before`.
+void recount(const MaskedImage& before, const MaskedImage& now, HsiCounts& counts) {
+  if (hasSamePixels(before.image, now.image)) {
+    counts.add(now.image, before.mask | ~now.mask, -1.0);
+    counts.add(now.image, now.mask | ~before.mask);
+  } else {
+    counts.add(before.image, before.mask, -1.0);
+    counts.add(now.image, now.mask);
+  }
+}
+
+/// Collects the evidence of samples and images, as far as it is not known from before.
+class EvidenceCollector {
+public:
+  /// `before` of the same samples; null when nothing is known.
+  EvidenceCollector(const std::vector<ColorSample>& samples, const ColorEvidence* before)
+      : samples_(samples), before_(before) {}
+
+  /// What the samples alone show, for so many images.
+  void takeSamples(std::int64_t views);
+  /// The image of the next camera.
+  void takeImage(const cv::Mat& image, const std::optional<ColorRange>& range);
+  /// After all images.
+  ColorEvidence finish() &&;
+
+private:
+  /// One target in every image, and each click counts the same: a far view is no less the target.
+  double targetWeight() const {
+    return std::max(evidence_.targetArea, 1.0) * double(std::max<std::int64_t>(evidence_.views, 1));
+  }
+  void countRest();
+
+  const std::vector<ColorSample>& samples_;
+  const ColorEvidence* before_;
+  ColorEvidence evidence_;
+};
+
+void EvidenceCollector::takeSamples(std::int64_t views) {
+  evidence_.views = views;
+  const auto shown = std::ranges::count(samples_, false, &ColorSample::excluded);
+  for (const ColorSample& sample : samples_) {
+    evidence_.targetArea += sample.excluded ? 0.0 : double(sample.area) / double(shown);
+  }
+  if (before_ != nullptr && before_->views == views) {
+    evidence_.target = before_->target;
+    evidence_.targetWeight = before_->targetWeight;
+    evidence_.typicalColor = before_->typicalColor;
+    evidence_.typicalRange = before_->typicalRange;
+    return;
+  }
   HsiCounts target;
-  HsiCounts rest;
   std::vector<BgrColor> sampled;
-  for (const ColorSample& sample : samples) {
-    if (sample.excluded) {
-      addColors(sample, weight, rest);
-    } else {
-      addColors(sample, weight / double(shown), target);
+  for (const ColorSample& sample : samples_) {
+    if (!sample.excluded) {
+      addColors(sample, targetWeight() / double(shown), target);
       sampled.insert(sampled.end(), sample.colors.begin(), sample.colors.end());
     }
   }
   if (!sampled.empty()) {
-    evidence.typicalColor = medianColor(std::move(sampled));
+    evidence_.typicalColor = medianColor(std::move(sampled));
   }
-  evidence.target = target.colors();
-  const ColorRange typical = evidence.target.empty() ? ColorRange{} : fitRange(evidence.target, {});
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    cv::Mat& mask = evidence.targetMasks.emplace_back();
-    if (images[i].type() == CV_8UC3) {
-      mask = evidence.clicked[i].empty()
-                 ? unclickedTarget(images[i], typical, range, evidence.targetArea)
-                 : evidence.clicked[i].clone();
-      widen(mask);
-      rest.add(images[i], mask);
-      evidence.imageShare =
-          std::max(evidence.imageShare, evidence.targetArea / double(images[i].total()));
+  evidence_.target = target.colors();
+  evidence_.targetWeight = target.total();
+  if (!evidence_.target.empty()) {
+    evidence_.typicalRange = fitRange(evidence_.target, {});
+  }
+}
+
+void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<ColorRange>& range) {
+  const std::size_t camera = evidence_.images.size();
+  ImageEvidence& shown = evidence_.images.emplace_back(ImageEvidence{image, {}, {}});
+  cv::Mat& mask = evidence_.targetMasks.emplace_back();
+  if (image.type() != CV_8UC3) {
+    return;
+  }
+  const double area = evidence_.targetArea;
+  evidence_.imageShare = std::max(evidence_.imageShare, area / double(image.total()));
+  const bool isKnown = before_ != nullptr && camera < before_->images.size() &&
+                       hasSamePixels(image, before_->images[camera].image);
+  shown.clicked = isKnown ? before_->images[camera].clicked
+                          : clickedTargets(samples_, int(camera), image, evidence_.work);
+  if (!shown.clicked.empty()) {
+    mask = shown.clicked.clone();
+  } else {
+    shown.similar = isKnown && evidence_.typicalRange == before_->typicalRange
+                        ? before_->images[camera].similar
+                        : likelyTarget(image, evidence_.typicalRange, area, evidence_.work);
+    mask = unclickedTarget(image, shown.similar, range, area, evidence_.work);
+  }
+  widen(mask);
+}
+
+void EvidenceCollector::countRest() {
+  const bool goesOn = before_ != nullptr && areSumsExact(samples_);
+  HsiCounts rest = goesOn ? *before_->restCounts : HsiCounts{};
+  for (const ColorSample& sample : samples_) {
+    if (sample.excluded) {
+      addColors(sample, targetWeight(), rest);
     }
   }
-  evidence.rest = rest.colors();
-  evidence.targetWeight = target.total();
-  evidence.restWeight = rest.total();
-  return evidence;
+  const std::size_t count = evidence_.images.size();
+  for (std::size_t i = 0; i < std::max(count, goesOn ? before_->images.size() : 0); ++i) {
+    const auto before = goesOn ? MaskedImage::of(*before_, i) : MaskedImage{};
+    const auto now = MaskedImage::of(evidence_, i);
+    if (!(now == before)) {
+      recount(before, now, rest);
+      ++evidence_.work.counts;
+    }
+  }
+  evidence_.rest = rest.colors();
+  evidence_.restWeight = rest.total();
+  evidence_.restCounts = std::make_shared<const HsiCounts>(std::move(rest));
+}
+
+ColorEvidence EvidenceCollector::finish() && {
+  bool same = before_ != nullptr && before_->views == evidence_.views;
+  for (std::size_t i = 0; same && i < std::max(evidence_.images.size(), before_->images.size());
+       ++i) {
+    same = MaskedImage::of(evidence_, i) == MaskedImage::of(*before_, i);
+  }
+  if (same) {
+    evidence_.rest = before_->rest;
+    evidence_.restWeight = before_->restWeight;
+    evidence_.restCounts = before_->restCounts;
+  } else {
+    countRest();
+  }
+  return std::move(evidence_);
+}
+
+ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector<cv::Mat>& images,
+                      const std::optional<ColorRange>& range, const ColorEvidence* before) {
+  EvidenceCollector collector(samples, before);
+  collector.takeSamples(
+      std::ranges::count(images, CV_8UC3, [](const cv::Mat& image) { return image.type(); }));
+  for (const cv::Mat& image : images) {
+    collector.takeImage(image, range);
+  }
+  return std::move(collector).finish();
 }
 
 } // namespace
@@ -246,12 +354,7 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorRange& range,
                             const ColorEvidence& before) {
-  bool settled = std::ranges::equal(images, before.images, hasSamePixels);
-  // The range matters only where no click shows the target.
-  for (std::size_t i = 0; settled && i < images.size(); ++i) {
-    settled = images[i].type() != CV_8UC3 || !before.clicked[i].empty();
-  }
-  return settled ? before : collect(samples, images, range, &before);
+  return collect(samples, images, range, &before);
 }
 
 } // namespace dewpoint::color

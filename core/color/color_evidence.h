@@ -7,10 +7,27 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace dewpoint::color {
+
+/// What one image shows of the target. Masks are CV_8UC1 of its size, 255 or 0; all is empty where
+/// there is no image.
+struct ImageEvidence {
+  cv::Mat image;   ///< pixels are shared, not copied
+  cv::Mat clicked; ///< where it still shows what was clicked; empty when no click does
+  cv::Mat similar; ///< where no click does: the object of the samples' typical colors
+};
+
+/// The steps that collecting evidence took.
+struct EvidenceWork {
+  int growths = 0; ///< regions grown from samples
+  int floods = 0;  ///< times that an image was divided into the objects that match a range
+  int counts = 0;  ///< images whose pixels were counted, all of them or some
+};
 
 /// The evidence of samples and images about a color: what is target, and what is not. Weights are
 /// pixels.
@@ -25,10 +42,13 @@ struct ColorEvidence {
   /// Per camera, CV_8UC1: 255 where the target is or may be, so that it is no evidence about the
   /// rest. Empty where there is no image.
   std::vector<cv::Mat> targetMasks;
-  /// The images it was collected from (pixels are shared, not copied), and per camera, CV_8UC1: 255
-  /// where the image still shows what was clicked; empty where it does nowhere.
-  std::vector<cv::Mat> images;
-  std::vector<cv::Mat> clicked;
+
+  // What later evidence of the same samples is collected from.
+  std::int64_t views = 0;                      ///< cameras with an image
+  ColorRange typicalRange;                     ///< of the target's colors alone
+  std::vector<ImageEvidence> images;           ///< per camera
+  std::shared_ptr<const HsiCounts> restCounts; ///< those of `rest`
+  EvidenceWork work;                           ///< what it took
 };
 
 /// The target in an image is the region grown from a click, where the image still shows the clicked
@@ -38,8 +58,11 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
                             const std::optional<ColorRange>& range = std::nullopt);
 
-/// The same as colorEvidence(samples, images, range), from what was collected `before` of the same
-/// samples: regions are grown only in images that have other pixels by now.
+/// The same bits as colorEvidence(samples, images, range), from what was collected `before` of the
+/// same samples. Regions are grown only in images that have other pixels by now, objects that match
+/// the range are searched only where no click shows the target, and only pixels are counted that
+/// are target in one and not in the other; with excluded samples all pixels are, once any has
+/// changed.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorRange& range,
                             const ColorEvidence& before);

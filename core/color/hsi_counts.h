@@ -23,7 +23,8 @@ class HsiCounts {
 public:
   HsiCounts();
   /// Counts the pixels of `image` (CV_8UC3; another type is left out) where `skip` (CV_8UC1 of the
-  /// same size, or empty) is 0; each as much as `weight`.
+  /// same size, or empty) is 0; each as much as `weight`, which is negative to take back what was
+  /// counted.
   void add(const cv::Mat& image, const cv::Mat& skip, double weight = 1.0);
   void add(const BgrColor& color, double weight);
   double total() const { return total_; }

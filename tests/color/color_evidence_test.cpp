@@ -5,7 +5,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <tuple>
 
 namespace dewpoint::tests {
 namespace {
@@ -168,6 +171,115 @@ TEST(ColorEvidence, WithARangeTheRestOfTheThingIsTheTargetToo) {
   const ColorRange red{340.0, 20.0, 0.2, 1.0, 0.05, 1.0};
   const auto whole = colorEvidence({sample}, {clicked, shaded}, red);
   EXPECT_EQ(weightOf(whole.rest, kDarkRed), 0.0);
+}
+
+// What an image shows of a click does not change with the range, and what it has beside the target
+// only where the target's mask does. Each case: samples, images, a range, and the steps that were
+// left to do when the evidence of the same samples was known of these or of other images.
+constexpr ColorRange kRedRange{340.0, 20.0, 0.2, 1.0, 0.05, 1.0};
+constexpr ColorRange kGreenRange{100.0, 140.0, 0.2, 1.0, 0.05, 1.0};
+
+std::uint64_t bitsOf(double value) {
+  return std::bit_cast<std::uint64_t>(value); // the hue of gray is NaN
+}
+
+void expectSameColors(const std::vector<HsiColors>& colors, const std::vector<HsiColors>& wanted) {
+  ASSERT_EQ(colors.size(), wanted.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    EXPECT_EQ(bitsOf(colors[i].color.hueDegrees), bitsOf(wanted[i].color.hueDegrees));
+    EXPECT_EQ(bitsOf(colors[i].color.saturation), bitsOf(wanted[i].color.saturation));
+    EXPECT_EQ(bitsOf(colors[i].color.intensity), bitsOf(wanted[i].color.intensity));
+    EXPECT_EQ(bitsOf(colors[i].weight), bitsOf(wanted[i].weight)) << i;
+  }
+}
+
+using Steps = std::tuple<int, int, int>; // growths, floods, counted images
+
+Steps stepsOf(const ColorEvidence& evidence) {
+  return {evidence.work.growths, evidence.work.floods, evidence.work.counts};
+}
+
+/// The evidence from what is known; all of it is compared with what is collected without.
+ColorEvidence fromKnown(const std::vector<ColorSample>& samples, const std::vector<cv::Mat>& images,
+                        const ColorRange& range, const ColorEvidence& known) {
+  const ColorEvidence evidence = colorEvidence(samples, images, range, known);
+  const ColorEvidence wanted = colorEvidence(samples, images, range);
+  expectSameColors(evidence.target, wanted.target);
+  expectSameColors(evidence.rest, wanted.rest);
+  EXPECT_EQ(bitsOf(evidence.targetWeight), bitsOf(wanted.targetWeight));
+  EXPECT_EQ(bitsOf(evidence.restWeight), bitsOf(wanted.restWeight));
+  EXPECT_EQ(bitsOf(evidence.targetArea), bitsOf(wanted.targetArea));
+  EXPECT_EQ(bitsOf(evidence.imageShare), bitsOf(wanted.imageShare));
+  EXPECT_EQ(evidence.typicalColor, wanted.typicalColor);
+  EXPECT_EQ(evidence.typicalRange, wanted.typicalRange);
+  EXPECT_EQ(evidence.targetMasks.size(), wanted.targetMasks.size());
+  for (std::size_t i = 0; i < wanted.targetMasks.size(); ++i) {
+    EXPECT_EQ(evidence.targetMasks[i].size(), wanted.targetMasks[i].size());
+    EXPECT_TRUE(wanted.targetMasks[i].empty() ||
+                cv::norm(evidence.targetMasks[i], wanted.targetMasks[i], cv::NORM_INF) == 0.0);
+  }
+  return evidence;
+}
+
+TEST(KnownColorEvidence, OfOneCameraIsUsedWhole) {
+  const cv::Mat image = wallWith({{kSquare, kRed}});
+  const std::vector samples{clickOn(image, {14, 12})};
+  const ColorEvidence known = colorEvidence(samples, {image});
+  EXPECT_EQ(stepsOf(known), Steps(1, 0, 1));
+  EXPECT_EQ(stepsOf(fromKnown(samples, {image}, kRedRange, known)), Steps(0, 0, 0));
+}
+
+TEST(KnownColorEvidence, OfClicksInEveryImageIsUsedWhole) {
+  const cv::Mat one = wallWith({{kSquare, kRed}});
+  const cv::Mat other = wallWith({{{20, 5, 10, 10}, kRed}});
+  const std::vector samples{clickOn(one, {14, 12}), clickOn(other, {24, 9}, 1)};
+  const ColorEvidence known = colorEvidence(samples, {one, other});
+  EXPECT_EQ(stepsOf(known), Steps(2, 0, 2));
+  EXPECT_EQ(stepsOf(fromKnown(samples, {one, other}, kRedRange, known)), Steps(0, 0, 0));
+}
+
+// Two cameras, one click: only the other image is searched again, and only its pixels are counted
+// that the range has made target.
+TEST(KnownColorEvidence, OnlyAnImageWithoutAClickIsSearchedAgain) {
+  const cv::Mat clicked = wallWith({{kSquare, kRed}});
+  const cv::Mat shaded = wallWith({{{5, 5, 10, 10}, kRed}, {{15, 5, 10, 10}, kDarkRed}});
+  const std::vector samples{clickOn(clicked, {14, 12})};
+  const ColorEvidence known = colorEvidence(samples, {clicked, shaded});
+  EXPECT_EQ(stepsOf(known), Steps(1, 1, 2));
+  const ColorEvidence red = fromKnown(samples, {clicked, shaded}, kRedRange, known);
+  EXPECT_EQ(stepsOf(red), Steps(0, 1, 1));
+  // A range that adds nothing to the red half; and one after the other.
+  EXPECT_EQ(stepsOf(fromKnown(samples, {clicked, shaded}, kGreenRange, known)), Steps(0, 1, 0));
+  EXPECT_EQ(stepsOf(fromKnown(samples, {clicked, shaded}, kGreenRange, red)), Steps(0, 1, 1));
+}
+
+TEST(KnownColorEvidence, AChangedImageIsReadAgain) {
+  const cv::Mat clicked = wallWith({{kSquare, kRed}});
+  const cv::Mat other = wallWith({{{20, 5, 15, 10}, kRed}});
+  const std::vector samples{clickOn(clicked, {14, 12})};
+  const ColorEvidence known = colorEvidence(samples, {clicked, other});
+  const cv::Mat later = wallWith({{kSquare, kRed}, {{30, 20, 5, 5}, kGreen}});
+  EXPECT_EQ(stepsOf(fromKnown(samples, {later, other}, kRedRange, known)), Steps(1, 1, 1));
+  // What was clicked has gone: it is searched by the samples' color, then by the range.
+  const cv::Mat moved = wallWith({{{26, 16, 10, 10}, kRed}});
+  EXPECT_EQ(stepsOf(fromKnown(samples, {moved, other}, kRedRange, known)), Steps(1, 3, 1));
+  // The other camera has no image any more; then it is back.
+  const ColorEvidence alone = fromKnown(samples, {clicked, cv::Mat()}, kRedRange, known);
+  EXPECT_EQ(stepsOf(alone), Steps(0, 0, 1));
+  EXPECT_EQ(stepsOf(fromKnown(samples, {clicked, other}, kRedRange, alone)), Steps(0, 2, 1));
+  EXPECT_EQ(stepsOf(fromKnown(samples, {clicked}, kRedRange, known)), Steps(0, 0, 1));
+}
+
+// The colors of an excluded sample weigh fractions of a pixel, whose sums depend on their order.
+TEST(KnownColorEvidence, WithAnExcludedSampleAllIsCountedAgainForTheSameBits) {
+  const cv::Mat clicked = wallWith({{kSquare, kRed}, {{25, 20, 10, 9}, kGreen}});
+  const cv::Mat shaded = wallWith({{{5, 5, 10, 10}, kRed}, {{15, 5, 10, 10}, kDarkRed}});
+  const std::vector samples{
+      clickOn(clicked, {14, 12}),
+      sampleOf({kGreen, kGreen, kGreen, kDarkRed, kRed, kRed, kDarkRed}, 7, true)};
+  const ColorEvidence known = colorEvidence(samples, {clicked, shaded});
+  EXPECT_EQ(stepsOf(fromKnown(samples, {clicked, shaded}, kRedRange, known)), Steps(0, 1, 2));
+  EXPECT_EQ(stepsOf(fromKnown(samples, {clicked, shaded}, kGreenRange, known)), Steps(0, 1, 0));
 }
 
 // 7 brightnesses, 5 saturations and 5 hues of each color, whose shares add up to one.
