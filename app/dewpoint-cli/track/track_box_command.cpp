@@ -6,21 +6,23 @@
 #include "app/dewpoint-cli/common/parameter_settings.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "app/dewpoint-cli/project/sample_argument.h"
-#include "core/base/random.h"
 #include "core/capture/frame_writer.h"
 #include "core/capture/recording.h"
 #include "core/session/run/box_track_file.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_run.h"
 #include "core/setup/new_project.h"
 #include "core/tracking/boxes/box_filter.h"
 #include "core/tracking/catalog/method_catalog.h"
-#include "core/tracking/tracker_capabilities.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -98,76 +100,115 @@ cv::Scalar colorOf(std::size_t target) {
   return kColors[target % kColors.size()];
 }
 
-/// Follows boxes through the images of one source, in a loop of its own: a click becomes a box only
-/// in the first image, and a box beyond it is an error. A TrackingRun takes boxes that are known
-/// before, and passes over those it cannot follow.
-class BoxRun {
-public:
-  explicit BoxRun(const TrackBoxOptions& options) : options_(options), team_(options.threads) {}
+/// One target for each mark: a click is on something in the first image, around which a box is
+/// found. BadValue for a mark on which nothing can be followed.
+Result<std::vector<Target>> targetsOf(const BoxRequest& request, const FrameSet& first) {
+  const cv::Mat& image = first.frames.front()->image;
+  std::vector<Target> targets;
+  for (const ColorSample& mark : request.marks) {
+    const auto box = mark.isBox()
+                         ? Result<ImageBox>(ImageBox{mark.x, mark.y, mark.width, mark.height})
+                         : boxFromClick(image, mark.x, mark.y);
+    if (!box) {
+      return tl::make_unexpected(box.error());
+    }
+    if (const auto checked = checkBox(image, *box); !checked) {
+      return tl::make_unexpected(checked.error());
+    }
+    Target& target = targets.emplace_back();
+    target.name = fmt::format("target {}", targets.size());
+    target.box = TargetBox{0, first.index, *box};
+  }
+  return targets;
+}
 
-  Status run(const BoxRequest& request, FrameSetSource& source);
+/// A run of one camera, about which nothing is known.
+Result<TrackingRun> runOf(const TrackBoxOptions& options, const ParameterValues& parameters,
+                          std::vector<Target> targets) {
+  RunDefinition definition;
+  definition.method = options.method;
+  definition.parameters = parameters;
+  definition.targets = std::move(targets);
+  definition.rig = std::make_shared<const CameraRig>(1);
+  definition.emptyRoomFiles.resize(1);
+  definition.seed = options.seed;
+  return TrackingRun::create(std::make_shared<const RunDefinition>(std::move(definition)),
+                             options.threads);
+}
+
+/// Keeps the boxes of every frame, and draws them into a video.
+class BoxObserver final : public FrameObserver {
+public:
+  /// `rate`: frames per second of the video; `frameCount` 0: unknown.
+  BoxObserver(const TrackBoxOptions& options, double rate, std::int64_t frameCount)
+      : options_(options), rate_(rate), progress_("tracking", frameCount) {}
+
+  void begin(const ParameterValues& parameters);
+  void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
+  void iterated(const TrackingRun& run, double microseconds) override;
+  Status tracked(const TrackingRun& run) override;
+  /// After the last frame; completes the video unless the frames have ended in an error.
+  Status finish(const Status& frames);
+
   const BoxTrack& track() const { return track_; }
+  std::int64_t frames() const { return frames_; }
+  /// Without the first frame, in which boxes are only taken as they were given.
   double millisecondsPerFrame() const {
-    const double boxes = tracker_ ? double(tracker_->trackCount()) : 0.0;
-    return 1e3 * seconds_ * boxes / std::max<double>(1.0, double(track_.samples.size()));
+    return 1e3 * seconds_ / std::max(1.0, static_cast<double>(frames_));
   }
 
 private:
-  Status begin(const BoxRequest& request, const FrameSetPtr& frames);
-  Status take(const BoxRequest& request, const FrameSetPtr& frames);
+  using Clock = std::chrono::steady_clock;
+
   Status draw(const Frame& frame, std::span<const BoxSample> samples);
 
   const TrackBoxOptions& options_;
-  ThreadTeam team_;
-  std::unique_ptr<Tracker> tracker_; ///< null before the first frame
+  double rate_;
+  Progress progress_;
   BoxTrack track_;
   std::optional<FrameWriter> drawing_;
-  double rate_ = 30.0;
+  Clock::time_point taken_;
   double seconds_ = 0.0;
+  std::int64_t frames_ = 0;
 };
 
-Status BoxRun::begin(const BoxRequest& request, const FrameSetPtr& frames) {
-  const Frame& first = *frames->frames.front();
+void BoxObserver::begin(const ParameterValues& parameters) {
   track_.header = {{"version", DEWPOINT_VERSION},
                    {"source", options_.source},
                    {"method", options_.method},
                    {"seed", std::to_string(options_.seed)}};
-  for (const auto& declaration : request.parameters.declarations()) {
-    track_.header.emplace_back(declaration.key,
-                               fmt::format("{}", request.parameters.at(declaration.key)));
+  for (const auto& declaration : parameters.declarations()) {
+    track_.header.emplace_back(declaration.key, fmt::format("{}", parameters.at(declaration.key)));
   }
-  auto tracker = makeTracker(options_.method, request.parameters, CameraRig(1),
-                             std::vector<Target>(request.marks.size()));
-  if (!tracker) {
-    return tl::make_unexpected(tracker.error());
-  }
-  auto* const following = capability<BoxFollowing>(**tracker);
-  if (following == nullptr) {
-    return failure(ErrorCode::BadValue, "", "--method", options_.method + " follows no boxes");
-  }
-  for (std::size_t i = 0; i < request.marks.size(); ++i) {
-    const ColorSample& mark = request.marks[i];
-    const auto box = mark.isBox()
-                         ? Result<ImageBox>(ImageBox{mark.x, mark.y, mark.width, mark.height})
-                         : boxFromClick(first.image, mark.x, mark.y);
-    if (!box) {
-      return tl::make_unexpected(box.error());
-    }
-    const auto seed = derivedSeed(options_.seed, static_cast<std::uint32_t>(i));
-    const auto started = following->follow(i, first.image, {0, frames->index, *box}, seed);
-    if (!started) {
-      return started;
-    }
-    BoxEstimate given;
-    given.box = *box;
-    given.similarity = 1.0;
-    track_.samples.push_back({seconds(first.captureTime), first.index, int(i) + 1, given});
-  }
-  tracker_ = std::move(*tracker);
-  return {};
 }
 
-Status BoxRun::draw(const Frame& frame, std::span<const BoxSample> samples) {
+void BoxObserver::iterated(const TrackingRun& /*run*/, double /*microseconds*/) {
+  if (frames_ > 0) {
+    seconds_ += std::chrono::duration<double>(Clock::now() - taken_).count();
+  }
+}
+
+Status BoxObserver::tracked(const TrackingRun& run) {
+  std::vector<BoxSample> samples = run.boxSamples();
+  if (frames_ == 0) { // the boxes as they were given: no particle was weighted
+    for (BoxSample& sample : samples) {
+      BoxEstimate given;
+      given.box = sample.estimate.box;
+      given.similarity = 1.0;
+      sample.estimate = given;
+    }
+  }
+  track_.samples.insert(track_.samples.end(), samples.begin(), samples.end());
+  progress_.show(++frames_);
+  return options_.draw ? draw(*run.frames()->frames.front(), samples) : Status();
+}
+
+Status BoxObserver::finish(const Status& frames) {
+  progress_.finish();
+  return frames && drawing_ ? drawing_->finish() : frames;
+}
+
+Status BoxObserver::draw(const Frame& frame, std::span<const BoxSample> samples) {
   if (!drawing_) {
     auto writer = FrameWriter::video((options_.folder / "boxes.mkv").string(), rate_);
     if (!writer) {
@@ -188,55 +229,36 @@ Status BoxRun::draw(const Frame& frame, std::span<const BoxSample> samples) {
   return drawing_->write(picture);
 }
 
-Status BoxRun::take(const BoxRequest& request, const FrameSetPtr& frames) {
-  const Frame& frame = *frames->frames.front();
-  const std::size_t already = track_.samples.size();
-  if (!tracker_) {
-    if (auto begun = begin(request, frames); !begun) {
-      return begun;
-    }
-  } else {
-    const auto start = std::chrono::steady_clock::now();
-    tracker_->beginFrame(frames);
-    tracker_->iterate(team_);
-    for (std::size_t i = 0; i < tracker_->trackCount(); ++i) {
-      track_.samples.push_back({seconds(frame.captureTime), frame.index, int(i) + 1,
-                                std::get<BoxEstimate>(tracker_->estimate(i))});
-    }
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-  return options_.draw ? draw(frame, std::span(track_.samples).subspan(already)) : Status();
-}
-
-Status BoxRun::run(const BoxRequest& request, FrameSetSource& source) {
-  rate_ = source.framesPerSecond();
+/// Follows the boxes of a request through the frames of a source. `observer` has what was followed
+/// until an error.
+Status followBoxes(const TrackBoxOptions& options, const BoxRequest& request,
+                   FrameSetSource& source, BoxObserver& observer) {
   if (const auto sought = source.seek(request.frames.first); !sought) {
     return sought;
   }
-  const std::int64_t total = source.frameCount().value_or(0);
-  const std::int64_t end = std::min(request.frames.end.value_or(total), total);
-  Progress progress("tracking", std::max<std::int64_t>(0, end - request.frames.first));
-  Status status;
-  for (std::int64_t k = request.frames.first; k < end && status && !interruptionRequested(); ++k) {
-    const auto frames = source.next();
-    if (!frames) {
-      status = tl::make_unexpected(frames.error());
-    } else if (!*frames) {
-      break;
-    } else {
-      status = take(request, *frames);
-    }
-    progress.show(k + 1 - request.frames.first);
+  const bool any = request.frames.count(source).value_or(0) > 0;
+  const auto first = any ? source.next() : Result<FrameSetPtr>();
+  if (!first) {
+    return tl::make_unexpected(first.error());
   }
-  progress.finish();
-  if (status && drawing_) {
-    status = drawing_->finish();
+  if (!*first) {
+    return failure(ErrorCode::BadValue, options.source, "--frames",
+                   fmt::format("there are {} frames", source.frameCount().value_or(0)));
   }
-  if (status && !tracker_ && !interruptionRequested()) {
-    return failure(ErrorCode::BadValue, options_.source, "--frames",
-                   fmt::format("there are {} frames", total));
+  auto targets = targetsOf(request, **first);
+  if (!targets) {
+    return tl::make_unexpected(targets.error());
   }
-  return status;
+  auto run = runOf(options, request.parameters, std::move(*targets));
+  if (!run) {
+    return tl::make_unexpected(run.error());
+  }
+  observer.begin(request.parameters);
+  const std::array<FrameObserver*, 1> observers{&observer};
+  const FrameRange others{request.frames.first + 1, request.frames.end};
+  return observer.finish(trackOneFrame(*run, *first, observers).and_then([&] {
+    return trackFrames(source, others, *run, observers, [] { return !interruptionRequested(); });
+  }));
 }
 
 int trackBoxes(const TrackBoxOptions& options) {
@@ -255,10 +277,11 @@ int trackBoxes(const TrackBoxOptions& options) {
     return report({ErrorCode::FileUnwritable, options.folder.string(), "--out", problem.message()});
   }
   catchInterruption();
-  BoxRun run(options);
-  const auto tracked = run.run(*request, **source);
-  if (!run.track().samples.empty()) {
-    if (const auto written = writeBoxTrack(run.track(), options.folder); !written) {
+  BoxObserver observer(options, (*source)->framesPerSecond(),
+                       request->frames.count(**source).value_or(0));
+  const auto tracked = followBoxes(options, *request, **source, observer);
+  if (observer.frames() > 0) {
+    if (const auto written = writeBoxTrack(observer.track(), options.folder); !written) {
       return report(written.error());
     }
   }
@@ -266,11 +289,10 @@ int trackBoxes(const TrackBoxOptions& options) {
     Error error = tracked.error();
     error.file = error.file.empty() ? options.source : error.file;
     const int code = report(error);
-    return code == kExitBadInput && !run.track().samples.empty() ? kExitEndedEarly : code;
+    return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
   }
-  const auto frames = run.track().samples.size() / std::max<std::size_t>(request->marks.size(), 1);
-  fmt::print("frames                  {:>10}\nms per frame            {:>10.2f}\n", frames,
-             run.millisecondsPerFrame());
+  fmt::print("frames                  {:>10}\nms per frame            {:>10.2f}\n",
+             observer.frames(), observer.millisecondsPerFrame());
   return interruptionRequested() ? kExitInterrupted : kExitDone;
 }
 

@@ -29,7 +29,9 @@ ImageBox boxOf(const cv::Rect& box) {
 }
 
 /// One image after the other, as OpenCV's trackers are fed: the loop over the images is that of the
-/// comparison. A TrackingRun begins by forgetting all, and so the box that start() has given.
+/// comparison, which stops the clock around each image and has one for all followers. A TrackingRun
+/// takes the box from its definition and draws with a seed derived for each target; here start()
+/// gives the box, and the seed itself is drawn with, as in the numbers that are published.
 class OwnFollower final : public BoxFollower {
 public:
   /// The tracker has one target, and a method that follows boxes (asserted).
