@@ -45,6 +45,7 @@ concept MappingFilter = TargetFilter<F> && requires(const F& finished) {
 /// One independent filter per target. Target k starts from derivedSeed(seed, k).
 template <TargetFilter F>
 class IndependentTrackers : public Tracker,
+                            public Configurable,
                             public TargetFollowing,
                             public CameraCalibrated,
                             public VolumeBounded,

@@ -3,7 +3,6 @@
 
 #include "core/base/thread_team.h"
 #include "core/capture/frame.h"
-#include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 #include "core/tracking/track_estimate.h"
 
@@ -22,8 +21,6 @@ namespace dewpoint::tracking {
 class Tracker {
 public:
   virtual ~Tracker() = default;
-  /// Other parameters of the same method, from the next iteration on.
-  virtual void configure(const ParameterValues& parameters) = 0;
   /// Removes all tracks and starts from scratch; background images stay.
   virtual void restart(std::uint64_t seed) = 0;
   virtual int iterationsPerFrame() const = 0;

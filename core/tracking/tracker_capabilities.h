@@ -6,6 +6,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/world_box.h"
 #include "core/tracking/camera_report.h"
+#include "core/tracking/parameters.h"
 #include "core/tracking/people_state.h"
 #include "core/tracking/target_box.h"
 #include "core/tracking/tracker.h"
@@ -23,6 +24,14 @@
 // What some trackers can do and others cannot. A tracker derives from those that are its method's;
 // whoever needs one asks for it by type and does without when it is null: see capability().
 namespace dewpoint::tracking {
+
+/// Has parameters that can be changed during a run.
+class Configurable {
+public:
+  virtual ~Configurable() = default;
+  /// Other parameters of the same method, from the next iteration on.
+  virtual void configure(const ParameterValues& parameters) = 0;
+};
 
 /// Tracks the targets that a project names.
 class TargetFollowing {

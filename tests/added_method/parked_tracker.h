@@ -11,7 +11,7 @@ namespace dewpoint::tracking {
 
 /// Method `parked`: believes that every target is where the parameters say, whatever the images
 /// show.
-class ParkedTracker final : public Tracker, public TargetFollowing {
+class ParkedTracker final : public Tracker, public Configurable, public TargetFollowing {
 public:
   /// Of parkedParameters() (asserted).
   ParkedTracker(const ParameterValues& parameters, const std::vector<Target>& targets);

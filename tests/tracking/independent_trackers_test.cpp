@@ -77,7 +77,8 @@ TEST(IndependentTrackers, TakeTargetsAndParametersOfAll) {
   const CameraRig rig = drawn::rigAround(2);
   auto tracker = makeTracker("barrera", parametersOf("barrera"), rig, {redBall(), redBall()});
   ASSERT_TRUE(tracker);
-  (*tracker)->configure(parametersOf("barrera", {{"iterations_per_frame", 9}, {"particles", 70}}));
+  capability<Configurable>(**tracker)->configure(
+      parametersOf("barrera", {{"iterations_per_frame", 9}, {"particles", 70}}));
   EXPECT_EQ((*tracker)->iterationsPerFrame(), 9);
   capability<TargetFollowing>(**tracker)->setTargets(
       {redBall()}); // fewer than there are: the others stay

@@ -41,7 +41,6 @@ public:
   BaselineTracker(const BaselineSetup& setup, const CameraRig& rig, std::vector<Target> targets,
                   const StartVolume& start);
 
-  void configure(const ParameterValues&) override {}
   void setTargets(const std::vector<Target>& targets) override;
   bool takesAnyNumber() const override { return false; }
   void setCameras(const CameraRig& rig) override;

@@ -143,8 +143,9 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
   if (bounded != nullptr && definition->volumeOfInterest != before->volumeOfInterest) {
     bounded->setVolumeOfInterest(definition->volumeOfInterest);
   }
-  if (!(definition->parameters == before->parameters)) {
-    tracker_->configure(definition->parameters);
+  auto* const configurable = tracking::capability<Configurable>(*tracker_);
+  if (configurable != nullptr && !(definition->parameters == before->parameters)) {
+    configurable->configure(definition->parameters);
   }
   auto* const following = tracking::capability<TargetFollowing>(*tracker_);
   if (following != nullptr && definition->targets != before->targets) {

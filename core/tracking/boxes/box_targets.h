@@ -22,6 +22,7 @@ namespace dewpoint::tracking {
 /// absent. One step per image.
 template <BoxFilter F>
 class BoxTargets final : public Tracker,
+                         public Configurable,
                          public TargetFollowing,
                          public BoxFollowing,
                          public ReferenceColors,

@@ -18,6 +18,7 @@ namespace dewpoint::tracking {
 /// cameras (docs/method-dewpoint.md). Targets of one color are told apart by where they were, and
 /// no two of them can be at one position.
 class DewpointTracker final : public Tracker,
+                              public Configurable,
                               public TargetFollowing,
                               public CameraCalibrated,
                               public VolumeBounded,

@@ -16,6 +16,7 @@ namespace dewpoint::tracking {
 /// birth on and, absent, after it has left. One iteration per frame is all there is; further ones
 /// change nothing. The choice of background model acts from the next restart on.
 class PeopleTrackLifecycle : public Tracker,
+                             public Configurable,
                              public CameraCalibrated,
                              public BackgroundImages,
                              public ParticleCloud,

@@ -159,7 +159,7 @@ TEST_P(BoxTargetsTest, ParametersHoldFromTheNextImageOn) {
   go(*tracker, 0, 3);
   ParameterValues more{methodParameters(GetParam())};
   ASSERT_TRUE(more.set("particles", 700));
-  tracker->configure(more);
+  capability<Configurable>(*tracker)->configure(more);
   go(*tracker, 4, 5);
   EXPECT_EQ(boxOf(*tracker, 0)->particleCount, 700);
   EXPECT_TRUE(isHeldBy(*tracker, 0));

@@ -68,7 +68,7 @@ TEST(ColorAdaptation, OffNothingIsFollowed) {
   const auto tracker = made(rig, kOff);
   const auto switchedOff = made(rig, kOn);
   ParameterValues off = drawn::parametersOf("dewpoint", kOff);
-  switchedOff->configure(off);
+  capability<Configurable>(*switchedOff)->configure(off);
   ThreadTeam team;
   for (int frame = 0; frame < 120; ++frame) {
     for (Tracker* one : {tracker.get(), switchedOff.get()}) {
