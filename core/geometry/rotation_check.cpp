@@ -34,15 +34,4 @@ Eigen::Matrix3d rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
-Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
-                     : Eigen::Matrix3d::Identity();
-}
-
-Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation) {
-  const Eigen::AngleAxisd turn(rotation);
-  return turn.angle() * turn.axis();
-}
-
 } // namespace dewpoint::geometry

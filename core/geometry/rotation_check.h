@@ -18,8 +18,4 @@ tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d
 /// The smallest rotation that takes the direction of `from` to that of `to`.
 Eigen::Matrix3d rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// The rotation of a Rodrigues vector, radians, and back (angle within 0 to pi).
-Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector);
-Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation);
-
 } // namespace dewpoint::geometry

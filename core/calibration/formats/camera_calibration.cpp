@@ -3,6 +3,7 @@
 
 #include "core/base/table_reader.h"
 #include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <cmath>
 

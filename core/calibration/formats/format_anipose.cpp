@@ -5,7 +5,7 @@
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/toml_cameras.h"
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/yaml_reader.h"
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "core/calibration/formats/filestorage_text.h"
 #include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/yaml_reader.h"
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "core/calibration/manual/interactive_pose.h"
 
 #include "core/geometry/ray.h"
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "core/base/statistics.h"
 #include "core/calibration/bundle/bundle_cost.h"
 #include "core/geometry/projector.h"
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

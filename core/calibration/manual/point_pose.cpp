@@ -4,7 +4,7 @@
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/geometry/linear_algebra.h"
 #include "core/geometry/ray.h"
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <opencv2/calib3d.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/pose_change.h"
 
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <algorithm>
 #include <ceres/cost_function.h>

@@ -4,6 +4,7 @@
 #include "core/calibration/bundle/bundle_cost.h"
 #include "core/geometry/linear_algebra.h"
 #include "core/geometry/projector.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <Eigen/LU>
 
@@ -205,9 +206,8 @@ Eigen::VectorXd cameraDifference(const std::vector<CameraColumn>& columns, const
     const int index = static_cast<int>(columns[k].quantity);
     double& value = difference[static_cast<Eigen::Index>(k)];
     if (index < 3) {
-      const Eigen::AngleAxisd turn(after.cameraFromWorld.linear() *
-                                   before.cameraFromWorld.linear().transpose());
-      value = turn.angle() * turn.axis()[index];
+      value = vectorOfRotation(after.cameraFromWorld.linear() *
+                               before.cameraFromWorld.linear().transpose())[index];
     } else if (index < kPoseSize) {
       value = after.center()[index - 3] - before.center()[index - 3];
     } else if (columns[k].quantity == CameraQuantity::TimeOffset) {

@@ -2,7 +2,7 @@
 #include "core/base/random.h"
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/geometry/projector.h"
-#include "core/geometry/rotation_check.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <gtest/gtest.h>
 

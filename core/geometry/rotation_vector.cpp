@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/rotation_vector.h"
+
+#include <Eigen/Geometry>
+
+namespace dewpoint::geometry {
+
+Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector) {
+  const double angle = vector.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                     : Eigen::Matrix3d::Identity();
+}
+
+Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation) {
+  const Eigen::AngleAxisd angleAxis(rotation);
+  return angleAxis.angle() * angleAxis.axis();
+}
+
+} // namespace dewpoint::geometry
