@@ -32,7 +32,8 @@ constexpr int kThumbnail = 4;         // pixels of the image in one of the thumb
 /// Response of phase correlation, at least.
 constexpr double kThumbnailResponse = 0.15;
 
-Eigen::Vector3d medianOf(const std::deque<Eigen::Vector3d>& turns) {
+/// Of each component of rotation vectors.
+Eigen::Vector3d medianRotation(const std::deque<Eigen::Vector3d>& turns) {
   Eigen::Vector3d result;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
@@ -227,7 +228,7 @@ void CameraMotionDetector::judge(std::size_t camera, const CameraRotation& turn,
   }
   CameraMotionState& state = watched.state;
   state.turn = turn;
-  state.turn.turn = medianOf(watched.turns);
+  state.turn.turn = medianRotation(watched.turns);
   if (watched.turns.size() < kChecks) {
     return;
   }

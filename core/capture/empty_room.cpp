@@ -47,8 +47,9 @@ Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape&
   return pictures;
 }
 
-/// Not upperMedian(): that copies to floating point, here for each of the millions of bytes.
-cv::Mat medianOf(const std::vector<cv::Mat>& pictures) {
+/// The median of every byte. Not upperMedian(): that copies to floating point, here for each of the
+/// millions of bytes.
+cv::Mat medianPicture(const std::vector<cv::Mat>& pictures) {
   if (pictures.size() == 1) {
     return pictures.front();
   }
@@ -79,7 +80,7 @@ Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& c
   }
   return openReader(location, field)
       .and_then([&](const PictureReaderPtr& reader) { return readSome(*reader, camera); })
-      .map([](const std::vector<cv::Mat>& pictures) { return medianOf(pictures); });
+      .map([](const std::vector<cv::Mat>& pictures) { return medianPicture(pictures); });
 }
 
 } // namespace dewpoint::capture

@@ -56,12 +56,12 @@ std::vector<double> ratiosOf(const std::vector<LightSample>& samples, std::size_
   return ratios;
 }
 
-/// Their median; 1 where there are too few.
-double medianOf(std::vector<double> ratios) {
+/// The change of light that the ratios of one channel show: their median; 1 of too few.
+double gainFrom(std::vector<double> ratios) {
   return ratios.size() < kFewest ? 1.0 : upperMedian(std::move(ratios));
 }
 
-/// Whether medianOf() differs noticeably from 1, without sorting: it does not while the ratios
+/// Whether gainFrom() differs noticeably from 1, without sorting: it does not while the ratios
 /// below and those above leave the median to the others.
 bool isNoticeable(const std::vector<double>& ratios) {
   if (ratios.size() < kFewest) {
@@ -131,8 +131,8 @@ std::optional<Eigen::Array3d> estimateLightChange(const cv::Mat& image, const cv
   if (std::none_of(ratios.begin(), ratios.end(), isNoticeable)) {
     return std::nullopt;
   }
-  const Eigen::Array3d gain(medianOf(std::move(ratios[0])), medianOf(std::move(ratios[1])),
-                            medianOf(std::move(ratios[2])));
+  const Eigen::Array3d gain(gainFrom(std::move(ratios[0])), gainFrom(std::move(ratios[1])),
+                            gainFrom(std::move(ratios[2])));
   const auto within = [](const Eigen::Array3d& factors, double greatest) {
     return factors.maxCoeff() <= greatest && factors.minCoeff() >= 1.0 / greatest;
   };
