@@ -2,6 +2,8 @@
 #include "core/setup/calibration_exchange.h"
 
 #include "core/calibration/formats/calibration_file.h"
+#include "core/calibration/formats/format_catalog.h"
+#include "core/calibration/formats/format_dewpoint.h"
 #include "core/calibration/formats/read_calibration.h"
 #include "core/project/project_check.h"
 #include "core/project/project_rig.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_file.h"
+#include "core/calibration/formats/format_catalog.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/calibration_exchange.h"
 #include "tests/session/fake_recording.h"

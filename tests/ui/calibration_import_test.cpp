@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrations of other tools in the real window: the golden files in, the project's cameras out
 // and in again.
+#include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/read_calibration.h"
 #include "core/setup/calibration_exchange.h"
 #include "tests/ui/calibration_window.h"

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "core/calibration/formats/convert_calibration.h"
+#include "core/calibration/formats/format_catalog.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "core/geometry/camera.h"
 
 #include <filesystem>
-#include <string>
 
 namespace dewpoint::calibration {
 
@@ -19,8 +18,5 @@ Result<CameraRig> loadCalibration(const std::filesystem::path& file);
 
 /// Writes that, in meters: sections [cam_0], [cam_1], ...
 Status saveCalibration(const CameraRig& rig, const std::filesystem::path& file);
-
-/// The text of such a file.
-std::string calibrationText(const CameraRig& rig);
 
 } // namespace dewpoint::calibration

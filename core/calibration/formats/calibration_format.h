@@ -56,7 +56,7 @@ enum class FileLayout {
 std::filesystem::path cameraFile(const CameraRig& rig, std::size_t camera,
                                  const std::filesystem::path& out, const char* extension);
 
-/// One tool's calibration files, as a row of calibrationFormats().
+/// One tool's calibration files: a row of the catalog (format_catalog.h).
 struct CalibrationFormat {
   const char* name = "";      ///< as --from and --to take it
   const char* title = "";     ///< its usual name
@@ -81,19 +81,5 @@ struct CalibrationFormat {
 
 /// The meters in one m, mm, cm, in or ft, or in as many as a number says; nothing for other texts.
 std::optional<double> metersOfUnit(const std::string& text);
-
-/// Every format known here, ours first.
-const std::vector<CalibrationFormat>& calibrationFormats();
-
-/// The format of that name; NotFound lists the names.
-Result<const CalibrationFormat*> calibrationFormat(const std::string& name);
-
-/// Which format a text is of, with a sentence why; otherwise what speaks for several, or against
-/// all.
-struct RecognizedFormat {
-  const CalibrationFormat* format = nullptr;
-  std::string reason;
-};
-Result<RecognizedFormat> recognizeFormat(const CalibrationText& source);
 
 } // namespace dewpoint::calibration

@@ -2,6 +2,7 @@
 #include "core/calibration/formats/convert_calibration.h"
 
 #include "core/base/text_file.h"
+#include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/lens_refit.h"
 #include "core/calibration/formats/read_calibration.h"
 #include "core/geometry/projector.h"

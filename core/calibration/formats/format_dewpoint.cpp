@@ -2,7 +2,6 @@
 #include "core/calibration/formats/format_dewpoint.h"
 
 #include "core/base/toml_text.h"
-#include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/camera_calibration.h"
 #include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/toml_cameras.h"
@@ -61,6 +60,15 @@ std::vector<CalibrationText> write(const CameraRig& rig, const std::filesystem::
 }
 
 } // namespace
+
+std::string calibrationText(const CameraRig& rig) {
+  std::string text = "# Camera calibration: meters, radians, camera from world (OpenCV axes)\n";
+  for (std::size_t k = 0; k < rig.size(); ++k) {
+    text += fmt::format("\n[cam_{}]\nname = {}\n", k, quoted(rig[k].name)) +
+            cameraToToml(rig[k], RotationForm::Vector);
+  }
+  return text + "\n[metadata]\nunit = \"m\"\n";
+}
 
 CalibrationFormat dewpointFormat() {
   CalibrationFormat format;

@@ -3,6 +3,7 @@
 
 #include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_plausibility.h"
+#include "core/calibration/formats/format_catalog.h"
 
 #include <fmt/format.h>
 

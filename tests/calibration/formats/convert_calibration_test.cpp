@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/convert_calibration.h"
+#include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/lens_refit.h"
 #include "core/calibration/formats/read_calibration.h"
 #include "core/geometry/projector.h"

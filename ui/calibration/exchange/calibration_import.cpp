@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/exchange/calibration_import.h"
 
+#include "core/calibration/formats/format_catalog.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
