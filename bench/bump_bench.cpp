@@ -5,6 +5,7 @@
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/camera_motion/camera_motion_detector.h"
 #include "core/simulation/scene/scene.h"
+#include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_renderer.h"
 
 #include <fmt/format.h>

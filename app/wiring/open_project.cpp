@@ -10,6 +10,7 @@
 #include "core/session/run/tracking_run.h"
 #include "core/setup/new_project.h"
 #include "core/simulation/people/office_day.h"
+#include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/trajectory/trajectory_reader.h"

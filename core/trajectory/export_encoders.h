@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formats, one file each; export_formats.h lists them. Text is the same in any locale.
+// The formats, one file each; export_catalog.h lists them. Text is the same in any locale.
 #pragma once
 
 #include "core/trajectory/export_formats.h"

@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "core/trajectory/export_table.h"
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +16,7 @@ struct ExportFile {
   std::string bytes;
 };
 
-/// A file format of other programs.
+/// A file format of other programs: a row of the catalog (export_catalog.h).
 struct ExportFormat {
   std::string_view id;     ///< as on the command line
   std::string_view title;  ///< for people
@@ -30,12 +29,6 @@ struct ExportFormat {
   /// BadValue when the format cannot hold the table.
   Result<std::vector<ExportFile>> (*encode)(const ExportTable& table, const std::string& name);
 };
-
-/// All of them, in the order of menus.
-std::span<const ExportFormat> exportFormats();
-
-/// NotFound lists the known ones.
-Result<const ExportFormat*> exportFormat(std::string_view id);
 
 /// Units and axes of a table in one sentence: "Lengths in mm, times in s; Y points up ...".
 std::string unitsSentence(const ExportTable& table);

@@ -2,6 +2,7 @@
 #include "core/trajectory/trajectory_export.h"
 
 #include "core/base/text_file.h"
+#include "core/trajectory/export_catalog.h"
 #include "core/trajectory/export_encoders.h"
 #include "core/trajectory/trajectory_reader.h"
 

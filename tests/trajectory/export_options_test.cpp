@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person chooses, and what is refused.
+#include "core/trajectory/export_catalog.h"
 #include "core/trajectory/path_interpolation.h"
 #include "tests/trajectory/export_examples.h"
 

@@ -3,6 +3,7 @@
 // shown to live cameras to calibrate them is no such turn.
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/capture/recording.h"
+#include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/calibration/board/board_calibrator.h"

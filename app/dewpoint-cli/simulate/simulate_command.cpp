@@ -9,6 +9,7 @@
 #include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
 #include "core/simulation/people/office_day.h"
+#include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "core/trajectory/trajectory_writer.h"
 

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/progress.h"
+#include "core/trajectory/export_catalog.h"
 #include "core/trajectory/trajectory_export.h"
 
 #include <CLI/CLI.hpp>

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene/scene.h"
 
-#include "core/base/text_file.h"
 #include "core/simulation/room/light.h"
-#include "core/simulation/scene/scene_file.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 namespace dewpoint::simulation {
@@ -48,14 +45,6 @@ Camera camera(const char* name, int width, int height, const Eigen::Vector3d& po
   return result;
 }
 
-Scene builtIn(const std::string& name, Motion motion) {
-  Scene scene = demoScene();
-  scene.name = name;
-  scene.balls.front().motion = motion;
-  scene.balls.front().stillSeconds = 0.0;
-  return scene;
-}
-
 } // namespace
 
 CameraRig demoRig() {
@@ -69,44 +58,6 @@ Scene demoScene() {
   scene.balls.emplace_back();
   scene.balls.front().stillSeconds = 2.0;
   return scene;
-}
-
-const std::vector<std::string>& sceneNames() {
-  static const std::vector<std::string> names{"demo", "still",       "smooth",  "fast",
-                                              "jump", "look-alikes", "occluder"};
-  return names;
-}
-
-Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
-  const std::string& name = nameOrTomlFile;
-  if (name == "demo") {
-    return demoScene();
-  }
-  if (name == "still") {
-    return builtIn(name, Motion::Still);
-  }
-  if (name == "fast") {
-    return builtIn(name, Motion::Fast);
-  }
-  if (name == "jump") {
-    Scene scene = builtIn(name, Motion::Jump);
-    scene.balls.front().period = 2.0;
-    return scene;
-  }
-  if (name == "smooth" || name == "look-alikes" || name == "occluder") {
-    Scene scene = builtIn(name, Motion::Smooth);
-    scene.distractors = name == "look-alikes" ? 3 : 0;
-    scene.occluder = name == "occluder";
-    return scene;
-  }
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(name, ignored)) {
-    return failure(ErrorCode::FileMissing, name, "",
-                   "neither a scene file nor one of demo, still, smooth, fast, jump, look-alikes, "
-                   "occluder");
-  }
-  return readTextFile(name).and_then(
-      [&](const std::string& text) { return parseScene(text, name); });
 }
 
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time) {

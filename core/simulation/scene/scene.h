@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
 #include "core/geometry/camera.h"
 #include "core/simulation/body/usual_ball.h"
 #include "core/simulation/room/light.h"
@@ -86,12 +85,6 @@ CameraRig demoRig();
 
 /// The embedded default: the demo rig; the ball is still for 60 frames, then on a smooth path.
 Scene demoScene();
-
-/// Names of the built-in scenes: demo, still, smooth, fast, jump, look-alikes, occluder.
-const std::vector<std::string>& sceneNames();
-
-/// A built-in scene by name, else a scene TOML file by path.
-Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
 
 /// The true center of a ball at `time` seconds, world frame, meters.
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time);

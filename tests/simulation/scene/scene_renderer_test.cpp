@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/projector.h"
+#include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_file.h"
 #include "core/simulation/scene/scene_renderer.h"
 
