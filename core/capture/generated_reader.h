@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/capture/picture_reader.h"
-#include "core/capture/recording.h"
+#include "core/capture/recorded_camera.h"
 
 #include <string>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/color_assessment.h"
 
+#include "core/color/color_evidence.h"
 #include "core/color/color_region.h"
 #include "core/color/hsi.h"
 #include "core/color/match_image.h"

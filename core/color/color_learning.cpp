@@ -2,7 +2,6 @@
 #include "core/color/color_learning.h"
 
 #include "core/color/background_suppression.h"
-#include "core/color/color_assessment.h"
 #include "core/color/color_classifier.h"
 #include "core/color/color_evidence.h"
 #include "core/color/range_fit.h"
