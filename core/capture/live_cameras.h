@@ -3,25 +3,12 @@
 
 #include "core/base/error.h"
 #include "core/capture/frame_source.h"
+#include "core/capture/live_camera.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace dewpoint::capture {
-
-/// One camera that delivers pictures as they happen.
-struct LiveCamera {
-  std::string name;
-  /// A number or /dev/videoN (V4L2), a URL such as http://host/stream or rtsp://... (FFmpeg), or
-  /// "gst:" and a GStreamer pipeline that ends in an appsink.
-  std::string location;
-  int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
-  int width = 0;         ///< expected after the rotation, pixels; 0: any
-  int height = 0;        ///< expected after the rotation, pixels; 0: any
-  bool mirrored = false; ///< left to right, after the rotation
-  double delay = 0.0;    ///< seconds from what a picture shows to its grab, beyond the others'
-};
 
 /// Starts one thread per camera, each opening, reading and reconnecting on its own, and returns at
 /// once: only settings that can never work (an empty or unknown location, a rotation that is no

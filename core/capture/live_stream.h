@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/capture/live_cameras.h"
+#include "core/capture/frame_source.h"
+#include "core/capture/live_camera.h"
 
 #include <opencv2/core/mat.hpp>
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace dewpoint::capture {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/simulation/body/exposure.h"
 #include "core/simulation/body/moving_part.h"
 #include "core/simulation/room/camera_view.h"
 #include "core/simulation/room/illumination.h"
@@ -8,7 +9,6 @@
 #include <opencv2/core.hpp>
 
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace dewpoint::simulation {
@@ -31,15 +31,6 @@ struct Body {
 
 /// All bodies at an instant, seconds; the same number in the same order at every instant.
 using BodiesAt = std::function<std::vector<Body>(double)>;
-
-/// When the shutter is open: centered on `time`, for `seconds`; and for which rows of the image,
-/// [firstRow, endRow), cut by the image.
-struct Exposure {
-  double time = 0.0;
-  double seconds = 0.0;
-  int firstRow = 0;
-  int endRow = std::numeric_limits<int>::max();
-};
 
 /// Draws bodies, their soft shadows on z = 0 and their motion blur into `image` (CV_32FC3), which
 /// shows the room at rest as `view` sees it. Presence is that at the center of the exposure.

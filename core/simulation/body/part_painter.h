@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/body/body_painter.h"
+#include "core/simulation/body/exposure.h"
 #include "core/simulation/body/moving_part.h"
+#include "core/simulation/room/camera_view.h"
 
 #include <opencv2/core.hpp>
 
