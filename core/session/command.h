@@ -18,7 +18,7 @@
 
 namespace dewpoint::session {
 
-/// Wishes of the user, passed by value to the tracking thread.
+/// Requests of the user, passed by value to the tracking thread.
 namespace command {
 struct Play {};
 struct Pause {};

@@ -234,14 +234,14 @@ bool RunDriver::change(RunDefinition wanted) {
   return taken;
 }
 
-void RunDriver::setMethod(const command::SetMethod& wish) {
-  if (wish.from) {
-    rerun(*wish.from, &wish, true);
+void RunDriver::setMethod(const command::SetMethod& request) {
+  if (request.from) {
+    rerun(*request.from, &request, true);
     return;
   }
   RunDefinition other = definition();
-  other.method = wish.method;
-  other.parameters = wish.parameters;
+  other.method = request.method;
+  other.parameters = request.parameters;
   if (replaceRun(std::move(other), 0)) {
     restart(std::nullopt);
   }
@@ -297,14 +297,14 @@ void RunDriver::setCameras(const CameraRig& rig) {
   }
 }
 
-void RunDriver::setEmptyRooms(const command::SetEmptyRooms& wish) {
-  if (wish.rooms.size() != definition().rig->size()) {
+void RunDriver::setEmptyRooms(const command::SetEmptyRooms& request) {
+  if (request.rooms.size() != definition().rig->size()) {
     return;
   }
   RunDefinition wanted = definition();
-  std::copy_n(wish.files.begin(), std::min(wish.files.size(), wanted.emptyRoomFiles.size()),
+  std::copy_n(request.files.begin(), std::min(request.files.size(), wanted.emptyRoomFiles.size()),
               wanted.emptyRoomFiles.begin());
-  wanted.emptyRooms = wish.rooms;
+  wanted.emptyRooms = request.rooms;
   change(std::move(wanted));
 }
 

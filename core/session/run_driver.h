@@ -60,10 +60,10 @@ public:
   // Changes. What is believed stays as far as it can.
   /// A definition that the run takes(); false if it does not.
   bool change(RunDefinition wanted);
-  void setMethod(const command::SetMethod& wish);
+  void setMethod(const command::SetMethod& request);
   void setTargets(const std::vector<Target>& targets);
   void setCameras(const CameraRig& rig);
-  void setEmptyRooms(const command::SetEmptyRooms& wish);
+  void setEmptyRooms(const command::SetEmptyRooms& request);
   /// While a board is shown to live cameras none of them is taken for moved.
   void setBoardShown(bool shown) { motionWatch_.setResting(shown); }
   void setPeople(const std::vector<PersonCorrection>& people);

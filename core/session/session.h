@@ -38,7 +38,8 @@ private:
 };
 
 /// The running machine: one tracking thread that takes frame sets, iterates the filters and
-/// publishes snapshots. Every call returns at once; wishes are queued and obeyed at the next step.
+/// publishes snapshots. Every call returns at once; commands are queued and carried out at the next
+/// step.
 class Session {
 public:
   explicit Session(SessionInputs inputs);

@@ -183,7 +183,7 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
 }
 
 void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (wishes_.shapes) {
+  if (options_.shapes) {
     addShapes(snapshot);
   }
   if (!snapshot.frames) {
@@ -198,7 +198,7 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
     }
   }
   // A target without a color has no mask.
-  if (wishes_.masks && !snapshot.preview && snapshot.targetsFrom == TargetsFrom::Color) {
+  if (options_.masks && !snapshot.preview && snapshot.targetsFrom == TargetsFrom::Color) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
@@ -238,8 +238,8 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
 
 bool SnapshotBuilder::wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
   return run.capability<PeopleFinding>() != nullptr // whose motion is seen without tracking
-             ? (wishes_.masks || wishes_.maps) && snapshot.frames != nullptr
-             : wishes_.maps && snapshot.tracked;
+             ? (options_.masks || options_.maps) && snapshot.frames != nullptr
+             : options_.maps && snapshot.tracked;
 }
 
 bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
@@ -248,12 +248,12 @@ bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& sna
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
   const auto* const finding = run.capability<PeopleFinding>();
-  if (finding != nullptr && wishes_.masks) {
+  if (finding != nullptr && options_.masks) {
     snapshot.masks = motionMasks(run, *finding);
     snapshot.masksShowMotion = true;
   }
   const auto* const motion = run.capability<MotionMapping>();
-  if (motion != nullptr && wishes_.maps) {
+  if (motion != nullptr && options_.maps) {
     snapshot.motionMaps = motionMaps(run, *motion);
   }
   const auto* const mapping = run.capability<LikelihoodMapping>();

@@ -11,8 +11,8 @@
 
 namespace dewpoint::session {
 
-/// What views want to see beside images, estimates and particles; each takes time.
-struct SnapshotWishes {
+/// What snapshots hold beside images, estimates and particles; each takes time.
+struct SnapshotOptions {
   bool masks = false;  ///< TrackSnapshot::masks
   bool maps = false;   ///< TargetSnapshot::maps
   bool shapes = false; ///< TargetSnapshot::shape
@@ -24,7 +24,7 @@ class SnapshotBuilder {
 public:
   explicit SnapshotBuilder(TruthTable truth) : truth_(std::move(truth)) {}
 
-  SnapshotWishes& wishes() { return wishes_; }
+  SnapshotOptions& options() { return options_; }
   const TruthTable& truth() const { return truth_; }
 
   /// The frame that the run stands at. `history` is null when nothing is kept; `isRecorded` says
@@ -50,7 +50,7 @@ private:
   bool wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;
 
   TruthTable truth_;
-  SnapshotWishes wishes_;
+  SnapshotOptions options_;
 };
 
 } // namespace dewpoint::session

@@ -24,7 +24,7 @@ void TrackingLoop::run(const std::stop_token& stop) {
   publish(Publish::Now);
   while (!stop.stop_requested()) {
     if (const auto command = commands_.pop(stop, deadline())) {
-      obey(*command);
+      carryOut(*command);
       continue;
     }
     if (playback().missing() == Playback::Missing::Images) {
@@ -75,9 +75,9 @@ void TrackingLoop::addMaps(const std::stop_token& stop) {
   publisher_.publish(std::move(snapshot));
 }
 
-void TrackingLoop::obey(const Command& command) {
+void TrackingLoop::carryOut(const Command& command) {
   if (driver_.isReady()) {
-    publish(std::visit([this](const auto& wish) { return handle(wish); }, command));
+    publish(std::visit([this](const auto& request) { return handle(request); }, command));
   }
 }
 
@@ -102,84 +102,84 @@ TrackingLoop::Publish TrackingLoop::handle(const command::StepIteration&) {
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::Restart& wish) {
-  driver_.restart(wish.seed);
+TrackingLoop::Publish TrackingLoop::handle(const command::Restart& request) {
+  driver_.restart(request.seed);
   nextFrameDue_ = Clock::now();
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::Configure& wish) {
+TrackingLoop::Publish TrackingLoop::handle(const command::Configure& request) {
   RunDefinition wanted = driver_.definition();
-  wanted.parameters = wish.parameters;
+  wanted.parameters = request.parameters;
   driver_.change(std::move(wanted));
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetMethod& wish) {
-  driver_.setMethod(wish);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetMethod& request) {
+  driver_.setMethod(request);
   nextFrameDue_ = Clock::now();
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetTargets& wish) {
-  driver_.setTargets(wish.targets);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetTargets& request) {
+  driver_.setTargets(request.targets);
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetCameras& wish) {
-  driver_.setCameras(wish.rig);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetCameras& request) {
+  driver_.setCameras(request.rig);
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetEmptyRooms& wish) {
-  driver_.setEmptyRooms(wish);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetEmptyRooms& request) {
+  driver_.setEmptyRooms(request);
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetPeople& wish) {
-  driver_.setPeople(wish.people);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetPeople& request) {
+  driver_.setPeople(request.people);
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetVolumeOfInterest& wish) {
+TrackingLoop::Publish TrackingLoop::handle(const command::SetVolumeOfInterest& request) {
   RunDefinition wanted = driver_.definition();
-  wanted.volumeOfInterest = wish.volume;
+  wanted.volumeOfInterest = request.volume;
   driver_.change(std::move(wanted));
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetCorrections& wish) {
-  driver_.setCorrections(wish.corrections);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetCorrections& request) {
+  driver_.setCorrections(request.corrections);
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& wish) {
-  driver_.setThreads(wish.threads);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& request) {
+  driver_.setThreads(request.threads);
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ShowMasks& wish) {
-  builder_.wishes().masks = wish.wanted;
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowMasks& request) {
+  builder_.options().masks = request.wanted;
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ShowMaps& wish) {
-  builder_.wishes().maps = wish.wanted;
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowMaps& request) {
+  builder_.options().maps = request.wanted;
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ShowShapes& wish) {
-  builder_.wishes().shapes = wish.wanted;
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowShapes& request) {
+  builder_.options().shapes = request.wanted;
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ShowBoard& wish) {
-  driver_.setBoardShown(wish.shown);
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowBoard& request) {
+  driver_.setBoardShown(request.shown);
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ShowFrame& wish) {
-  driver_.show(wish.frame);
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowFrame& request) {
+  driver_.show(request.frame);
   return Publish::Quickly;
 }
 
@@ -188,8 +188,8 @@ TrackingLoop::Publish TrackingLoop::handle(const command::BackToHead&) {
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::Rerun& wish) {
-  driver_.rerun(wish.from);
+TrackingLoop::Publish TrackingLoop::handle(const command::Rerun& request) {
+  driver_.rerun(request.from);
   return Publish::Now;
 }
 

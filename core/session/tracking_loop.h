@@ -13,7 +13,8 @@
 
 namespace dewpoint::session {
 
-/// What the tracking thread does: obey commands, let the run go on when it is time, publish.
+/// The work of the tracking thread: carries out commands, lets the run go on when it is time, and
+/// publishes snapshots.
 class TrackingLoop {
 public:
   explicit TrackingLoop(SessionInputs inputs);
@@ -35,28 +36,28 @@ private:
     NowAndThen ///< not more often than a screen shows it
   };
   /// Carries out a command. A type of command without a handle() of its own does not compile.
-  void obey(const Command& command);
-  Publish handle(const command::Play& wish);
-  Publish handle(const command::Pause& wish);
-  Publish handle(const command::StepFrame& wish);
-  Publish handle(const command::StepIteration& wish);
-  Publish handle(const command::Restart& wish);
-  Publish handle(const command::Configure& wish);
-  Publish handle(const command::SetMethod& wish);
-  Publish handle(const command::SetTargets& wish);
-  Publish handle(const command::SetCameras& wish);
-  Publish handle(const command::SetEmptyRooms& wish);
-  Publish handle(const command::SetPeople& wish);
-  Publish handle(const command::SetVolumeOfInterest& wish);
-  Publish handle(const command::SetCorrections& wish);
-  Publish handle(const command::SetThreads& wish);
-  Publish handle(const command::ShowMasks& wish);
-  Publish handle(const command::ShowMaps& wish);
-  Publish handle(const command::ShowShapes& wish);
-  Publish handle(const command::ShowBoard& wish);
-  Publish handle(const command::ShowFrame& wish);
-  Publish handle(const command::BackToHead& wish);
-  Publish handle(const command::Rerun& wish);
+  void carryOut(const Command& command);
+  Publish handle(const command::Play& request);
+  Publish handle(const command::Pause& request);
+  Publish handle(const command::StepFrame& request);
+  Publish handle(const command::StepIteration& request);
+  Publish handle(const command::Restart& request);
+  Publish handle(const command::Configure& request);
+  Publish handle(const command::SetMethod& request);
+  Publish handle(const command::SetTargets& request);
+  Publish handle(const command::SetCameras& request);
+  Publish handle(const command::SetEmptyRooms& request);
+  Publish handle(const command::SetPeople& request);
+  Publish handle(const command::SetVolumeOfInterest& request);
+  Publish handle(const command::SetCorrections& request);
+  Publish handle(const command::SetThreads& request);
+  Publish handle(const command::ShowMasks& request);
+  Publish handle(const command::ShowMaps& request);
+  Publish handle(const command::ShowShapes& request);
+  Publish handle(const command::ShowBoard& request);
+  Publish handle(const command::ShowFrame& request);
+  Publish handle(const command::BackToHead& request);
+  Publish handle(const command::Rerun& request);
 
   const Playback& playback() const { return driver_.playback(); }
   /// When the thread has something to do again, unless a command comes; nothing: not by itself.

@@ -44,14 +44,15 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
 }
 
 /// The frames to look at: evenly spread, and the one that makes the world.
-std::vector<std::int64_t> framesToSearch(std::int64_t total, const BoardCalibrationRequest& wish) {
+std::vector<std::int64_t> framesToSearch(std::int64_t total,
+                                         const BoardCalibrationRequest& request) {
   const std::int64_t stride =
-      std::max<std::int64_t>(1, (total + wish.frameLimit - 1) / wish.frameLimit);
+      std::max<std::int64_t>(1, (total + request.frameLimit - 1) / request.frameLimit);
   std::vector<std::int64_t> frames;
   for (std::int64_t frame = 0; frame < total; frame += stride) {
     frames.push_back(frame);
   }
-  const std::int64_t world = wish.worldFrame.value_or(0);
+  const std::int64_t world = request.worldFrame.value_or(0);
   if (const auto at = std::ranges::lower_bound(frames, world);
       world < total && (at == frames.end() || *at != world)) {
     frames.insert(at, world);
@@ -65,20 +66,21 @@ Error named(Error error, const std::string& camera) {
 }
 
 Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera,
-                                const BoardCalibrationRequest& wish,
+                                const BoardCalibrationRequest& request,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
     return failure(ErrorCode::Undetermined, "", "",
                    fmt::format("it never saw the board, in {} pictures", camera.searched));
   }
-  IntrinsicsRequest request;
-  request.board = wish.board;
-  request.views = chooseViews(wish.board, camera.views, camera.width, camera.height, wish.views);
-  request.width = camera.width;
-  request.height = camera.height;
-  request.model = wish.model;
-  request.pixels = wish.pixels;
-  return calibrateIntrinsics(request, progress);
+  IntrinsicsRequest lensRequest;
+  lensRequest.board = request.board;
+  lensRequest.views =
+      chooseViews(request.board, camera.views, camera.width, camera.height, request.views);
+  lensRequest.width = camera.width;
+  lensRequest.height = camera.height;
+  lensRequest.model = request.model;
+  lensRequest.pixels = request.pixels;
+  return calibrateIntrinsics(lensRequest, progress);
 }
 
 /// The cameras that poses are found of: those that saw the board, if that are two; else all, so
@@ -131,7 +133,7 @@ void withTheOthers(const Project& project, const std::vector<std::size_t>& takin
 } // namespace
 
 Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
-                              const BoardCalibrationRequest& wish,
+                              const BoardCalibrationRequest& request,
                               const CalibrationProgress& progress) {
   const auto total = source.frameCount();
   if (!total) {
@@ -145,10 +147,10 @@ Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
   if (source.framesPerSecond() > 0.0) {
     seen.framesPerSecond = source.framesPerSecond();
   }
-  const BoardDetector detector(wish.board);
+  const BoardDetector detector(request.board);
   const auto effort = *total <= kFewFrames ? DetectionEffort::Exact : DetectionEffort::Live;
   ThreadTeam team(threadsForTasks(seen.cameras.size()));
-  const auto frames = framesToSearch(*total, wish);
+  const auto frames = framesToSearch(*total, request);
   std::int64_t next = -1;
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!goesOn(progress, CalibrationStage::BoardDetection,
@@ -213,12 +215,12 @@ Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures
 }
 
 Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
-                                              const BoardCalibrationRequest& wish,
+                                              const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress) {
   LensesFromBoards lenses;
   std::optional<Error> first;
   for (const auto& camera : seen.cameras) {
-    auto result = lensOf(camera, wish, progress);
+    auto result = lensOf(camera, request, progress);
     if (!result && result.error().code == ErrorCode::Cancelled) {
       return tl::make_unexpected(result.error());
     }
@@ -239,7 +241,7 @@ Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
 }
 
 Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
-                                              const BoardCalibrationRequest& wish,
+                                              const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress) {
   const auto taking = camerasWithViews(seen);
   std::vector<std::vector<BoardView>> views;
@@ -248,11 +250,11 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
     views.push_back(seen.cameras[k].views);
     widths.push_back(seen.cameras[k].width);
   }
-  const auto chosen = chooseInstants(views, widths, wish.instants, wish.worldFrame);
-  ExtrinsicsRequest request;
-  request.board = wish.board;
-  request.worldInstant = wish.worldFrame;
-  request.refineIntrinsics = wish.refineIntrinsics;
+  const auto chosen = chooseInstants(views, widths, request.instants, request.worldFrame);
+  ExtrinsicsRequest rigRequest;
+  rigRequest.board = request.board;
+  rigRequest.worldInstant = request.worldFrame;
+  rigRequest.refineIntrinsics = request.refineIntrinsics;
   for (std::size_t i = 0; i < taking.size(); ++i) {
     const auto& in = project.cameras[taking[i]].camera.intrinsics;
     const auto& camera = seen.cameras[taking[i]];
@@ -261,9 +263,9 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
                      fmt::format("its images have {} x {} pixels, its calibration {} x {}",
                                  camera.width, camera.height, in.width, in.height));
     }
-    request.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
+    rigRequest.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
   }
-  auto result = calibrateExtrinsics(request, progress);
+  auto result = calibrateExtrinsics(rigRequest, progress);
   if (!result && result.error().code == ErrorCode::Cancelled) {
     return result;
   }
@@ -271,9 +273,10 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
     return cancelled();
   }
   for (std::size_t i = 0; i < taking.size(); ++i) {
-    request.cameras[i].views = std::move(views[i]); // all of them, not only the best
+    rigRequest.cameras[i].views = std::move(views[i]); // all of them, not only the best
   }
-  const auto report = findBoardFaults(request, seen.framesPerSecond, result ? &*result : nullptr);
+  const auto report =
+      findBoardFaults(rigRequest, seen.framesPerSecond, result ? &*result : nullptr);
   if (!result && !report.faults.empty()) {
     result.error().detail += "; " + report.faults.front().sentence;
   }
@@ -284,10 +287,10 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
   return result;
 }
 
-BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& wish,
+BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& request,
                      const LensesFromBoards& lenses) {
   BoardReport report;
-  report.board = wish.board;
+  report.board = request.board;
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
       report.cameras.push_back(reportPart(seen.cameras[k].name, *lenses.cameras[k]));

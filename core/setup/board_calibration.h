@@ -46,7 +46,7 @@ struct SeenBoards {
 /// Looks for the board in a recording, in frames spread over it evenly; all cameras at the same
 /// ones. BadValue when the cameras are live, Cancelled, and what the source says.
 Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
-                              const BoardCalibrationRequest& wish,
+                              const BoardCalibrationRequest& request,
                               const CalibrationProgress& progress = {});
 
 /// Looks for the board in picture files of one camera; views are named by their file's name.
@@ -65,7 +65,7 @@ struct LensesFromBoards {
 /// not see the board well keeps its lens; the error, which names the camera, is returned when that
 /// is so of all of them, and Cancelled.
 Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
-                                              const BoardCalibrationRequest& wish,
+                                              const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
 /// The poses of a project's cameras, with the intrinsics it has, from instants chosen by
@@ -74,14 +74,14 @@ Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
 /// its pose instead. Faults that explain what is seen better are named in the result, or in the
 /// error.
 Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
-                                              const BoardCalibrationRequest& wish,
+                                              const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
 /// "camera 2 keeps its lens: it never saw the board, in 60 pictures".
 std::string keptSentence(const Error& kept);
 
 /// The report on intrinsics.
-BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& wish,
+BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& request,
                      const LensesFromBoards& lenses);
 
 } // namespace dewpoint::setup

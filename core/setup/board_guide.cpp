@@ -29,16 +29,19 @@ BoardGuideState::Outline outlineOf(const BoardDetection& detection) {
 
 } // namespace
 
-BoardCalibrationRequest wishForTaken(const BoardGuideRequest& wish, const BoardGuideState& state) {
-  BoardCalibrationRequest all = wish.board;
-  all.views = std::max(all.views, wish.lenses.mostViews);
+BoardCalibrationRequest requestForTaken(const BoardGuideRequest& request,
+                                        const BoardGuideState& state) {
+  BoardCalibrationRequest all = request.board;
+  all.views = std::max(all.views, request.lenses.mostViews);
   all.worldFrame = state.floorFrame;
   return all;
 }
 
-BoardGuide::BoardGuide(Project project, const BoardGuideRequest& wish, int threads)
-    : project_(std::move(project)), wish_(wish), detector_(wish.board.board), team_(threads) {
-  state_.phase = wish.goal.lenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Poses;
+BoardGuide::BoardGuide(Project project, const BoardGuideRequest& request, int threads)
+    : project_(std::move(project)), request_(request), detector_(request.board.board),
+      team_(threads) {
+  state_.phase =
+      request.goal.lenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Poses;
   for (const ProjectCamera& camera : project_.cameras) {
     seen_.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
     state_.cameras.emplace_back().name = camera.camera.name;
@@ -76,7 +79,7 @@ void BoardGuide::begin(const FrameSet& frames) {
       camera.height = frame->image.rows;
       seen_.cameras[k].width = camera.width;
       seen_.cameras[k].height = camera.height;
-      lenses_[k].emplace(wish_.board.board, camera.width, camera.height, wish_.lenses);
+      lenses_[k].emplace(request_.board.board, camera.width, camera.height, request_.lenses);
     }
   }
   if (state_.phase == BoardGuideState::Phase::Poses && !rigGuidance_) {
@@ -130,7 +133,7 @@ void BoardGuide::keepView(std::size_t camera) {
   }
   seen_.cameras[camera].views.push_back(
       {fmt::format("frame {}", state_.frame), state_.frame, *of.seen});
-  if (of.taken.size() < wish_.outlinesKept) {
+  if (of.taken.size() < request_.outlinesKept) {
     of.taken.push_back(of.outline);
   }
   state_.seen = std::make_shared<const SeenBoards>(seen_);
@@ -143,14 +146,14 @@ void BoardGuide::learnLens(std::size_t camera) {
     return;
   }
   tried_[camera] = count;
-  IntrinsicsRequest request;
-  request.board = wish_.board.board;
-  request.views = guidance.views();
-  request.width = state_.cameras[camera].width;
-  request.height = state_.cameras[camera].height;
-  request.model = wish_.board.model;
-  request.pixels = wish_.board.pixels;
-  if (const auto result = calibrateIntrinsics(request)) {
+  IntrinsicsRequest lensRequest;
+  lensRequest.board = request_.board.board;
+  lensRequest.views = guidance.views();
+  lensRequest.width = state_.cameras[camera].width;
+  lensRequest.height = state_.cameras[camera].height;
+  lensRequest.model = request_.board.model;
+  lensRequest.pixels = request_.board.pixels;
+  if (const auto result = calibrateIntrinsics(lensRequest)) {
     guidance.learn(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
     state_.cameras[camera].lens.projectionPx = result->worstProjectionPx;
@@ -167,7 +170,7 @@ void BoardGuide::beginRig() {
   for (const auto& camera : state_.cameras) {
     widths.push_back(std::max(1, camera.width));
   }
-  rigGuidance_.emplace(std::move(widths), wish_.rig);
+  rigGuidance_.emplace(std::move(widths), request_.rig);
   state_.rig = rigGuidance_->state();
   if (state_.rig.finished) { // one camera alone has no pair
     state_.phase = BoardGuideState::Phase::Finished;
@@ -176,7 +179,7 @@ void BoardGuide::beginRig() {
 
 BoardGuideState BoardGuide::goOn() {
   if (state_.phase == BoardGuideState::Phase::Lenses) {
-    if (wish_.goal.poses) {
+    if (request_.goal.poses) {
       beginRig();
     } else {
       state_.phase = BoardGuideState::Phase::Finished;
@@ -199,7 +202,7 @@ void BoardGuide::keepRig(const RigGuidance::State& state) {
       }
     }
   }
-  if (state.finished && state.instants < wish_.mostInstants) {
+  if (state.finished && state.instants < request_.mostInstants) {
     calibrateRig();
   } else if (state.finished) {
     state_.phase = BoardGuideState::Phase::Finished;
@@ -208,16 +211,16 @@ void BoardGuide::keepRig(const RigGuidance::State& state) {
 
 /// Ends, or asks for more where the places are not known well enough.
 void BoardGuide::calibrateRig() {
-  ExtrinsicsRequest request;
-  request.board = wish_.board.board;
+  ExtrinsicsRequest rigRequest;
+  rigRequest.board = request_.board.board;
   for (std::size_t k = 0; k < project_.cameras.size(); ++k) {
-    request.cameras.push_back({project_.cameras[k].camera, rigGuidance_->views()[k]});
+    rigRequest.cameras.push_back({project_.cameras[k].camera, rigGuidance_->views()[k]});
   }
-  const auto result = calibrateExtrinsics(request);
+  const auto result = calibrateExtrinsics(rigRequest);
   bool enough = result.has_value();
   for (std::size_t k = 0; result && k < result->fits.size(); ++k) {
     state_.cameras[k].positionSigma = result->fits[k].centerSigma;
-    enough = enough && result->fits[k].centerSigma <= wish_.requestedPosition;
+    enough = enough && result->fits[k].centerSigma <= request_.requestedPosition;
   }
   if (enough) {
     state_.phase = BoardGuideState::Phase::Finished;

@@ -61,7 +61,8 @@ using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 
 /// What calibrateFromBoards() is to do with the views that were taken from live cameras: lenses are
 /// found from all of them, and the world is that of the floor that was shown.
-BoardCalibrationRequest wishForTaken(const BoardGuideRequest& wish, const BoardGuideState& state);
+BoardCalibrationRequest requestForTaken(const BoardGuideRequest& request,
+                                        const BoardGuideState& state);
 
 /// Leads the user through calibrating live cameras with a board: looks for it in the images, says
 /// what to show next, takes what is held still, calibrates in between and ends by itself when the
@@ -69,7 +70,7 @@ BoardCalibrationRequest wishForTaken(const BoardGuideRequest& wish, const BoardG
 /// images: the same frames give the same states.
 class BoardGuide {
 public:
-  BoardGuide(Project project, const BoardGuideRequest& wish, int threads = 1);
+  BoardGuide(Project project, const BoardGuideRequest& request, int threads = 1);
 
   /// The newest images, in rising order.
   BoardGuideState step(const FrameSet& frames);
@@ -95,7 +96,7 @@ private:
   void beginRig();
 
   Project project_; ///< with the lenses found so far
-  BoardGuideRequest wish_;
+  BoardGuideRequest request_;
   BoardDetector detector_;
   ThreadTeam team_;
   BoardGuideState state_;

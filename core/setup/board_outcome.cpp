@@ -6,8 +6,8 @@
 namespace dewpoint::setup {
 namespace {
 
-BoardReport extrinsicsReport(const BoardCalibrationRequest& wish, const BoardOutcome& outcome) {
-  BoardReport report = reportOf(wish.board, *outcome.extrinsics);
+BoardReport extrinsicsReport(const BoardCalibrationRequest& request, const BoardOutcome& outcome) {
+  BoardReport report = reportOf(request.board, *outcome.extrinsics);
   report.accuracy = outcome.accuracySentence;
   for (const NamedFault& fault : outcome.extrinsics->faults) {
     report.accuracy += " " + fault.sentence;
@@ -15,28 +15,28 @@ BoardReport extrinsicsReport(const BoardCalibrationRequest& wish, const BoardOut
   return report;
 }
 
-std::string page(const SeenBoards& seen, const BoardCalibrationRequest& wish,
+std::string page(const SeenBoards& seen, const BoardCalibrationRequest& request,
                  const BoardOutcome& outcome) {
   std::vector<BoardReport> reports;
   if (outcome.extrinsics) {
-    reports.push_back(extrinsicsReport(wish, outcome));
+    reports.push_back(extrinsicsReport(request, outcome));
   }
   if (outcome.lenses) {
-    reports.push_back(reportOf(seen, wish, *outcome.lenses));
+    reports.push_back(reportOf(seen, request, *outcome.lenses));
   }
   return htmlText(reports);
 }
 
-Status addExtrinsics(const SeenBoards& seen, const BoardCalibrationRequest& wish,
+Status addExtrinsics(const SeenBoards& seen, const BoardCalibrationRequest& request,
                      BoardOutcome& outcome, const CalibrationProgress& progress) {
-  auto extrinsics = extrinsicsFromBoards(outcome.project, seen, wish, progress);
+  auto extrinsics = extrinsicsFromBoards(outcome.project, seen, request, progress);
   if (!extrinsics) {
     return tl::make_unexpected(extrinsics.error());
   }
   if (!goesOn(progress, CalibrationStage::Assessment, 0.5)) {
     return cancelled();
   }
-  const auto accuracy = assessBoard(*extrinsics, wish.board, wish.worldFrame);
+  const auto accuracy = assessBoard(*extrinsics, request.board, request.worldFrame);
   outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
   outcome.accuracySentence =
       accuracy ? accuracySentence(*accuracy) : "none; " + sentence(accuracy.error());
@@ -48,36 +48,38 @@ Status addExtrinsics(const SeenBoards& seen, const BoardCalibrationRequest& wish
 } // namespace
 
 Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
-                                         const BoardCalibrationRequest& wish, const BoardGoal& goal,
+                                         const BoardCalibrationRequest& request,
+                                         const BoardGoal& goal,
                                          const CalibrationProgress& progress) {
   BoardOutcome outcome;
   outcome.project = project;
   if (goal.lenses) {
-    auto lenses = intrinsicsFromBoards(seen, wish, progress);
+    auto lenses = intrinsicsFromBoards(seen, request, progress);
     if (!lenses) {
       return tl::make_unexpected(lenses.error());
     }
     outcome.project = withIntrinsics(std::move(outcome.project), lenses->cameras);
     outcome.lenses = std::move(*lenses);
   }
-  const bool alone = project.cameras.size() < 2 && !wish.worldFrame;
+  const bool alone = project.cameras.size() < 2 && !request.worldFrame;
   if (goal.poses && !(alone && goal.lenses)) {
-    if (const auto found = addExtrinsics(seen, wish, outcome, progress); !found) {
+    if (const auto found = addExtrinsics(seen, request, outcome, progress); !found) {
       if (!outcome.lenses || found.error().code == ErrorCode::Cancelled) {
         return tl::make_unexpected(found.error());
       }
       outcome.extrinsicsError = found.error();
     }
   }
-  outcome.report = page(seen, wish, outcome);
+  outcome.report = page(seen, request, outcome);
   return outcome;
 }
 
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
-                                         const BoardCalibrationRequest& wish, const BoardGoal& goal,
+                                         const BoardCalibrationRequest& request,
+                                         const BoardGoal& goal,
                                          const CalibrationProgress& progress) {
-  return findBoards(project, source, wish, progress).and_then([&](const SeenBoards& seen) {
-    return calibrateFromBoards(project, seen, wish, goal, progress);
+  return findBoards(project, source, request, progress).and_then([&](const SeenBoards& seen) {
+    return calibrateFromBoards(project, seen, request, goal, progress);
   });
 }
 

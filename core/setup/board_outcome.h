@@ -36,13 +36,15 @@ struct BoardOutcome {
 /// camera alone has no pose to be found, unless the board lies on the floor somewhere. Errors:
 /// those of intrinsicsFromBoards() and extrinsicsFromBoards().
 Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
-                                         const BoardCalibrationRequest& wish, const BoardGoal& goal,
+                                         const BoardCalibrationRequest& request,
+                                         const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
 /// The same from a recording, in which the board is searched for first. Errors: those of
 /// findBoards() too.
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
-                                         const BoardCalibrationRequest& wish, const BoardGoal& goal,
+                                         const BoardCalibrationRequest& request,
+                                         const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
 /// Whether the user should decide about it before it is put into the project: a fault that has a

@@ -16,7 +16,7 @@ public:
   /// What a guidance is begun with.
   struct Beginning {
     Project project;
-    BoardGuideRequest wish;
+    BoardGuideRequest request;
   };
 
   /// What is to be done.
@@ -42,12 +42,12 @@ public:
     changed_.notify_one();
   }
 
-  void begin(const Project& project, const BoardGuideRequest& wish) {
+  void begin(const Project& project, const BoardGuideRequest& request) {
     // The guidance itself, which has threads to join, is made and goes in the thread.
-    auto state = std::make_shared<const BoardGuideState>(BoardGuide(project, wish).state());
+    auto state = std::make_shared<const BoardGuideState>(BoardGuide(project, request).state());
     order([&](Orders& orders) {
       orders = Orders();
-      orders.beginning.emplace(Beginning{project, wish});
+      orders.beginning.emplace(Beginning{project, request});
       newest_ = std::move(state);
     });
   }
@@ -70,18 +70,18 @@ private:
         orders = std::exchange(orders_, Orders());
       }
       if (orders.beginning) {
-        const auto& [project, wish] = *orders.beginning;
+        const auto& [project, request] = *orders.beginning;
         guide =
-            std::make_unique<BoardGuide>(project, wish, threadsForTasks(project.cameras.size()));
+            std::make_unique<BoardGuide>(project, request, threadsForTasks(project.cameras.size()));
       }
       if (guide) {
-        obey(*guide, orders);
+        carryOut(*guide, orders);
         publish(*guide);
       }
     }
   }
 
-  static void obey(BoardGuide& guide, const Orders& orders) {
+  static void carryOut(BoardGuide& guide, const Orders& orders) {
     if (orders.floor) {
       guide.captureFloor();
     } else if (orders.capture) {
@@ -120,8 +120,8 @@ private:
 BoardWatch::BoardWatch(std::function<void()> wake)
     : impl_(std::make_unique<Impl>(std::move(wake))) {}
 BoardWatch::~BoardWatch() = default;
-void BoardWatch::begin(const Project& project, const BoardGuideRequest& wish) {
-  impl_->begin(project, wish);
+void BoardWatch::begin(const Project& project, const BoardGuideRequest& request) {
+  impl_->begin(project, request);
 }
 void BoardWatch::show(FrameSetPtr frames) {
   impl_->order([&](auto& orders) { orders.frames = std::move(frames); });

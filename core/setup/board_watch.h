@@ -20,7 +20,7 @@ public:
   BoardWatch& operator=(const BoardWatch&) = delete;
 
   /// Begins, or starts over.
-  void begin(const Project& project, const BoardGuideRequest& wish);
+  void begin(const Project& project, const BoardGuideRequest& request);
   /// Takes the place of images that were not looked at yet.
   void show(FrameSetPtr frames);
   void captureNow();

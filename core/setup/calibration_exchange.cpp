@@ -21,17 +21,17 @@ namespace dewpoint::setup {
 namespace {
 
 /// The one camera of a file under the name of the project's camera it is about.
-Status nameAsWished(const Project& project, const ImportRequest& wish, CameraRig& rig) {
-  if (!wish.camera) {
+Status nameAsRequested(const Project& project, const ImportRequest& request, CameraRig& rig) {
+  if (!request.camera) {
     return {};
   }
-  if (*wish.camera >= project.cameras.size()) {
-    return failure(ErrorCode::NotFound, wish.path.string(), "camera",
-                   fmt::format("number {}", *wish.camera + 1));
+  if (*request.camera >= project.cameras.size()) {
+    return failure(ErrorCode::NotFound, request.path.string(), "camera",
+                   fmt::format("number {}", *request.camera + 1));
   }
-  const std::string& name = project.cameras[*wish.camera].camera.name;
+  const std::string& name = project.cameras[*request.camera].camera.name;
   if (rig.size() != 1) {
-    return failure(ErrorCode::Mismatch, wish.path.string(), name,
+    return failure(ErrorCode::Mismatch, request.path.string(), name,
                    fmt::format("the file has {} cameras, not one", rig.size()));
   }
   rig.front().name = name;
@@ -39,15 +39,15 @@ Status nameAsWished(const Project& project, const ImportRequest& wish, CameraRig
 }
 
 /// The project's camera that a file of one camera is about, where the project has several.
-Result<std::size_t> cameraOfFile(const Project& project, const ImportRequest& wish,
+Result<std::size_t> cameraOfFile(const Project& project, const ImportRequest& request,
                                  const std::string& name) {
-  if (wish.camera) {
-    return *wish.camera;
+  if (request.camera) {
+    return *request.camera;
   }
   const auto found = std::ranges::find_if(
       project.cameras, [&](const ProjectCamera& one) { return one.camera.name == name; });
   if (found == project.cameras.end()) {
-    return failure(ErrorCode::Mismatch, wish.path.string(), "camera",
+    return failure(ErrorCode::Mismatch, request.path.string(), "camera",
                    fmt::format("one camera called \"{}\", but none of the project's {} is called "
                                "so: say which one it is",
                                name, project.cameras.size()));
@@ -99,19 +99,19 @@ private:
 
 } // namespace
 
-Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& wish) {
-  auto read = readCalibration(wish.path, wish.hints);
+Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& request) {
+  auto read = readCalibration(request.path, request.hints);
   if (!read) {
     return tl::make_unexpected(read.error());
   }
-  const std::string file = wish.path.string();
-  if (const auto named = nameAsWished(project, wish, read->rig); !named) {
+  const std::string file = request.path.string();
+  if (const auto named = nameAsRequested(project, request, read->rig); !named) {
     return tl::make_unexpected(named.error());
   }
   const CameraRig original = read->rig;
   std::optional<std::size_t> only; // camera that a file of one is about
   if (original.size() == 1 && project.cameras.size() > 1) {
-    const auto found = cameraOfFile(project, wish, original.front().name);
+    const auto found = cameraOfFile(project, request, original.front().name);
     if (!found) {
       return tl::make_unexpected(found.error());
     }

@@ -44,7 +44,7 @@ struct CalibrationImport {
 /// Reads any tool's calibration for a project's cameras, matched by name, else by order when there
 /// is one for each camera. The project given is not changed. Errors name file, field and likely
 /// cause (readCalibration()).
-Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& wish);
+Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& request);
 
 /// What a file leaves open, as CalibrationHints has it.
 enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera };

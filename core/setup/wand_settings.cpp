@@ -21,39 +21,39 @@ void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& tak
   std::ranges::stable_sort(instants, {}, &TouchedInstant::seconds);
 }
 
-std::vector<std::string> selectedTargets(const WandSettings& wish, const Project& project) {
+std::vector<std::string> selectedTargets(const WandSettings& settings, const Project& project) {
   const auto known = [&](const std::string& name) {
     return std::ranges::find(project.targets, name, &Target::name) != project.targets.end();
   };
   std::vector<std::string> balls;
   if (!project.targets.empty()) {
-    balls.push_back(known(wish.ball) ? wish.ball : project.targets.front().name);
+    balls.push_back(known(settings.ball) ? settings.ball : project.targets.front().name);
   }
-  if (wish.stick && project.targets.size() > 1) {
+  if (settings.stick && project.targets.size() > 1) {
     const auto another = std::ranges::find_if(
         project.targets, [&](const Target& target) { return target.name != balls.front(); });
-    balls.push_back(known(wish.other) ? wish.other : another->name);
+    balls.push_back(known(settings.other) ? settings.other : another->name);
   }
   return balls;
 }
 
-WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
+WandObstacle obstacleOf(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                         const Project& project) {
   const auto taken = [&](TouchRole role) { return instantOf(instants, role).has_value(); };
-  const auto balls = selectedTargets(wish, project);
+  const auto balls = selectedTargets(settings, project);
   if (project.cameras.size() < 2) {
     return WandObstacle::TooFewCameras;
   }
   if (balls.empty()) {
     return WandObstacle::NoBall;
   }
-  if (wish.stick && balls.size() < 2) {
+  if (settings.stick && balls.size() < 2) {
     return WandObstacle::NoSecondBall;
   }
-  if (wish.stick && balls[0] == balls[1]) {
+  if (settings.stick && balls[0] == balls[1]) {
     return WandObstacle::SameBallTwice;
   }
-  if (!wish.stick && wish.size == WandSize::Distance &&
+  if (!settings.stick && settings.size == WandSize::Distance &&
       !(taken(TouchRole::DistanceFrom) && taken(TouchRole::DistanceTo))) {
     return WandObstacle::DistanceNotTaken;
   }
@@ -61,16 +61,16 @@ WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedInsta
                                                                     : WandObstacle::None;
 }
 
-WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
+WandOptions toOptions(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                       const Project& project, const std::optional<FrameStretch>& selected) {
   WandOptions options;
-  options.targets = selectedTargets(wish, project);
-  options.stickLength = wish.stick ? wish.length : 0.0;
-  options.fromDiameter = !wish.stick && wish.size == WandSize::Diameter;
-  if (!wish.stick && wish.size == WandSize::Distance) {
-    options.distance =
-        TouchedDistance{instantOf(instants, TouchRole::DistanceFrom).value_or(0.0),
-                        instantOf(instants, TouchRole::DistanceTo).value_or(0.0), wish.distance};
+  options.targets = selectedTargets(settings, project);
+  options.stickLength = settings.stick ? settings.length : 0.0;
+  options.fromDiameter = !settings.stick && settings.size == WandSize::Diameter;
+  if (!settings.stick && settings.size == WandSize::Distance) {
+    options.distance = TouchedDistance{instantOf(instants, TouchRole::DistanceFrom).value_or(0.0),
+                                       instantOf(instants, TouchRole::DistanceTo).value_or(0.0),
+                                       settings.distance};
   }
   for (const TouchedInstant& instant : instants) {
     if (instant.role == TouchRole::Floor) {
@@ -82,12 +82,12 @@ WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant
   if (begin && end) {
     options.drop = std::array<double, 2>{*begin, *end};
   }
-  options.findOffsets = wish.findOffsets;
-  options.findFocal = wish.findFocal;
-  options.findDistortion = wish.findDistortion;
-  options.initialPositionError = wish.initialPositionError;
-  options.initialTurnError = wish.initialTurnError;
-  if (wish.onlySpan && selected) {
+  options.findOffsets = settings.findOffsets;
+  options.findFocal = settings.findFocal;
+  options.findDistortion = settings.findDistortion;
+  options.initialPositionError = settings.initialPositionError;
+  options.initialTurnError = settings.initialTurnError;
+  if (settings.onlySpan && selected) {
     options.firstFrame = selected->first;
     options.endFrame = selected->last + 1;
   }

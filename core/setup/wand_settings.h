@@ -48,11 +48,11 @@ struct TouchedInstant {
 /// recorded for it before is replaced. Ascending in time.
 void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken);
 
-/// The names of the balls: as wished, or the project's first targets. A stick has two, as far as
-/// the project has as many targets.
-std::vector<std::string> selectedTargets(const WandSettings& wish, const Project& project);
+/// The names of the balls: as in the settings, or the project's first targets. A stick has two, as
+/// far as the project has as many targets.
+std::vector<std::string> selectedTargets(const WandSettings& settings, const Project& project);
 
-/// What keeps a wish from being fulfilled.
+/// What prevents a calibration with some settings.
 enum class WandObstacle {
   None,
   TooFewCameras,    ///< a single camera measures no size
@@ -63,7 +63,7 @@ enum class WandObstacle {
   HalfAFall         ///< only one end of a fall is known
 };
 /// The first one, in this order.
-WandObstacle obstacleOf(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
+WandObstacle obstacleOf(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                         const Project& project);
 
 /// Frames from the first to the last, both included.
@@ -72,8 +72,8 @@ struct FrameStretch {
   std::int64_t last = 0;
 };
 
-/// The options for a wish without an obstacle. `selected`: the frames for WandSettings::onlySpan.
-WandOptions toOptions(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
+/// The options for settings without an obstacle. `selected`: the frames for WandSettings::onlySpan.
+WandOptions toOptions(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                       const Project& project, const std::optional<FrameStretch>& selected = {});
 
 } // namespace dewpoint::setup

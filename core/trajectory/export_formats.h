@@ -22,7 +22,7 @@ struct ExportFormat {
   std::string_view title;  ///< for people
   std::string_view suffix; ///< of the file name, with its dot
   std::string_view fields; ///< one sentence: what it holds
-  TableRequest wishes;
+  TableRequest table;      ///< its usual axes, unit and rows
   bool covariance = false; ///< whether it can hold the whole of it
   bool binary = false;     ///< no text: the preview describes it
   /// The table as files, `name` (the chosen file's name without suffix) for those that hold one.

@@ -94,7 +94,7 @@ std::string cellArray(const ExportTable& table, const char* type, const std::str
   return bytes;
 }
 
-std::array<double, 3> placeOf(const ExportCell& cell) {
+std::array<double, 3> positionOfCell(const ExportCell& cell) {
   if (!cell.present) {
     return {kNaN, kNaN, kNaN};
   }
@@ -130,7 +130,7 @@ Files npz(const ExportTable& table, const std::string& /*name*/) {
   std::vector<ZipEntry> entries{
       {"t.npy", rowArray("<f8", table.times)},
       {"frame.npy", rowArray("<i8", table.frames)},
-      {"xyz.npy", cellArray<double>(table, "<f8", ", 3", placeOf)},
+      {"xyz.npy", cellArray<double>(table, "<f8", ", 3", positionOfCell)},
       {"cov.npy", cellArray<double>(table, "<f8", ", 3, 3", covarianceOf)},
       {"filled.npy", cellArray<std::uint8_t>(table, "|b1", "",
                                              [](const ExportCell& c) { return Flag{c.filled}; })},

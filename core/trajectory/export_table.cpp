@@ -16,7 +16,7 @@ namespace {
 
 /// Rows farther apart than this many usual distances have others missing between them.
 constexpr double kUneven = 1.1;
-/// More rows than this are a slip of the rate, not a wish.
+/// More rows than this are a mistake in the rate.
 constexpr double kMostRows = 2e7;
 
 tl::unexpected<Error> unusable(std::string field, std::string detail) {
@@ -52,11 +52,11 @@ Result<std::vector<std::string>> chosenTargets(const Trajectory& trajectory,
 }
 
 bool isWithin(const TrajectorySample& sample, const ExportOptions& options) {
-  const auto placeOf = [&](const SpanEnd& end) {
+  const auto sampleAt = [&](const SpanEnd& end) {
     return end.isFrame ? static_cast<double>(sample.frame) : sample.time;
   };
-  return !(options.from && placeOf(*options.from) < options.from->value) &&
-         !(options.to && placeOf(*options.to) > options.to->value);
+  return !(options.from && sampleAt(*options.from) < options.from->value) &&
+         !(options.to && sampleAt(*options.to) > options.to->value);
 }
 
 ExportCell cellOf(const TrajectorySample& sample) {
@@ -318,7 +318,7 @@ std::size_t ExportTable::gapCount() const {
 }
 
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableRequest& wishes,
+                                    const TableRequest& usual,
                                     const std::function<bool(double)>& progress) {
   const Trajectory after = options.smooth
                                ? smoothed(trajectory, SmootherOptions{options.longestGap, progress})
@@ -331,8 +331,7 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   table->recordedRate = table->rate;
   const double span = table->times.back() - table->times.front();
   table->recordedRows = 1 + static_cast<std::size_t>(std::lround(span * table->rate));
-  const bool mustBeEven =
-      wishes.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
+  const bool mustBeEven = usual.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
   if (options.rate || mustBeEven) {
     table = resampled(*table, options.rate.value_or(table->rate), options);
   } else if (options.gaps == GapRule::Fill) {
@@ -344,8 +343,8 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   if (table->gapCount() == table->targets.size() * table->rowCount()) {
     return unusable("span", "the chosen targets are nowhere known in the chosen span");
   }
-  table->axes = options.axes.value_or(wishes.axes);
-  table->unit = options.unit.value_or(wishes.unit);
+  table->axes = options.axes.value_or(usual.axes);
+  table->unit = options.unit.value_or(usual.unit);
   table->header = options.header;
   turnAndScale(*table);
   describe(*table, trajectory, options);

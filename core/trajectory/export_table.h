@@ -64,7 +64,7 @@ struct TableRequest {
 /// ball in flight). NotFound names an unknown target; BadValue what is empty or not a number. Once
 /// `progress` (0 to 1) has returned false, what is returned is of no use.
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
-                                    const TableRequest& wishes,
+                                    const TableRequest& usual,
                                     const std::function<bool(double)>& progress = {});
 
 } // namespace dewpoint::trajectory

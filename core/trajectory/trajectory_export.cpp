@@ -145,7 +145,7 @@ Result<Encoded> encode(const Trajectory& trajectory, const ExportOptions& option
                        const ExportFormat& format, const std::filesystem::path& file,
                        const ExportProgress& progress) {
   bool wanted = true;
-  auto table = makeExportTable(trajectory, options, format.wishes, [&](double done) {
+  auto table = makeExportTable(trajectory, options, format.table, [&](double done) {
     wanted = wanted && (!progress || progress(done));
     return wanted;
   });
@@ -203,7 +203,7 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (summary.cancelled) {
     return summary;
   }
-  auto table = makeExportTable(trajectory, options, (*format)->wishes,
+  auto table = makeExportTable(trajectory, options, (*format)->table,
                                [&](double done) { return goesOn(kShareOfTable * done); });
   summary.cancelled = !goesOn(kShareOfTable);
   if (summary.cancelled) {

@@ -188,13 +188,13 @@ TEST(BoardGuide, AllThatWasTakenIsCalibratedFrom) {
   wish.board.instants = 17;
   wish.board.worldFrame = 3; // of a recording: live, the floor is what was shown
   BoardGuideState state;
-  const BoardCalibrationRequest without = wishForTaken(wish, state);
+  const BoardCalibrationRequest without = requestForTaken(wish, state);
   EXPECT_EQ(without.views, 60); // as many as the guidance takes of a lens, not 30 of them
   EXPECT_FALSE(without.worldFrame);
   EXPECT_EQ(without.instants, 17);
   state.floorFrame = 42;
   wish.board.views = 80;
-  const BoardCalibrationRequest onFloor = wishForTaken(wish, state);
+  const BoardCalibrationRequest onFloor = requestForTaken(wish, state);
   EXPECT_EQ(onFloor.views, 80); // more are never too many
   EXPECT_EQ(onFloor.worldFrame, 42);
 }

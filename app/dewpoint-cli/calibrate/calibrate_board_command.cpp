@@ -21,23 +21,23 @@ struct BoardOptions {
   std::string model = "5";
   std::string pixels = "measured";
   std::string corners = "sample";
-  BoardCalibrationRequest wish;
+  BoardCalibrationRequest request;
   CalibrateOutput output;
 };
 
 /// The text options that stand for values.
-Status takeWish(BoardOptions& options) {
+Status takeRequest(BoardOptions& options) {
   const auto board = parseBoard(options.board);
   if (!board) {
     return tl::make_unexpected(board.error());
   }
-  options.wish.board = *board;
-  options.wish.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
-                       : options.model == "fisheye" ? IntrinsicsModel::Fisheye
-                                                    : IntrinsicsModel::FiveCoefficients;
-  options.wish.pixels = options.pixels == "square" ? PixelShape::Square
-                        : options.pixels == "free" ? PixelShape::Free
-                                                   : PixelShape::Measured;
+  options.request.board = *board;
+  options.request.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
+                          : options.model == "fisheye" ? IntrinsicsModel::Fisheye
+                                                       : IntrinsicsModel::FiveCoefficients;
+  options.request.pixels = options.pixels == "square" ? PixelShape::Square
+                           : options.pixels == "free" ? PixelShape::Free
+                                                      : PixelShape::Measured;
   return {};
 }
 
@@ -125,7 +125,7 @@ void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
 /// Calibrates, says what was found, and writes it.
 int calibrate(const BoardOptions& options, const BoardGoal& goal, const Project& project,
               const SeenBoards& seen, const CalibrationProgress& progress) {
-  const auto outcome = calibrateFromBoards(project, seen, options.wish, goal, progress);
+  const auto outcome = calibrateFromBoards(project, seen, options.request, goal, progress);
   if (!outcome) {
     return reportCalibration(outcome.error());
   }
@@ -144,14 +144,15 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   const auto effort =
       options.corners == "sample" ? DetectionEffort::Sample : DetectionEffort::Exact;
   const auto progress = interruptibleProgress();
-  const auto seen = findBoards(files, options.wish.board, effort, progress);
+  const auto seen = findBoards(files, options.request.board, effort, progress);
   if (!seen) {
     return reportCalibration(seen.error());
   }
   Project project;
   project.cameras.emplace_back().camera.name = "camera";
   BoardOptions all = options;
-  all.wish.views = std::max<int>(options.wish.views, static_cast<int>(files.size())); // all of them
+  all.request.views =
+      std::max<int>(options.request.views, static_cast<int>(files.size())); // all of them
   return calibrate(all, {true, false}, project, *seen, progress);
 }
 
@@ -173,7 +174,7 @@ Result<FoundBoards> readBoards(const BoardOptions& options, const CalibrationPro
   if (!inputs) {
     return tl::make_unexpected(inputs.error());
   }
-  auto seen = findBoards(inputs->project, *inputs->source, options.wish, progress);
+  auto seen = findBoards(inputs->project, *inputs->source, options.request, progress);
   if (!seen) {
     return tl::make_unexpected(seen.error());
   }
@@ -190,7 +191,7 @@ int calibrateProject(const BoardOptions& options, const BoardGoal& goal) {
 }
 
 int intrinsics(BoardOptions& options) {
-  if (const auto taken = takeWish(options); !taken) {
+  if (const auto taken = takeRequest(options); !taken) {
     report(taken.error());
     return kExitUsage;
   }
@@ -205,7 +206,7 @@ int intrinsics(BoardOptions& options) {
 }
 
 int extrinsics(BoardOptions& options) {
-  if (const auto taken = takeWish(options); !taken) {
+  if (const auto taken = takeRequest(options); !taken) {
     report(taken.error());
     return kExitUsage;
   }
@@ -220,7 +221,7 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
                   "marker in meters)")
       ->required();
   command
-      .add_option("--looks", options.wish.frameLimit, "Frames of a recording that are looked at")
+      .add_option("--looks", options.request.frameLimit, "Frames of a recording that are looked at")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
 }
@@ -251,7 +252,7 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
           "that figures compare; exact keeps neighboring corners out of the window")
       ->check(CLI::IsMember({"sample", "exact"}))
       ->capture_default_str();
-  command->add_option("--views", options->wish.views, "Pictures of a recording that are used")
+  command->add_option("--views", options->request.views, "Pictures of a recording that are used")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
   addOutputOptions(*command, options->output, true);
@@ -267,14 +268,15 @@ void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
       ->required();
   addBoardOptions(*command, *options);
   command
-      ->add_option("--world-frame", options->wish.worldFrame,
+      ->add_option("--world-frame", options->request.worldFrame,
                    "Frame in which the board lies on the floor and makes the world: X along its "
                    "columns, Y to its upper edge, Z up; without, the first camera keeps its pose")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
-  command->add_option("--instants", options->wish.instants, "Positions of the board that are used")
+  command
+      ->add_option("--instants", options->request.instants, "Positions of the board that are used")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command->add_flag("--refine-lenses", options->wish.refineIntrinsics,
+  command->add_flag("--refine-lenses", options->request.refineIntrinsics,
                     "Adjust the lenses with the poses");
   addOutputOptions(*command, options->output, true);
   command->callback([options, &exitCode] { exitCode = extrinsics(*options); });

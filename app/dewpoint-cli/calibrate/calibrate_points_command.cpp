@@ -22,8 +22,8 @@ struct PointsCommandOptions {
   PointSettings points;
 };
 
-const char* troubleText(PoseStatus trouble) {
-  switch (trouble) {
+const char* statusText(PoseStatus status) {
+  switch (status) {
   case PoseStatus::None:
     return "";
   case PoseStatus::TooFew:
@@ -41,7 +41,7 @@ const char* troubleText(PoseStatus trouble) {
 void printCamera(const CameraRig& rig, const CameraFromPoints& found) {
   const std::string& name = rig[static_cast<std::size_t>(found.camera)].name;
   fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", name, found.clicks, found.rmsPx,
-             troubleText(found.trouble));
+             statusText(found.status));
   if (found.proposal) {
     const ImageSymmetry& symmetry = found.proposal->symmetry;
     fmt::print("{} seems to be {}{}{}: its points fit to {:.2f} px with rotate += {}{}.\n", name,

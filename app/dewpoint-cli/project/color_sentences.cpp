@@ -20,12 +20,12 @@ const char* nameOf(ColorWord word) {
   return kNames[static_cast<int>(word)];
 }
 
-std::string placeOf(const DistractorRegion& region) {
-  static constexpr const char* kPlaces[3][3] = {
+std::string partOfImage(const DistractorRegion& region) {
+  static constexpr const char* kParts[3][3] = {
       {"at the top left", "at the top", "at the top right"},
       {"at the left", "in the middle", "at the right"},
       {"at the bottom left", "at the bottom", "at the bottom right"}};
-  return kPlaces[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
+  return kParts[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
 }
 
 const char* advice(Suggestion suggestion) {
@@ -79,9 +79,10 @@ std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
   }
   for (const DistractorRegion& region : assessment.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
-    sentences.push_back(fmt::format(
-        "Something {} {} of {} matches too, about pixel {},{}.", nameOf(region.color),
-        placeOf(region), cameras.at(static_cast<std::size_t>(region.camera)), middle.x, middle.y));
+    sentences.push_back(fmt::format("Something {} {} of {} matches too, about pixel {},{}.",
+                                    nameOf(region.color), partOfImage(region),
+                                    cameras.at(static_cast<std::size_t>(region.camera)), middle.x,
+                                    middle.y));
   }
   if (const std::string text = advice(assessment.suggestion); !text.empty()) {
     sentences.push_back(text);

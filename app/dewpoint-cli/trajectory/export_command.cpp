@@ -183,35 +183,36 @@ std::vector<std::string> formatIds() {
 void addExportCommand(CLI::App& app, int& exitCode) {
   auto* command =
       app.add_subcommand("export", "Write a trajectory in the format of another program.");
-  auto wishes = std::make_shared<ExportCommand>();
-  ExportOptions& options = wishes->options;
-  command->add_option("TRAJECTORY", wishes->source, "Trajectory (CSV), or the folder of a run")
+  auto arguments = std::make_shared<ExportCommand>();
+  ExportOptions& options = arguments->options;
+  command->add_option("TRAJECTORY", arguments->source, "Trajectory (CSV), or the folder of a run")
       ->required();
-  command->add_option("--format", wishes->format, formatHelp())->check(CLI::IsMember(formatIds()));
-  command->add_option("--out", wishes->file, "File to write");
+  command->add_option("--format", arguments->format, formatHelp())
+      ->check(CLI::IsMember(formatIds()));
+  command->add_option("--out", arguments->file, "File to write");
   command->add_option("--targets", options.targets, "Targets; all unless given")->delimiter(',');
-  command->add_option("--from", wishes->from, "First time in seconds, or frame as 75f");
-  command->add_option("--to", wishes->to, "Last time in seconds, or frame as 150f");
+  command->add_option("--from", arguments->from, "First time in seconds, or frame as 75f");
+  command->add_option("--to", arguments->to, "Last time in seconds, or frame as 150f");
   command->add_option("--rate", options.rate, "Rows per second; as recorded unless given")
       ->check(CLI::PositiveNumber);
-  command->add_option("--gaps", wishes->gaps, "Gaps: leave or fill")
+  command->add_option("--gaps", arguments->gaps, "Gaps: leave or fill")
       ->check(CLI::IsMember({"leave", "fill"}))
       ->capture_default_str();
   command->add_option("--longest-gap", options.longestGap, "Seconds that are filled at most")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--axes", wishes->axes, "World axes: z-up or y-up; as usual in the format")
+  command->add_option("--axes", arguments->axes, "World axes: z-up or y-up; as usual in the format")
       ->check(CLI::IsMember({"z-up", "y-up"}));
-  command->add_option("--unit", wishes->unit, "Lengths: m or mm; as usual in the format")
+  command->add_option("--unit", arguments->unit, "Lengths: m or mm; as usual in the format")
       ->check(CLI::IsMember({"m", "mm"}));
   command->add_flag("--smooth", options.smooth, "What is known after the run, not during it");
-  command->add_flag("--no-header", wishes->noHeader, "Without comments about the run");
-  command->add_flag("--preview", wishes->preview, "Only show the first lines, units and axes");
-  command->callback([wishes, command, &exitCode] {
-    if (wishes->file.empty() && !wishes->preview) {
+  command->add_flag("--no-header", arguments->noHeader, "Without comments about the run");
+  command->add_flag("--preview", arguments->preview, "Only show the first lines, units and axes");
+  command->callback([arguments, command, &exitCode] {
+    if (arguments->file.empty() && !arguments->preview) {
       throw CLI::RequiredError(command->get_option("--out")->get_name());
     }
-    exitCode = exportCommand(*wishes);
+    exitCode = exportCommand(*arguments);
   });
 }
 

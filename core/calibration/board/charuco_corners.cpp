@@ -117,7 +117,7 @@ bool looksLikeCorner(const cv::Mat& gray, const BoardDescription& board, const c
 /// Leaves out corners that lie elsewhere than their neighbors say: drawn onto a marker's edge.
 void keepConsistent(const BoardDescription& board, std::vector<int>& ids,
                     std::vector<cv::Point2f>& corners) {
-  const auto placeOf = [&](int id) {
+  const auto onBoard = [&](int id) {
     return cv::Point2f(static_cast<float>(id % board.cornerColumns()),
                        static_cast<float>(id / board.cornerColumns())); // NOLINT: whole rows
   };
@@ -127,21 +127,21 @@ void keepConsistent(const BoardDescription& board, std::vector<int>& ids,
     std::vector<std::size_t> near(ids.size());
     std::iota(near.begin(), near.end(), std::size_t{0});
     std::ranges::stable_sort(near, {}, [&](std::size_t other) {
-      return cv::norm(placeOf(ids[other]) - placeOf(ids[k]));
+      return cv::norm(onBoard(ids[other]) - onBoard(ids[k]));
     });
     near.erase(near.begin()); // itself
     near.resize(std::min(near.size(), kNeighbors));
     std::vector<cv::Point2f> page;
     std::vector<cv::Point2f> image;
     for (const std::size_t other : near) {
-      page.push_back(placeOf(ids[other]));
+      page.push_back(onBoard(ids[other]));
       image.push_back(corners[other]);
     }
     const cv::Mat map =
         near.size() < kLeastNeighbors ? cv::Mat() : cv::findHomography(page, image, cv::LMEDS);
     // A lens bends what is large in the image more than that.
     const double spacing = near.empty() ? 0.0 : cv::norm(corners[near.front()] - corners[k]);
-    if (map.empty() || cv::norm(mapped(cv::Matx33d(map), placeOf(ids[k])) - corners[k]) <
+    if (map.empty() || cv::norm(mapped(cv::Matx33d(map), onBoard(ids[k])) - corners[k]) <
                            std::max(kMostOffPx, kMostOffPart * spacing)) {
       keptIds.push_back(ids[k]);
       kept.push_back(corners[k]);

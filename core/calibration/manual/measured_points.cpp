@@ -25,8 +25,8 @@ std::vector<ImageAnchor> anchorsOf(const std::vector<MeasuredPoint>& points, int
   return anchors;
 }
 
-bool isSolved(PoseStatus trouble) {
-  return trouble == PoseStatus::None || trouble == PoseStatus::Ambiguous;
+bool isSolved(PoseStatus status) {
+  return status == PoseStatus::None || status == PoseStatus::Ambiguous;
 }
 
 double rmsOf(const std::vector<ClickResidual>& residuals, const std::vector<bool>& solved) {
@@ -58,7 +58,7 @@ std::optional<double> rmsWithout(const CameraRig& rig, const std::vector<bool>& 
       return std::nullopt;
     }
     const PointPose pose = poseFromPoints(rig[k], anchors, false);
-    if (!isSolved(pose.trouble)) {
+    if (!isSolved(pose.status)) {
       return std::nullopt;
     }
     sum += pose.rmsPx * pose.rmsPx * static_cast<double>(anchors.size());
@@ -134,7 +134,7 @@ std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
 
 bool PointSolution::anySolved() const {
   return std::ranges::any_of(
-      cameras, [](const CameraFromPoints& camera) { return isSolved(camera.trouble); });
+      cameras, [](const CameraFromPoints& camera) { return isSolved(camera.status); });
 }
 
 PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPoint>& points,
@@ -148,13 +148,13 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
       continue;
     }
     const PointPose pose = poseFromPoints(rig[k], anchors, settings.alsoFocal);
-    CameraFromPoints camera{static_cast<int>(k), static_cast<int>(anchors.size()), pose.trouble,
+    CameraFromPoints camera{static_cast<int>(k), static_cast<int>(anchors.size()), pose.status,
                             pose.rmsPx, std::nullopt};
-    if (isSolved(pose.trouble)) {
+    if (isSolved(pose.status)) {
       solution.rig[k] = pose.camera;
       solved[k] = true;
     }
-    if (isSolved(pose.trouble) || pose.trouble == PoseStatus::NoPose) {
+    if (isSolved(pose.status) || pose.status == PoseStatus::NoPose) {
       camera.proposal = betterSymmetry(rig[k], anchors, pose);
     }
     solution.cameras.push_back(camera);

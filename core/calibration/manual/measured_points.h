@@ -64,7 +64,7 @@ struct SymmetryProposal {
 struct CameraFromPoints {
   int camera = 0;
   int clicks = 0;
-  PoseStatus trouble = PoseStatus::None;
+  PoseStatus status = PoseStatus::None;
   double rmsPx = 0.0;
   std::optional<SymmetryProposal> proposal;
 };
@@ -90,8 +90,9 @@ struct PointSettings {
 /// The poses of all cameras from their clicks on measured points: for each camera perspective-n-
 /// point (SQPnP, Terzakis and Lourakis 2020; IPPE, Collins and Bartoli 2014, for points in a plane)
 /// and least squares, then poses and points of all cameras together (Ceres), each point held near
-/// what the tape said. Cameras with trouble keep their pose, but for Ambiguous, where the better of
-/// both is taken. When the pictures of a camera fit only turned or mirrored, that is proposed.
+/// what the tape said. Cameras whose status is not None keep their pose, but for Ambiguous, where
+/// the better of both is taken. When the pictures of a camera fit only turned or mirrored, that is
+/// proposed.
 PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPoint>& points,
                               const PointSettings& settings = {});
 

@@ -57,16 +57,16 @@ public:
   using Basis = Eigen::Matrix<double, 7, Eigen::Dynamic>;
 
   ConstrainedChange(const PoseChange& change, Basis basis, std::vector<ImageAnchor> exact,
-                    std::vector<ImageAnchor> wished)
+                    std::vector<ImageAnchor> approximate)
       : change_(change), basis_(std::move(basis)), exact_(std::move(exact)),
-        wished_(std::move(wished)) {}
+        approximate_(std::move(approximate)) {}
 
   Eigen::Index size() const { return basis_.cols(); }
   ChangeVector full(const Eigen::VectorXd& q) const { return basis_ * q; }
 
   /// With the dragged point at `pixel`; `q` is where to begin and what was found.
   DragLimit solve(const Eigen::Vector2d& pixel, Eigen::VectorXd& q) {
-    (wished_.empty() ? exact_ : wished_).back().pixel = pixel;
+    (approximate_.empty() ? exact_ : approximate_).back().pixel = pixel;
     Eigen::VectorXd at = q;
     for (int k = 0; k < kMostSolverSteps; ++k) {
       const auto error = change_.residuals(full(at), exact_);
@@ -75,8 +75,9 @@ public:
         return DragLimit::OutOfSight;
       }
       DragLimit limit = DragLimit::None;
-      const Eigen::VectorXd next = wished_.empty() ? leastChange(*slope * basis_, *error, at, limit)
-                                                   : nearest(*slope * basis_, *error, at, limit);
+      const Eigen::VectorXd next = approximate_.empty()
+                                       ? leastChange(*slope * basis_, *error, at, limit)
+                                       : nearest(*slope * basis_, *error, at, limit);
       if (limit != DragLimit::None) {
         return limit;
       }
@@ -116,32 +117,33 @@ private:
     return svd.solve(slope * at - error);
   }
 
-  /// A Gauss-Newton step that brings the wished point nearer in what the constraints leave free.
+  /// A Gauss-Newton step that brings the approximate anchor nearer in what the constraints leave
+  /// free.
   Eigen::VectorXd nearest(const Eigen::MatrixXd& slope, const Eigen::VectorXd& error,
                           const Eigen::VectorXd& at, DragLimit& limit) const {
     const Svd svd(slope, Svd::Vectors::Full);
-    const auto miss = change_.residuals(full(at), wished_);
-    const auto wish = change_.jacobian(full(at), wished_);
+    const auto miss = change_.residuals(full(at), approximate_);
+    const auto approximateSlope = change_.jacobian(full(at), approximate_);
     const Eigen::Index rank = slope.rows();
     if (isWeak(svd, rank)) {
       limit = DragLimit::OneRay;
       return at;
     }
-    if (!miss || !wish) {
+    if (!miss || !approximateSlope) {
       limit = DragLimit::OutOfSight;
       return at;
     }
     const Eigen::VectorXd back = -svd.solve(error);
     const Eigen::MatrixXd free = svd.matrixV().rightCols(slope.cols() - rank);
-    const Eigen::MatrixXd effect = *wish * basis_ * free;
+    const Eigen::MatrixXd effect = *approximateSlope * basis_ * free;
     const Svd along(effect, Svd::Vectors::Thin);
-    return at + back - free * along.solve(*miss + *wish * basis_ * back);
+    return at + back - free * along.solve(*miss + *approximateSlope * basis_ * back);
   }
 
   const PoseChange& change_;
   Basis basis_;
   std::vector<ImageAnchor> exact_;
-  std::vector<ImageAnchor> wished_;
+  std::vector<ImageAnchor> approximate_;
 };
 
 /// Along and about the ray of the held point.
@@ -201,17 +203,17 @@ Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
   }
   const Eigen::Vector2d from = exact.back().pixel;
   const PoseChange change(camera, meanDistance(camera, exact));
-  std::vector<ImageAnchor> wished;
+  std::vector<ImageAnchor> approximate;
   ConstrainedChange::Basis basis = ConstrainedChange::Basis::Identity(7, 6);
   if (held.size() == 1 && settings.mode == DragMode::Turn) {
     basis = aboutRay(camera, held.front());
     exact.erase(exact.begin()); // that ray keeps the held point by itself
   } else if (held.size() == static_cast<std::size_t>(kMostHeld)) {
     basis = ConstrainedChange::Basis::Identity(7, 7);
-    wished.push_back(exact.back());
+    approximate.push_back(exact.back());
     exact.pop_back();
   }
-  ConstrainedChange solver(change, basis, exact, wished);
+  ConstrainedChange solver(change, basis, exact, approximate);
   return follow(camera, change, solver, from, dragged);
 }
 

@@ -133,7 +133,7 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
   }
   const Eigen::Vector3d extent = extents(anchors);
   if (extent[1] <= kThin * extent[0]) {
-    result.trouble = PoseStatus::Collinear;
+    result.status = PoseStatus::Collinear;
     return result;
   }
   result.planar = extent[2] <= kThin * extent[0];
@@ -141,18 +141,18 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
   for (const Eigen::Isometry3d& pose : candidates(camera, anchors, result.planar)) {
     PointPose found = result;
     found.camera.cameraFromWorld = pose;
-    found.trouble = PoseStatus::None;
+    found.status = PoseStatus::None;
     if (const auto rms = refinePose(found.camera, anchors, false)) {
       found.rmsPx = *rms;
       poses.push_back(found);
     }
   }
   if (poses.empty()) {
-    result.trouble = PoseStatus::NoPose;
+    result.status = PoseStatus::NoPose;
     return result;
   }
   std::ranges::stable_sort(poses, {}, &PointPose::rmsPx);
-  poses.front().trouble =
+  poses.front().status =
       result.planar && hasRival(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
   if (alsoFocal && anchors.size() >= 6) {
     poses.front().rmsPx = refinePose(poses.front().camera, anchors, true).value_or(poses[0].rmsPx);
@@ -165,7 +165,7 @@ std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
                                                const PointPose& found) {
   constexpr double kBad = 3.0;     // pixels: clicks are better than that
   constexpr double kBetter = 0.25; // of the rms as it is
-  const bool looksBad = found.trouble == PoseStatus::NoPose || found.rmsPx > kBad;
+  const bool looksBad = found.status == PoseStatus::NoPose || found.rmsPx > kBad;
   const double roll = headingOf(found.camera).roll;
   const bool lies = !isSteep(found.camera) && std::abs(roll) > 60.0 * std::numbers::pi / 180.0;
   const bool through = found.planar && isBelowPlane(found.camera, anchors);
@@ -181,13 +181,13 @@ std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
     const auto moved = transformedAnchors(symmetry, camera, anchors);
     const PointPose other = poseFromPoints(transformed(symmetry, camera), moved, false);
     const bool usable =
-        other.trouble == PoseStatus::None || (other.trouble == PoseStatus::Ambiguous && through);
+        other.status == PoseStatus::None || (other.status == PoseStatus::Ambiguous && through);
     const double otherRoll = std::abs(headingOf(other.camera).roll);
     if (!usable || (through && isBelowPlane(other.camera, anchors))) {
       continue;
     }
     const bool fits =
-        looksBad && (found.trouble == PoseStatus::NoPose || other.rmsPx < kBetter * found.rmsPx);
+        looksBad && (found.status == PoseStatus::NoPose || other.rmsPx < kBetter * found.rmsPx);
     const bool stands = !looksBad && other.rmsPx < std::max(kBad, 1.5 * found.rmsPx);
     // Turns of one picture fit equally well unless its center is off: the upright one is meant.
     const bool first = !best || (other.rmsPx < 0.5 * best->rmsPx && looksBad);

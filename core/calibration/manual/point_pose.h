@@ -9,7 +9,7 @@ namespace dewpoint::calibration {
 /// The pose of one camera from points (parts of solveFromPoints()).
 struct PointPose {
   Camera camera;
-  PoseStatus trouble = PoseStatus::None;
+  PoseStatus status = PoseStatus::None;
   bool planar = false;
   double rmsPx = 0.0;
 };

@@ -12,7 +12,7 @@ namespace {
 /// (docs/method-dewpoint.md, section 4).
 constexpr double kLargestRadiusPx = 2000.0;
 
-Eigen::Vector3d placeOf(ConstStateRows rows, Eigen::Index row, double timeOffset) {
+Eigen::Vector3d positionInRow(ConstStateRows rows, Eigen::Index row, double timeOffset) {
   Eigen::Vector3d position(rows(row, 0), rows(row, 1), rows(row, 2));
   if (rows.cols() >= 6 && timeOffset != 0.0) {
     position += timeOffset * Eigen::Vector3d(rows(row, 3), rows(row, 4), rows(row, 5));
@@ -48,7 +48,7 @@ void SphereObservation::setImage(std::size_t camera, const cv::Mat& image, doubl
 
 SphereImage SphereObservation::outlineOf(const View& view, ConstStateRows rows,
                                          Eigen::Index row) const {
-  const auto outline = view.projector.project(placeOf(rows, row, view.timeOffset), radius_);
+  const auto outline = view.projector.project(positionInRow(rows, row, view.timeOffset), radius_);
   return outline && outline->radius < kLargestRadiusPx ? *outline : SphereImage{};
 }
 

@@ -26,7 +26,7 @@ bool isOfCameras(const DefinitionChange& change) {
 
 } // namespace
 
-Eigen::Vector3d tailPlace(const TrackEstimate& estimate) {
+Eigen::Vector3d tailPosition(const TrackEstimate& estimate) {
   const auto position = isHeld(estimate) ? positionOf(estimate) : std::nullopt;
   return position ? position->mean
                   : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -213,7 +213,7 @@ std::vector<Eigen::Vector3d> History::tail(std::size_t target, std::int64_t fram
         !positionOf(trackedFrame->targets[target].estimate)) {
       break;
     }
-    tail.push_back(tailPlace(trackedFrame->targets[target].estimate));
+    tail.push_back(tailPosition(trackedFrame->targets[target].estimate));
   }
   std::ranges::reverse(tail);
   return tail;

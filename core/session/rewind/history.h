@@ -25,7 +25,7 @@ struct HistoryLimits {
 };
 
 /// What a tail shows of an estimate: its mean, or nothing finite where it was only guessed.
-Eigen::Vector3d tailPlace(const TrackEstimate& estimate);
+Eigen::Vector3d tailPosition(const TrackEstimate& estimate);
 
 /// What was believed at every frame tracked so far, and copies of the method from which any of them
 /// can be reached again. When the memory is used up, every second frame of the older half gives up
@@ -65,9 +65,9 @@ public:
   const TrackedFrame* after(std::int64_t frame) const;
   /// Places in a tail, at most.
   static constexpr std::size_t kTailLength = 256;
-  /// The tailPlace() of a target up to and with the frame `end`, of the tail that `frame` (`end`,
-  /// or the next one, which is not recorded yet) belongs to: the last kTailLength of them, oldest
-  /// first; nothing of targets that are boxes, or gone.
+  /// The tailPosition() of a target up to and with the frame `end`, of the tail that `frame`
+  /// (`end`, or the next one, which is not recorded yet) belongs to: the last kTailLength of them,
+  /// oldest first; nothing of targets that are boxes, or gone.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;
 
   /// A state of the run from which a frame can be reached by tracking on.

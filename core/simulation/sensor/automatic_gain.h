@@ -19,7 +19,7 @@ struct ControlLoop {
   double limit = 1.5;     ///< stops to both sides of 0 that the control can reach
 };
 
-/// The correction at every frame, in stops, of a disturbance (stops, one per frame; 0: as wished)
+/// The correction at every frame, in stops, of a disturbance (stops, one per frame; 0: none)
 /// that the loop wants to cancel; the first is `start`. Fast loops with a long lag overshoot.
 /// Stable while speed < 2 sin(pi / (4 lag + 2)) (the discrete integrator with delay).
 std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,

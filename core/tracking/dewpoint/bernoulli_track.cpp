@@ -103,12 +103,12 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   std::vector<double> logMasses;
   updateHypotheses(observation, key, team, logMasses);
   removeOutside(logMasses);
-  if (births_ && mustSearch(hypotheses_, logMasses)) {
+  if (createsHypotheses_ && mustSearch(hypotheses_, logMasses)) {
     if (confident() == nullptr) {
       searchParticles_.update(searchPrior_, settings_.maxParticles, assumedRadius(), bounds_,
                               observation, key, team);
     }
-    addBirths(observation, search, occupied, key, team, logMasses);
+    addNewHypotheses(observation, search, occupied, key, team, logMasses);
   }
   normalizeMasses(hypotheses_, logMasses);
   mergeAndPrune(hypotheses_);
@@ -137,9 +137,10 @@ void BernoulliTrack::removeOutside(std::vector<double>& logMasses) {
   }
 }
 
-void BernoulliTrack::addBirths(SphereObservation& observation, const CandidateSource& search,
-                               const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
-                               ThreadTeam& team, std::vector<double>& logMasses) {
+void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
+                                      const std::vector<OccupiedSphere>& occupied,
+                                      const RandomKey& key, ThreadTeam& team,
+                                      std::vector<double>& logMasses) {
   const bool radiusKnown = target_.radius > 0.0;
   observation.setRadius(target_.radius);
   const double birth = absenceProbability(hypotheses_) * kBirthProbability;

@@ -36,16 +36,17 @@ using CandidateSource = std::function<std::vector<Candidate>(SphereObservation& 
 /// The track of one target: the probability that the target exists, and where it may be. A
 /// Bernoulli filter (Ristic, Vo, Vo and Farina 2013) whose spatial density is a mixture of
 /// hypotheses. In each frame they survive, are updated by the images, and compete with each other,
-/// with hypotheses born from the images, and with "not there". Births take their probability only
-/// from that of the target being absent, so that a distractor does not capture a target that is
-/// clearly visible. World frame, meters.
+/// with new hypotheses from the images, and with "not there". New hypotheses take their probability
+/// only from that of the target being absent, so that a distractor does not capture a target that
+/// is clearly visible. World frame, meters.
 class BernoulliTrack {
 public:
   explicit BernoulliTrack(const Target& target);
 
   void configure(const BernoulliTrackSettings& settings) { settings_ = settings; }
-  /// Without births a track has ended when its hypotheses have. Births are on at first.
-  void setBirths(bool births) { births_ = births; }
+  /// Whether hypotheses are created from the images; at first they are. Else a track has ended when
+  /// its hypotheses have.
+  void setCreatesHypotheses(bool creates) { createsHypotheses_ = creates; }
   void setTarget(const Target& target);
   /// Where the target may be from the next update on; nothing: anywhere. The start volume and the
   /// search particles lie in it from the next restart on.
@@ -100,9 +101,9 @@ private:
                         std::vector<double>& logMasses);
   /// Removes hypotheses that are more than their radius outside the bounds.
   void removeOutside(std::vector<double>& logMasses);
-  void addBirths(SphereObservation& observation, const CandidateSource& search,
-                 const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
-                 ThreadTeam& team, std::vector<double>& logMasses);
+  void addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
+                        const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
+                        ThreadTeam& team, std::vector<double>& logMasses);
   /// Changes the masses of the first hypotheses of a target: their evidence does not saturate, that
   /// of their neighbors does not count against them, and their size counts.
   void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
@@ -120,7 +121,7 @@ private:
   SearchPrior searchPrior_;
   SearchParticles searchParticles_;
   double identityAmbiguity_ = 0.0; ///< probability that resolveIdentity() chose wrongly
-  bool births_ = true;
+  bool createsHypotheses_ = true;
   std::vector<TrackHypothesis> hypotheses_; ///< after the last update
   std::vector<TrackHypothesis> predicted_;  ///< before the updates of this frame
   std::uint32_t nextStream_ = 1;            ///< of the next hypothesis

@@ -59,7 +59,7 @@ TrackedObject TrackedObjects::makeDistractorProbe(std::size_t target,
   TrackedObject probe{BernoulliTrack(objects_[target].track.target()), SphereObservation(rig_),
                       objects_[target].color, nullptr};
   probe.track.configure(settings);
-  probe.track.setBirths(false);
+  probe.track.setCreatesHypotheses(false);
   return probe;
 }
 

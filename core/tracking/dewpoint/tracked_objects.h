@@ -36,8 +36,8 @@ public:
   /// number of cameras; the tracks stay.
   void setCameras(const CameraRig& rig);
   SphereObservation makeObservation() const { return SphereObservation(rig_); }
-  /// A copy of an object's target and color without a track, which no births will find. Not yet
-  /// tracked: see addDistractor().
+  /// A copy of an object's target and color without a track, for which no hypotheses are created.
+  /// Not yet tracked: see addDistractor().
   TrackedObject makeDistractorProbe(std::size_t target,
                                     const BernoulliTrackSettings& settings) const;
   TrackedObject& addDistractor(TrackedObject distractor);

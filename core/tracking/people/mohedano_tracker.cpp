@@ -53,7 +53,7 @@ Eigen::Vector2d MohedanoTracker::colorAt(const Eigen::Vector3d& place, double pi
   return seen[static_cast<std::size_t>(pick * static_cast<double>(seen.size()))];
 }
 
-void MohedanoTracker::born(const PersonEstimate& person, const RandomKey& key) {
+void MohedanoTracker::createBelief(const PersonEstimate& person, const RandomKey& key) {
   const auto count = static_cast<Eigen::Index>(parameters_.at("particles"));
   const RandomStream stream = key.stream(RandomPurpose::Start);
   Eigen::ArrayXXd states(count, color_ ? 8 : 6);
@@ -81,7 +81,7 @@ void MohedanoTracker::born(const PersonEstimate& person, const RandomKey& key) {
   belief.filter.start(std::move(states));
 }
 
-void MohedanoTracker::gone(std::size_t index) {
+void MohedanoTracker::removeBelief(std::size_t index) {
   beliefs_.erase(beliefs_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 

@@ -11,8 +11,8 @@ namespace dewpoint::tracking {
 
 /// Methods `mohedano-ms` and `mohedano-msc`: one particle filter per person over x y z vx vy vz
 /// (MS) and h s (MS+C), each knowing nothing of the others (Mohedano, García, Salgado and
-/// Jaureguizar 2009). Births, exits and the background are PeopleTrackLifecycle's: the paper says
-/// nothing about them.
+/// Jaureguizar 2009). Creation and removal of tracks and the background are PeopleTrackLifecycle's:
+/// the paper says nothing about them.
 class MohedanoTracker final : public PeopleTrackLifecycle {
 public:
   MohedanoTracker(const ParameterValues& parameters, const CameraRig& rig, bool color);
@@ -27,8 +27,8 @@ private:
     ParticleFilter filter;
   };
 
-  void born(const PersonEstimate& person, const RandomKey& key) override;
-  void gone(std::size_t index) override;
+  void createBelief(const PersonEstimate& person, const RandomKey& key) override;
+  void removeBelief(std::size_t index) override;
   void forgetAll() override { beliefs_.clear(); }
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;

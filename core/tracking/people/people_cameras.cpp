@@ -106,7 +106,7 @@ void PeopleCameras::begin(const FrameSet& frames, const std::vector<cv::Mat>& ke
   team.forEachRange(
       static_cast<std::int64_t>(views_.size()), [&](std::int64_t begin, std::int64_t end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-          look(frames, k, k < keep.size() ? keep[k] : cv::Mat());
+          updateMask(frames, k, k < keep.size() ? keep[k] : cv::Mat());
         }
       });
 }
@@ -120,7 +120,7 @@ void PeopleCameras::learnEmptyRoom(std::size_t camera) {
   }
 }
 
-void PeopleCameras::look(const FrameSet& frames, std::size_t camera, const cv::Mat& keep) {
+void PeopleCameras::updateMask(const FrameSet& frames, std::size_t camera, const cv::Mat& keep) {
   View& view = views_[camera];
   PeopleCameraState& state = states_[camera];
   state.usable = false;

@@ -74,7 +74,7 @@ private:
     int learnedFrames = 0;
   };
 
-  void look(const FrameSet& frames, std::size_t camera, const cv::Mat& keep);
+  void updateMask(const FrameSet& frames, std::size_t camera, const cv::Mat& keep);
   void learnEmptyRoom(std::size_t camera);
   ForegroundSettings foregroundSettings() const;
 

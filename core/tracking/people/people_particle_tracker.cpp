@@ -94,7 +94,7 @@ void PeopleParticleTracker::configure(const ParameterValues& parameters) {
   PeopleTrackLifecycle::configure(parameters);
 }
 
-void PeopleParticleTracker::born(const PersonEstimate& person, const RandomKey& key) {
+void PeopleParticleTracker::createBelief(const PersonEstimate& person, const RandomKey& key) {
   const auto count = static_cast<Eigen::Index>(parameters_.at("particles"));
   const RandomStream stream = key.stream(RandomPurpose::Start);
   Eigen::ArrayXXd states(count, 5);
@@ -112,7 +112,7 @@ void PeopleParticleTracker::born(const PersonEstimate& person, const RandomKey& 
   belief.filter.start(std::move(states));
 }
 
-void PeopleParticleTracker::gone(std::size_t index) {
+void PeopleParticleTracker::removeBelief(std::size_t index) {
   const int identity = beliefs_[index].identity;
   std::erase_if(meetings_, [&](const auto& meeting) {
     return meeting.first.first == identity || meeting.first.second == identity;
@@ -135,7 +135,7 @@ std::size_t PeopleParticleTracker::beliefBytes() const {
 }
 
 bool PeopleParticleTracker::near(std::size_t one, std::size_t other) const {
-  return (placeOf(people_[one]) - placeOf(people_[other])).norm() < kColorReach;
+  return (floorPosition(people_[one]) - floorPosition(people_[other])).norm() < kColorReach;
 }
 
 cv::Mat PeopleParticleTracker::coveredByOthers(std::size_t person, std::size_t camera) const {
@@ -182,7 +182,7 @@ void PeopleParticleTracker::weigh(std::size_t person, ThreadTeam& team) {
   std::vector<Eigen::Vector2d> others;
   for (std::size_t k = 0; k < people_.size(); ++k) {
     if (k != person) {
-      others.push_back(placeOf(people_[k]));
+      others.push_back(floorPosition(people_[k]));
     }
   }
   observation.keepFrom(std::move(others), parameters_.at("least_distance"));
@@ -215,7 +215,7 @@ void PeopleParticleTracker::update(ThreadTeam& team) {
     weigh(k, team);
   }
   learnClothes();
-  judgeMeetings();
+  updateMeetings();
 }
 
 void PeopleParticleTracker::learnClothes() {
@@ -264,7 +264,7 @@ PeopleTrackLifecycle::MotionSmoothing PeopleParticleTracker::motionSmoothing() c
   return {kBodyMaskSigma, kBodyMaskFloor};
 }
 
-void PeopleParticleTracker::judgeMeetings() {
+void PeopleParticleTracker::updateMeetings() {
   for (std::size_t one = 0; one < people_.size(); ++one) {
     for (std::size_t other = one + 1; other < people_.size(); ++other) {
       const std::pair key(people_[one].identity, people_[other].identity);

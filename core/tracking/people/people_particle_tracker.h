@@ -35,8 +35,8 @@ private:
     double sinceNear = 0.0;
   };
 
-  void born(const PersonEstimate& person, const RandomKey& key) override;
-  void gone(std::size_t index) override;
+  void createBelief(const PersonEstimate& person, const RandomKey& key) override;
+  void removeBelief(std::size_t index) override;
   void forgetAll() override;
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
@@ -47,7 +47,7 @@ private:
   cv::Mat coveredByOthers(std::size_t person, std::size_t camera) const;
   void weigh(std::size_t person, ThreadTeam& team);
   void learnClothes();
-  void judgeMeetings();
+  void updateMeetings();
   double clothesEvidence(std::size_t one, std::size_t other) const;
   void exchange(std::size_t one, std::size_t other);
   bool near(std::size_t one, std::size_t other) const;

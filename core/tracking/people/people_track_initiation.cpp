@@ -10,7 +10,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kStep = 0.2;            ///< meters between places of the grid
+constexpr double kStep = 0.2;            ///< meters between positions of the grid
 constexpr std::size_t kMostCells = 4000; ///< a larger floor gets a coarser grid
 constexpr double kSeen = 0.2;            ///< score from which a camera sees somebody
 constexpr double kNotSeen = 0.0;         ///< score below which it sees nobody
@@ -63,7 +63,7 @@ void PeopleTrackInitiation::setCameras(const PeopleCameras& cameras, const Peopl
       Cell cell{area.center + step * Eigen::Vector2d(i, j), {}};
       int useful = 0;
       for (std::size_t k = 0; k < cameras.count(); ++k) {
-        auto silhouette = makers[k].of(cell.place, area.floor, height);
+        auto silhouette = makers[k].of(cell.position, area.floor, height);
         silhouette.visible = shareInImage(silhouette, cameras.camera(k).intrinsics) >= kInImage;
         useful += silhouette.visible ? 1 : 0;
         cell.silhouettes.push_back(silhouette);
@@ -85,7 +85,7 @@ double PeopleTrackInitiation::scoreOf(const Cell& cell, const PeopleCameras& cam
     if (!silhouette.visible || !cameras.usable(k)) {
       continue;
     }
-    // The chest first: where that is not seen, nothing more is looked at.
+    // The chest first: where that is not seen, nothing more is scored.
     const double chest = scores[k].mean(silhouette.pieces[3]);
     const double score =
         chest < kNotSeen
@@ -108,12 +108,12 @@ void PeopleTrackInitiation::follow(const std::vector<Candidate>& peaks, double i
   }
   for (const Candidate& peak : peaks) {
     const auto same = std::ranges::find_if(candidates_, [&](const Candidate& one) {
-      return !one.seen && (one.place - peak.place).norm() < kSame;
+      return !one.seen && (one.position - peak.position).norm() < kSame;
     });
     if (same == candidates_.end()) {
-      candidates_.push_back({peak.place, peak.score, 0.0, true});
+      candidates_.push_back({peak.position, peak.score, 0.0, true});
     } else {
-      *same = {peak.place, peak.score, std::max(0.0, same->since) + interval, true};
+      *same = {peak.position, peak.score, std::max(0.0, same->since) + interval, true};
     }
   }
   std::erase_if(candidates_, [&](Candidate& one) {
@@ -124,10 +124,9 @@ void PeopleTrackInitiation::follow(const std::vector<Candidate>& peaks, double i
   });
 }
 
-std::vector<Eigen::Vector2d> PeopleTrackInitiation::look(const PeopleCameras& cameras,
-                                                         const std::vector<cv::Mat>& explained,
-                                                         const std::vector<Eigen::Vector2d>& taken,
-                                                         double birthTime) {
+std::vector<Eigen::Vector2d>
+PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv::Mat>& explained,
+                              const std::vector<Eigen::Vector2d>& taken, double birthTime) {
   std::vector<ScoreSums> scores(cameras.count());
   int usable = 0;
   for (std::size_t k = 0; k < cameras.count(); ++k) {
@@ -138,14 +137,14 @@ std::vector<Eigen::Vector2d> PeopleTrackInitiation::look(const PeopleCameras& ca
   }
   std::vector<Candidate> found;
   for (const Cell& cell : cells_) {
-    const auto near = [&](const Eigen::Vector2d& place) {
-      return (place - cell.place).norm() < kApart;
+    const auto near = [&](const Eigen::Vector2d& position) {
+      return (position - cell.position).norm() < kApart;
     };
     if (usable < 2 || std::ranges::any_of(taken, near)) {
       continue;
     }
     if (const double score = scoreOf(cell, cameras, scores); score > 0.0) {
-      found.push_back({cell.place, score, 0.0, true});
+      found.push_back({cell.position, score, 0.0, true});
     }
   }
   // The best of each neighborhood.
@@ -153,7 +152,7 @@ std::vector<Eigen::Vector2d> PeopleTrackInitiation::look(const PeopleCameras& ca
   std::vector<Candidate> peaks;
   for (const Candidate& one : found) {
     if (std::ranges::none_of(peaks, [&](const Candidate& peak) {
-          return (peak.place - one.place).norm() < 2.0 * kApart;
+          return (peak.position - one.position).norm() < 2.0 * kApart;
         })) {
       peaks.push_back(one);
     }
@@ -164,9 +163,9 @@ std::vector<Eigen::Vector2d> PeopleTrackInitiation::look(const PeopleCameras& ca
   if (ready == candidates_.end()) {
     return {};
   }
-  const Eigen::Vector2d place = ready->place;
+  const Eigen::Vector2d position = ready->position;
   candidates_.erase(ready);
-  return {place};
+  return {position};
 }
 
 } // namespace dewpoint::tracking

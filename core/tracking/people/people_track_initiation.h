@@ -14,9 +14,10 @@ namespace dewpoint::tracking {
 /// A standing body, drawn into a mask (CV_8UC1) with this value.
 void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::Mat& mask);
 
-/// Where foreground that nobody explains meets from several cameras: a grid of the floor on which a
-/// standing body is tried at every point (as the occupancy map of Fleuret et al. 2008 does, without
-/// its inference). A place must hold for some time to become a person.
+/// Finds new people: foreground that nobody explains, and that the views of several cameras agree
+/// on. A standing body is tried at every point of a grid on the floor (as the occupancy map of
+/// Fleuret et al. 2008 does, without its inference). A position must hold for some time to become a
+/// person.
 class PeopleTrackInitiation {
 public:
   /// Prepares the grid; keeps what is under way.
@@ -29,19 +30,20 @@ public:
                                                                 sizeof(BodySilhouette));
   }
 
-  /// Looks at a frame. `explained`: per camera, what is already explained (CV_8UC1), or empty;
-  /// `taken`: where people stand. Returns at most one place: where somebody is born (world x, y).
-  std::vector<Eigen::Vector2d> look(const PeopleCameras& cameras,
-                                    const std::vector<cv::Mat>& explained,
-                                    const std::vector<Eigen::Vector2d>& taken, double birthTime);
+  /// Takes the masks of a frame. `explained`: per camera, what is already explained (CV_8UC1), or
+  /// empty; `taken`: positions of the people who are tracked. Returns at most one position (world
+  /// x, y), where a track is to be created.
+  std::vector<Eigen::Vector2d> update(const PeopleCameras& cameras,
+                                      const std::vector<cv::Mat>& explained,
+                                      const std::vector<Eigen::Vector2d>& taken, double birthTime);
 
 private:
   struct Cell {
-    Eigen::Vector2d place;
+    Eigen::Vector2d position;
     std::vector<BodySilhouette> silhouettes; ///< per camera
   };
   struct Candidate {
-    Eigen::Vector2d place;
+    Eigen::Vector2d position;
     double score = 0.0;
     double since = 0.0; ///< seconds
     bool seen = true;   ///< in this frame

@@ -44,7 +44,7 @@ void PeopleTrackLifecycle::prepare() {
   for (std::size_t k = 0; k < cameras_.count(); ++k) {
     makers_.emplace_back(cameras_.camera(k));
   }
-  births_.setCameras(cameras_, settings_.area, usualHeight_);
+  initiation_.setCameras(cameras_, settings_.area, usualHeight_);
 }
 
 void PeopleTrackLifecycle::configure(const ParameterValues& parameters) {
@@ -71,7 +71,7 @@ void PeopleTrackLifecycle::restart(std::uint64_t seed) {
   people_.clear();
   unseen_.clear();
   cameras_.restart();
-  births_.restart();
+  initiation_.restart();
   everybody_.clear();
   bodies_.clear();
   frames_ = nullptr;
@@ -122,7 +122,7 @@ void PeopleTrackLifecycle::particles(std::size_t track, int limit, Eigen::ArrayX
 }
 
 std::size_t PeopleTrackLifecycle::memoryBytes() const {
-  return cameras_.memoryBytes() + births_.memoryBytes() + people_.size() * beliefBytes() +
+  return cameras_.memoryBytes() + initiation_.memoryBytes() + people_.size() * beliefBytes() +
          everybody_.capacity() * (sizeof(Target) + sizeof(TrackEstimate));
 }
 
@@ -147,8 +147,8 @@ int PeopleTrackLifecycle::enter(const Eigen::Vector3d& center) {
   person.identity = nextIdentity_++;
   person.position = center;
   unseen_.push_back(0.0);
-  const PersonEstimate copy = person; // born() may look at people_
-  born(copy, keyOf(copy.identity));
+  const PersonEstimate copy = person; // createBelief() may look at people_
+  createBelief(copy, keyOf(copy.identity));
   return copy.identity;
 }
 
@@ -160,7 +160,7 @@ std::size_t PeopleTrackLifecycle::indexOf(int identity) const {
 void PeopleTrackLifecycle::leave(int identity) {
   const std::size_t index = indexOf(identity);
   if (index < people_.size()) {
-    gone(index);
+    removeBelief(index);
     people_.erase(people_.begin() + static_cast<std::ptrdiff_t>(index));
     unseen_.erase(unseen_.begin() + static_cast<std::ptrdiff_t>(index));
   }
@@ -168,7 +168,7 @@ void PeopleTrackLifecycle::leave(int identity) {
 
 BodySilhouette PeopleTrackLifecycle::silhouette(const PersonEstimate& person,
                                                 std::size_t camera) const {
-  return makers_[camera].of(placeOf(person), settings_.area.floor, heightOf(person));
+  return makers_[camera].of(floorPosition(person), settings_.area.floor, heightOf(person));
 }
 
 std::vector<cv::Mat> PeopleTrackLifecycle::silhouettesOfAll(double wider) const {
@@ -261,7 +261,7 @@ void PeopleTrackLifecycle::updateVisibility() {
     estimate.age += interval;
     estimate.interacting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
       return other.identity != estimate.identity &&
-             (placeOf(other) - placeOf(estimate)).norm() < kNear;
+             (floorPosition(other) - floorPosition(estimate)).norm() < kNear;
     });
   }
 }
@@ -286,7 +286,8 @@ std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoods() const {
 
 void PeopleTrackLifecycle::terminateTracks() {
   for (std::size_t k = people_.size(); k-- > 0;) {
-    if (!settings_.area.contains(placeOf(people_[k])) || people_[k].existenceProbability <= 0.0) {
+    if (!settings_.area.contains(floorPosition(people_[k])) ||
+        people_[k].existenceProbability <= 0.0) {
       leave(people_[k].identity);
     }
   }
@@ -295,22 +296,22 @@ void PeopleTrackLifecycle::terminateTracks() {
 void PeopleTrackLifecycle::initiateTracks() {
   std::vector<Eigen::Vector2d> taken;
   for (const PersonEstimate& person : people_) {
-    taken.push_back(placeOf(person));
+    taken.push_back(floorPosition(person));
   }
   const auto explained = silhouettesOfAll(kExplainedWider);
   PeopleArea inside = settings_.area;
   inside.half.array() -= kBirthMargin;
-  for (const auto& place : births_.look(cameras_, explained, taken, settings_.birthTime)) {
-    if (inside.contains(place)) {
-      enter({place.x(), place.y(), settings_.area.floor + 0.5 * usualHeight_});
+  for (const auto& position : initiation_.update(cameras_, explained, taken, settings_.birthTime)) {
+    if (inside.contains(position)) {
+      enter({position.x(), position.y(), settings_.area.floor + 0.5 * usualHeight_});
     }
   }
 }
 
 void PeopleTrackLifecycle::step(const FrameSet& frames, ThreadTeam& team) {
   cameras_.begin(frames, silhouettesOfAll(kExplainedWider), team);
-  const bool looking = std::ranges::any_of(cameras_.states(), &PeopleCameraState::usable);
-  if (!looking) {
+  const bool anyUsable = std::ranges::any_of(cameras_.states(), &PeopleCameraState::usable);
+  if (!anyUsable) {
     return; // learning, or no images: what is believed stays as it is
   }
   update(team);

@@ -11,10 +11,10 @@
 
 namespace dewpoint::tracking {
 
-/// What all methods for people share: masks, births, who is seen by whom, exits, identities. A
-/// method adds what it believes about each person. The person of identity N is track N - 1, from
-/// birth on and, absent, after it has left. One iteration per frame is all there is; further ones
-/// change nothing. The choice of background model acts from the next restart on.
+/// The base of all methods for people: masks, creation and removal of tracks, visibility,
+/// identities. A method adds what it believes about each person. The person of identity N is track
+/// N - 1, from its creation on and, absent, after its removal. One iteration per frame is all there
+/// is; further ones change nothing. The choice of background model acts from the next restart on.
 class PeopleTrackLifecycle : public Tracker,
                              public Configurable,
                              public CameraCalibrated,
@@ -64,9 +64,9 @@ protected:
   };
 
   /// Makes the method's own belief about a new person, who is the last of people_.
-  virtual void born(const PersonEstimate& person, const RandomKey& key) = 0;
-  /// people_[index] is about to go.
-  virtual void gone(std::size_t index) = 0;
+  virtual void createBelief(const PersonEstimate& person, const RandomKey& key) = 0;
+  /// people_[index] is about to be removed.
+  virtual void removeBelief(std::size_t index) = 0;
   virtual void forgetAll() = 0;
   /// About how many bytes a copy of a belief takes.
   virtual std::size_t beliefBytes() const = 0;
@@ -77,7 +77,9 @@ protected:
   virtual bool sharesMasks() const = 0;
 
   RandomKey keyOf(int identity) const;
-  Eigen::Vector2d placeOf(const PersonEstimate& person) const { return person.position.head<2>(); }
+  Eigen::Vector2d floorPosition(const PersonEstimate& person) const {
+    return person.position.head<2>();
+  }
   double heightOf(const PersonEstimate& person) const {
     return person.height > 0.0 ? person.height : usualHeight_;
   }
@@ -106,7 +108,7 @@ private:
   PeopleSettings settings_;
   CameraRig rig_;
   PeopleCameras cameras_;
-  PeopleTrackInitiation births_;
+  PeopleTrackInitiation initiation_;
   std::vector<SilhouetteMaker> makers_;
   std::vector<double> unseen_; ///< seconds, one per person
   double usualHeight_ = 1.72;

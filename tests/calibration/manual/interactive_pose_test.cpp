@@ -91,7 +91,7 @@ TEST_P(Drags, ThePointFollowsHeldPointsStayAndTheWayBackLeadsBack) {
 
 INSTANTIATE_TEST_SUITE_P(Held, Drags, testing::Values(0, 1, 2));
 
-TEST(HandAdjustment, ASmallDragIsASmallChangeEverywhere) {
+TEST(InteractivePose, ASmallDragIsASmallChangeEverywhere) {
   // No jump: a pixel of the mouse moves the camera by no more than the geometry asks for.
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     Draw draw(seed);
@@ -108,7 +108,7 @@ TEST(HandAdjustment, ASmallDragIsASmallChangeEverywhere) {
   }
 }
 
-TEST(HandAdjustment, ADragBackToItsBeginningChangesNothing) {
+TEST(InteractivePose, ADragBackToItsBeginningChangesNothing) {
   Draw draw(3);
   const Camera camera = someCamera(draw, true);
   const std::vector<ImageAnchor> held{seenBy(camera, draw.point()), seenBy(camera, draw.point())};
@@ -116,7 +116,7 @@ TEST(HandAdjustment, ADragBackToItsBeginningChangesNothing) {
   EXPECT_TRUE(drag.camera == camera) << "to the bit";
 }
 
-TEST(HandAdjustment, OneHeldPointRollsAndMovesAlongItsRay) {
+TEST(InteractivePose, OneHeldPointRollsAndMovesAlongItsRay) {
   Draw draw(5);
   const Camera camera = someCamera(draw, false);
   const ImageAnchor held = seenBy(camera, {0.2, 0.1, 0.3});
@@ -130,7 +130,7 @@ TEST(HandAdjustment, OneHeldPointRollsAndMovesAlongItsRay) {
   EXPECT_LT(((held.world - drag.camera.center()).normalized() - ray).norm(), 1e-7);
 }
 
-TEST(HandAdjustment, ThreeHeldPointsLeaveTheFocalLengthOnly) {
+TEST(InteractivePose, ThreeHeldPointsLeaveTheFocalLengthOnly) {
   int nearer = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Draw draw(seed);
@@ -151,7 +151,7 @@ TEST(HandAdjustment, ThreeHeldPointsLeaveTheFocalLengthOnly) {
   EXPECT_GE(nearer, 15);
 }
 
-TEST(HandAdjustment, RefusesWithAReason) {
+TEST(InteractivePose, RefusesWithAReason) {
   Draw draw(7);
   const Camera camera = someCamera(draw, false);
   const ImageAnchor held = seenBy(camera, {0.0, 0.0, 0.2});
@@ -175,7 +175,7 @@ TEST(HandAdjustment, RefusesWithAReason) {
   EXPECT_TRUE(stopped.limit != DragLimit::None || stopped.miss < 1e-6);
 }
 
-TEST(HandAdjustment, DerivativesAreThoseOfTheProjection) {
+TEST(InteractivePose, DerivativesAreThoseOfTheProjection) {
   Draw draw(11);
   const Camera camera = someCamera(draw, true);
   const std::vector<ImageAnchor> anchors{seenBy(camera, draw.point())};

@@ -67,7 +67,7 @@ TEST(MeasuredPoints, ExactPointsGiveTheCamerasBack) {
     const PointSolution solution = solveFromPoints(displaced(rig), points);
     ASSERT_EQ(solution.cameras.size(), 2U);
     for (std::size_t c = 0; c < 2; ++c) {
-      EXPECT_NE(solution.cameras[c].trouble, PoseStatus::TooFew);
+      EXPECT_NE(solution.cameras[c].status, PoseStatus::TooFew);
       EXPECT_LT(apart(solution.rig[c], rig[c]), 1e-6) << count;
       EXPECT_FALSE(solution.cameras[c].proposal) << count;
     }
@@ -130,7 +130,7 @@ TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
 TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {
   const CameraRig rig{cameraAt({0.0, -3.0, 1.0}, "only")};
   const auto few = solveFromPoints(displaced(rig), pointsSeenBy(rig, 3));
-  EXPECT_EQ(few.cameras.at(0).trouble, PoseStatus::TooFew);
+  EXPECT_EQ(few.cameras.at(0).status, PoseStatus::TooFew);
   EXPECT_TRUE(few.rig == displaced(rig)) << "it stays as it was";
   EXPECT_FALSE(few.anySolved());
   std::vector<MeasuredPoint> line;
@@ -138,7 +138,7 @@ TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {
     const Eigen::Vector3d place(0.3 * k - 0.6, 0.1 * k, 0.0);
     line.push_back({fmt::format("p{}", k), place, {{0, Projector(rig[0]).project(place).value()}}});
   }
-  EXPECT_EQ(solveFromPoints(rig, line).cameras.at(0).trouble, PoseStatus::Collinear);
+  EXPECT_EQ(solveFromPoints(rig, line).cameras.at(0).status, PoseStatus::Collinear);
   EXPECT_TRUE(solveFromPoints(rig, {}).cameras.empty());
 }
 
@@ -150,11 +150,11 @@ TEST(MeasuredPoints, AFarSmallPlaneIsAmbiguous) {
     plane.push_back(
         {fmt::format("{} {}", x, y), place, {{0, Projector(rig[0]).project(place).value()}}});
   }
-  EXPECT_EQ(solveFromPoints(rig, plane).cameras.at(0).trouble, PoseStatus::Ambiguous);
+  EXPECT_EQ(solveFromPoints(rig, plane).cameras.at(0).status, PoseStatus::Ambiguous);
   // Seen from near, perspective decides.
   const auto near = solveFromPoints({cameraAt({0, -3, 2}, "near")},
                                     pointsSeenBy({cameraAt({0, -3, 2}, "near")}, 4));
-  EXPECT_EQ(near.cameras.at(0).trouble, PoseStatus::None);
+  EXPECT_EQ(near.cameras.at(0).status, PoseStatus::None);
 }
 
 class Symmetries : public testing::TestWithParam<int> {};

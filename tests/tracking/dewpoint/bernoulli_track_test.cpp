@@ -89,7 +89,7 @@ TEST_F(BernoulliTrackTest, WhatNobodyCanSeeIsSearchedFor) {
   predict(kFrame);
   update();
   EXPECT_EQ(searches_, 1);
-  track_.setBirths(false);
+  track_.setCreatesHypotheses(false);
   update();
   EXPECT_EQ(searches_, 1);
 }

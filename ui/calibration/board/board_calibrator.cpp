@@ -184,7 +184,7 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->seen, wish = wishForTaken(wish_, *state),
+      [project = project(), seen = state->seen, wish = requestForTaken(wish_, *state),
        goal = wish_.goal](const CalibrationProgress& progress) {
         return calibrateFromBoards(project, *seen, wish, goal, progress);
       },

@@ -190,7 +190,7 @@ void PointCalibrator::applyResult(const PointSolution& solution) {
 QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
   const QString name = hand_.nameOf(camera.camera);
   QString line;
-  switch (camera.trouble) {
+  switch (camera.status) {
   case PoseStatus::None:
     line = tr("%1: %2 off on average").arg(name, pixelText(camera.rmsPx, 2));
     break;
