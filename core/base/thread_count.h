@@ -8,7 +8,7 @@
 
 namespace dewpoint::base {
 
-/// Threads of the filter when `wanted` are asked for; 0: as many as this machine runs at once, but
+/// Threads of the filter when `wanted` are requested; 0: as many as this machine runs at once, but
 /// one for cameras and window.
 int filterThreads(int wanted);
 

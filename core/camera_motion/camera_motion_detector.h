@@ -66,8 +66,8 @@ private:
     std::vector<Piece> pieces;
     std::deque<Eigen::Vector3d> turns; ///< of the last checks
     double due = 0.0;                  ///< seconds
-    double learned = 0.0;              ///< when pieces were last looked for, seconds
-    int nextPart = 0;                  ///< of the image, to look for a piece in
+    double learned = 0.0;              ///< when pieces were last searched for, seconds
+    int nextPart = 0;                  ///< of the image, the next to be searched for a piece
     cv::Mat thumbnail;                 ///< of the reference, for large motions
     CameraMotionState state;
   };

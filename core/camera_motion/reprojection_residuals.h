@@ -23,9 +23,9 @@ struct ReprojectionResidual {
   double othersOff = 0.0; ///< how far the others disagree on `world` among themselves, pixels
 };
 
-/// Middle of the pixels of the target's color around where it is expected (CV_8UC3, pixels);
-/// nothing when they are not about as many as its outline holds, or reach the edge of what was
-/// looked at: it is hidden in part, or another object has its color.
+/// Center of the pixels of the target's color around its expected position (CV_8UC3, pixels);
+/// nothing when their number is not about that of its outline, or when they reach the edge of the
+/// searched region: the target is hidden in part, or another object has its color.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRange& color,
                                              const SphereImage& expected);
 
@@ -38,8 +38,8 @@ public:
   explicit ReprojectionResiduals(const CameraRig& rig);
 
   /// After the iterations of a frame. A target that is not held, or has no radius, is passed over;
-  /// a place needs three cameras, or two where only a pair is there: then each is judged by the
-  /// estimate as it is.
+  /// a position needs three cameras, or two where the rig has only two: then each is compared with
+  /// the estimate as it is.
   void add(const FrameSet& frames, const std::vector<Target>& targets,
            const std::vector<SphereEstimate>& estimates);
   const std::deque<ReprojectionResidual>& of(std::size_t camera) const {

@@ -41,8 +41,8 @@ ColorAssessment assessColorWithBackground(const ColorRange& range,
                                           const std::vector<cv::Mat>& images,
                                           const std::vector<cv::Mat>& rooms);
 
-/// The two steps of learnColor(), for callers that look at the evidence, which is most of the work,
-/// in other ways as well: the range, from the evidence of the samples without a range...
+/// The two steps of learnColor(), for callers that use the evidence, which is most of the work, for
+/// other purposes as well: the range, from the evidence of the samples without a range...
 Result<ColorRange> learnRange(const ColorEvidence& evidence);
 /// ... and the assessment of a range in these images, which may be others than the evidence is
 /// from.

@@ -132,7 +132,7 @@ private:
     }
   }
 
-  /// Asks for the memory of the next block, which is on its way while this one is worked on.
+  /// Prefetches the memory of the next block while this one is in work.
   [[gnu::always_inline]] void prefetchParents(std::int64_t begin, std::int64_t end) {
     constexpr std::int64_t kLine = 8; // numbers
     for (Eigen::Index column = 0; column < states_.cols(); ++column) {

@@ -222,7 +222,7 @@ Eigen::Isometry3d ReferenceGrid::worldFromGrid() const {
   return pose;
 }
 
-Eigen::Vector3d ReferenceGrid::middle() const {
+Eigen::Vector3d ReferenceGrid::center() const {
   Eigen::Vector3d half = 0.5 * size;
   for (int axis = 0; axis < 3; ++axis) {
     half[axis] = uses(kind, axis) ? half[axis] : 0.0;
@@ -330,7 +330,7 @@ std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const Reference
     nearest = std::min(nearest, meets(grid, side, origin, direction).value_or(nearest));
   }
   if (!std::isfinite(nearest)) {
-    nearest = std::max(0.1, (grid.middle() - ray->origin).norm());
+    nearest = std::max(0.1, (grid.center() - ray->origin).norm());
   }
   return ray->origin + nearest * ray->direction;
 }

@@ -33,7 +33,7 @@ struct ReferenceGrid {
 
   Eigen::Isometry3d worldFromGrid() const;
   /// World position of the grid's center, meters.
-  Eigen::Vector3d middle() const;
+  Eigen::Vector3d center() const;
 };
 
 /// Most lines along one side.
@@ -77,7 +77,7 @@ ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 
 /// The world point of the grid that is meant by a pixel: the crossing of lines within `reach`
 /// pixels, else what the ray meets on the grid's surfaces, else the point of the ray as far away as
-/// the grid's middle. Nothing where the camera has no ray.
+/// the grid's center. Nothing where the camera has no ray.
 std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const ReferenceGrid& grid,
                                            const Eigen::Vector2d& pixel, double reach);
 

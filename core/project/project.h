@@ -50,7 +50,7 @@ struct ProjectMark {
 };
 
 /// A correction of the people in a recording, made in the window, for methods that find people by
-/// themselves: somebody stands at a place, is seen at a pixel, or is not there after all.
+/// themselves: a person stands at a position, is seen at a pixel, or is not there.
 struct PersonCorrection {
   /// A click on somebody in the image of a camera.
   struct Click {
@@ -64,7 +64,7 @@ struct PersonCorrection {
   /// On the floor, world x and y in meters. Either this or `click` is there.
   std::optional<Eigen::Vector2d> position = {};
   std::optional<Click> click = {};
-  /// False, only with a place: whom the method has there is not there.
+  /// False, only with a position: the person whom the method tracks there does not exist.
   bool present = true;
 
   bool operator==(const PersonCorrection&) const = default;

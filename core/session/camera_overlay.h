@@ -30,7 +30,7 @@ struct CameraOverlay {
   bool boxHidden = false;      ///< it is where the target is thought to be
 };
 
-/// A place that was considered for a target, as a circle in an image.
+/// A position that was considered for a target, as a circle in an image.
 struct ProposedOutline {
   Eigen::Vector2d center;
   double radius = 0.0; ///< pixels

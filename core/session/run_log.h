@@ -58,10 +58,10 @@ public:
   };
   static constexpr std::size_t kMostFrames = 50000;
   FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// One frame; takes the place of the same frame, if it was the last one.
+  /// Adds one frame, or replaces the same frame if it was the last one.
   void append(const FrameRecord& record);
-  /// The people of one frame, taking the place of the same frame, if it was the last one. Beyond
-  /// kMostPeopleFrames (about 100 MB with two people) older ones are there in coarser steps.
+  /// Adds the people of one frame, or replaces those of the same frame if it was the last one.
+  /// Beyond kMostPeopleFrames (about 100 MB with two people) older ones are kept in coarser steps.
   void append(PeopleFramePtr people);
   static constexpr std::size_t kMostPeopleFrames = 10000;
   std::vector<PeopleFramePtr> people() const;

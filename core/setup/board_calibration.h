@@ -23,7 +23,7 @@ struct BoardCalibrationRequest {
   PixelShape pixels = PixelShape::Measured;
   int views = 30;       ///< pictures per camera that intrinsics are estimated from
   int instants = 60;    ///< instants that poses are estimated from
-  int frameLimit = 300; ///< frames of a recording in which the board is looked for
+  int frameLimit = 300; ///< frames of a recording in which the board is searched for
   /// The frame in which the board lies on the floor and makes the world; nothing: the first camera
   /// keeps its pose.
   std::optional<std::int64_t> worldFrame;
@@ -36,7 +36,7 @@ struct SeenBoards {
     std::string name;
     int width = 0;
     int height = 0;
-    int searched = 0; ///< pictures in which it was looked for
+    int searched = 0; ///< pictures in which it was searched for
     std::vector<BoardView> views;
   };
   std::vector<PerCamera> cameras;

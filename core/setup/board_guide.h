@@ -50,7 +50,7 @@ struct BoardGuideState {
   };
 
   Phase phase = Phase::Lenses;
-  std::int64_t frame = -1; ///< the frame set looked at last
+  std::int64_t frame = -1; ///< the last frame set that was searched
   std::vector<PerCamera> cameras;
   RigGuidance::State rig;
   std::optional<std::int64_t> floorFrame; ///< in which the board lies on the floor
@@ -64,10 +64,10 @@ using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 BoardCalibrationRequest requestForTaken(const BoardGuideRequest& request,
                                         const BoardGuideState& state);
 
-/// Leads the user through calibrating live cameras with a board: looks for it in the images, says
-/// what to show next, takes what is held still, calibrates in between and ends by itself when the
-/// requested accuracy is reached. No clock and no thread of its own besides those that share the
-/// images: the same frames give the same states.
+/// Guides the user through the calibration of live cameras with a board: searches for it in the
+/// images, tells what to show next, captures it while it is held still, calibrates in between, and
+/// ends by itself when the requested accuracy is reached. No clock and no thread of its own besides
+/// those that share the images: the same frames give the same states.
 class BoardGuide {
 public:
   BoardGuide(Project project, const BoardGuideRequest& request, int threads = 1);

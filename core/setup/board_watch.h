@@ -8,7 +8,7 @@
 
 namespace dewpoint::setup {
 
-/// A BoardGuide in a thread of its own, fed with the images of live cameras: it looks at the newest
+/// A BoardGuide in a thread of its own, fed with the images of live cameras: it uses the newest
 /// ones only. Every call returns at once.
 class BoardWatch {
 public:
@@ -21,7 +21,7 @@ public:
 
   /// Begins, or starts over.
   void begin(const Project& project, const BoardGuideRequest& request);
-  /// Takes the place of images that were not looked at yet.
+  /// Replaces images that are still waiting.
   void show(FrameSetPtr frames);
   void captureNow();
   /// As captureNow(); there the board lies on the floor.

@@ -9,8 +9,8 @@
 
 namespace dewpoint::setup {
 
-/// Size of the images, pixels, of a camera that cannot be asked for it without opening it. Origin
-/// not recorded.
+/// Assumed size of the images, pixels, of a camera that does not report it before it is opened.
+/// Origin not recorded.
 inline constexpr int kGuessedWidth = 640;
 inline constexpr int kGuessedHeight = 480;
 

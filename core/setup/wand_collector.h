@@ -31,7 +31,7 @@ public:
   static constexpr std::size_t kWaiting = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
-  ~WandCollector(); ///< gives up what waits, and waits for what is looked at: not in a window's
+  ~WandCollector(); ///< drops waiting sets and waits for the one in work: not in a window's
                     ///< thread
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
@@ -42,7 +42,7 @@ public:
   struct State {
     double seconds = 0.0; ///< from the first frame set's time to the newest one's
     std::int64_t searched = 0;
-    std::int64_t waiting = 0; ///< taken, but not yet looked at
+    std::int64_t waiting = 0; ///< taken, but not yet searched
     std::int64_t dropped = 0;
     std::vector<CameraSightings> cameras;
   };

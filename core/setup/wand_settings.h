@@ -25,7 +25,7 @@ struct WandSettings {
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool onlySpan = false; ///< look only through the frames that are selected
+  bool onlySpan = false; ///< search only the frames that are selected
   double initialPositionError = WandOptions().initialPositionError; ///< meters
   double initialTurnError = WandOptions().initialTurnError;         ///< radians
 

@@ -80,7 +80,7 @@ public:
   virtual void setBackgroundImages(const std::vector<cv::Mat>& images) = 0;
 };
 
-/// Can be copied in the middle of a run, so that the run can go back.
+/// Can be copied during a run, so that the run can go back.
 class Copying {
 public:
   virtual ~Copying() = default;

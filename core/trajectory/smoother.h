@@ -21,7 +21,7 @@ struct SmootherOptions {
 /// How a target moved and how good its measurements were, found by maximum likelihood over the run:
 /// the likeliest order of motion with its strength, and the factor on the covariances that the
 /// measurements' scatter shows. At most the first 2,000 instants are used. `goesOn`, when given, is
-/// asked now and then; after false the model found so far is returned.
+/// called from time to time; once it has returned false, the model found so far is returned.
 PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
                        const std::function<bool()>& goesOn = {});
 

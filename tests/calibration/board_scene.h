@@ -23,7 +23,7 @@ inline Eigen::Isometry3d boardAt(const BoardDescription& board, const Eigen::Vec
                    Eigen::AngleAxisd(tiltY, Eigen::Vector3d::UnitY()) *
                    Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ()))
                       .toRotationMatrix();
-  pose.translation() = middle - pose.linear() * board.middle();
+  pose.translation() = middle - pose.linear() * board.center();
   return pose;
 }
 

@@ -124,7 +124,7 @@ TEST(ReferenceGrid, APixelMeansTheCrossingTheSurfaceOrTheRay) {
   up.cameraFromWorld = lookAt({0.0, -3.0, 2.0}, {0.0, 0.0, 5.0}); // sees no floor
   const auto somewhere = gridPointAt(up, grid, {320.0, 240.0}, 6.0);
   ASSERT_TRUE(somewhere);
-  EXPECT_NEAR((*somewhere - up.center()).norm(), (grid.middle() - up.center()).norm(), 1e-9);
+  EXPECT_NEAR((*somewhere - up.center()).norm(), (grid.center() - up.center()).norm(), 1e-9);
 }
 
 TEST(ReferenceGrid, ChecksWhatCanBeDrawn) {

@@ -161,7 +161,7 @@ Eigen::Vector3d BoardDescription::corner(int id) const {
   return squareSize * Eigen::Vector3d(column, row, 0.0);
 }
 
-Eigen::Vector3d BoardDescription::middle() const {
+Eigen::Vector3d BoardDescription::center() const {
   return 0.5 * (corner(0) + corner(cornerCount() - 1));
 }
 

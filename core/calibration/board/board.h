@@ -26,7 +26,7 @@ struct BoardDescription {
   bool legacy = false;       ///< ChArUco with even rows from OpenCV before 4.6: first square white
   bool inverted = false;     ///< printed with black and white exchanged
 
-  /// Inner corners, which is what is looked for: in a row, in a column, in all.
+  /// The number of inner corners, which are what is detected: in a row, in a column, in all.
   int cornerColumns() const { return kind == Kind::Chessboard ? columns : columns - 1; }
   int cornerRows() const { return kind == Kind::Chessboard ? rows : rows - 1; }
   int cornerCount() const { return cornerColumns() * cornerRows(); }
@@ -37,7 +37,7 @@ struct BoardDescription {
   /// Where corner `id` lies, in the board's frame; ids run along the rows from the upper left.
   Eigen::Vector3d corner(int id) const;
   /// The center of all squares, in the board's frame.
-  Eigen::Vector3d middle() const;
+  Eigen::Vector3d center() const;
   /// Whether a square is black on the page, `inverted` left aside. On ChArUco boards the white
   /// squares carry the markers.
   bool isBlack(int column, int row) const;

@@ -23,7 +23,7 @@ struct BoardDetection {
 
 /// How much time a detection may take.
 enum class DetectionEffort {
-  Live,   ///< looks for the board in a smaller picture; for pictures that follow one another
+  Live,   ///< searches for the board in a smaller picture; for pictures that follow one another
   Sample, ///< chessboards as OpenCV's own calibration sample does (11 px, 30 steps, 0.1 px), so
           ///< that figures compare; ChArUco boards as Exact
   Exact   ///< tries harder to find the board; up to a second per picture

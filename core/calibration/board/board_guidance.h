@@ -33,7 +33,7 @@ struct GuidanceSettings {
 struct GuidanceState {
   GuidanceAdvice advice = GuidanceAdvice::ShowBoard;
   int region = -1;                    ///< of BoardCoverage; -1: none
-  BoardTilt tilt = BoardTilt::Flat;   ///< that TiltTo asks for
+  BoardTilt tilt = BoardTilt::Flat;   ///< that TiltTo requests
   BoardCoverage coverage;             ///< of the views taken
   int views = 0;                      ///< taken so far
   double held = 0.0;                  ///< part of the time to hold still that has passed, 0 to 1

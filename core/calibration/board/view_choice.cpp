@@ -55,7 +55,7 @@ Eigen::Matrix<double, 5, 1> featureOf(const BoardDescription& board,
                                       const BoardDetection& detection, const Camera& camera) {
   Eigen::Matrix<double, 5, 1> feature = Eigen::Matrix<double, 5, 1>::Zero();
   if (const auto pose = boardPose(board, detection, camera)) {
-    const Eigen::Vector3d middle = *pose * board.middle();
+    const Eigen::Vector3d middle = *pose * board.center();
     const double reach = 0.5 * camera.intrinsics.width / camera.intrinsics.focalX;
     feature << middle.x() / middle.z() / reach, middle.y() / middle.z() / reach,
         std::log(middle.z()), pose->linear()(0, 2), pose->linear()(1, 2);

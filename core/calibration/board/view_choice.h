@@ -8,7 +8,7 @@
 namespace dewpoint::calibration {
 
 /// The views of one camera that are worth a calibration: at most `count`, sharp, and as different
-/// from each other in place, size and tilt as possible (farthest point sampling, Gonzalez 1985).
+/// from each other in position, size and tilt as possible (farthest point sampling, Gonzalez 1985).
 /// All of them when they are not more. In their former order.
 std::vector<BoardView> chooseViews(const BoardDescription& board, std::vector<BoardView> views,
                                    int width, int height, int count);

@@ -48,7 +48,7 @@ ViewFit fitView(const BoardDescription& board, const BoardView& view, const Came
   fit.name = view.name;
   fit.instant = view.instant;
   fit.cameraFromBoard = cameraFromBoard;
-  fit.tilt = tiltAngle(cameraFromBoard, board.middle());
+  fit.tilt = tiltAngle(cameraFromBoard, board.center());
   fit.ids = view.detection.ids;
   fit.pixels = view.detection.pixels;
   Camera placed = camera;

@@ -14,7 +14,7 @@ namespace dewpoint::calibration {
 /// A board in one picture of one camera.
 struct BoardView {
   std::string name;         ///< file, or frame: by which the user finds the picture
-  std::int64_t instant = 0; ///< pictures of the same instant show the board in the same place
+  std::int64_t instant = 0; ///< pictures of the same instant show the board at the same position
   BoardDetection detection;
 };
 

@@ -9,7 +9,7 @@ namespace dewpoint::calibration {
 
 /// The stage of a calibration.
 enum class CalibrationStage {
-  BoardDetection,  ///< looks for the board in images
+  BoardDetection,  ///< searches for the board in images
   Intrinsics,      ///< solves for the lens of one camera
   Chaining,        ///< finds first poses along chains of cameras that saw the board together
   Adjustment,      ///< bundle adjustment of all cameras

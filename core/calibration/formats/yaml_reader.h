@@ -19,7 +19,7 @@ namespace dewpoint::calibration {
 Result<YAML::Node> parseYaml(const std::string& text, const std::string& file);
 
 /// Takes values out of one YAML mapping and keeps the first thing that is wrong with it, with its
-/// line. Keys nobody asked for are passed over: other tools write more than we need.
+/// line. Keys that are not requested are ignored: other tools write more than we need.
 class YamlReader {
 public:
   YamlReader(const YAML::Node& node, std::string file, std::string prefix = "");

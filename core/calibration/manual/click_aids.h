@@ -16,8 +16,8 @@ namespace dewpoint::calibration {
 std::optional<Eigen::Vector2d> snapToCorner(const cv::Mat& image, const Eigen::Vector2d& click,
                                             double reach);
 
-/// A square piece of an image around a place, every pixel as `factor` x `factor`, so that the place
-/// lies in the middle of the result, `side` pixels wide. What lies outside the image is black.
+/// A square piece of an image around a pixel, every pixel as `factor` x `factor`, so that this one
+/// lies at the center of the result, `side` pixels wide. Pixels outside the image are black.
 cv::Mat magnified(const cv::Mat& image, const Eigen::Vector2d& center, int side, int factor);
 
 /// How strong the edges of an image are (Sobel), 0 to 255: CV_8UC1 of its size.

@@ -43,8 +43,9 @@ Eigen::Vector3d lookedAt(const Camera& camera, double height);
 /// camera leaves it as it is.
 Camera lookingAt(const Camera& camera, const Eigen::Vector3d& target);
 
-/// A floor grid to begin with: around what the cameras look at, its lines on round numbers of the
-/// world, about as far apart as suits their distance. The standard grid for an empty rig.
+/// The initial floor grid: around the point that the cameras are directed at, its lines on round
+/// numbers of the world, at distances that suit that of the cameras. The standard grid for an empty
+/// rig.
 ReferenceGrid gridFor(const CameraRig& rig);
 
 /// Horizontal field of view, radians, of the lens without its distortion: 2 atan(w / 2f), or w / f

@@ -20,7 +20,7 @@ struct PointClick {
   bool operator==(const PointClick&) const = default;
 };
 
-/// A place of the room that was measured with a tape and clicked in images.
+/// A point of the room that was measured with a tape and clicked in images.
 struct MeasuredPoint {
   std::string name;
   Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< meters
@@ -32,7 +32,7 @@ struct MeasuredPoint {
 /// The click of a point in a camera; null when there is none.
 const PointClick* clickIn(const MeasuredPoint& point, int camera);
 
-/// Says where a camera sees the point: in place of what was said of that camera before.
+/// Sets the pixel at which a camera sees the point, in place of an earlier one.
 void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel);
 
 /// How far a click is from where its camera should see the point.

@@ -17,10 +17,10 @@ struct PointSighting {
   double sigmaPixels = 1.0; ///< of the pixel and of the point as projected, together
 };
 
-/// What is known of a bump before the points are looked at.
+/// What is known of a camera motion before the points are used.
 struct CameraMotionPrior {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< as CameraRotation, radians
-  double turnSigma = 2e-4;                        ///< of what the background says; radians
+  double turnSigma = 2e-4;  ///< of the rotation as measured by the background; radians
   double shiftSigma = 0.01; ///< how far the camera may have been pushed aside; meters
 };
 
@@ -38,12 +38,12 @@ struct MovedCameraPose {
 /// rotation.
 Camera rotatedCamera(const Camera& camera, const Eigen::Vector3d& turn);
 
-/// The pose of one bumped camera; all others, and its lens, stay. Least squares
-/// (Ceres) over its six numbers: sightings (Huber's loss at two sigma) and the prior. A camera that
-/// is pushed aside looks turned to its background too, by shift over distance: the prior's turn is
-/// therefore believed to within turnSigma and shiftSigma at 3 m together. Without sightings it is
-/// the old camera, turned. Mismatch when the sightings contradict the result (less than half
-/// agree).
+/// The pose of one camera that was moved; all others, and its lens, stay. Least squares (Ceres)
+/// over its six numbers: sightings (Huber's loss at two sigma) and the prior. Before its
+/// background, a camera that is pushed aside seems rotated too, by shift over distance: the prior's
+/// rotation is therefore taken to be known within turnSigma and shiftSigma at 3 m together. Without
+/// sightings the result is the old camera, rotated. Mismatch when the sightings contradict the
+/// result (less than half agree).
 Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMotionPrior& prior,
                                           std::span<const PointSighting> sightings);
 

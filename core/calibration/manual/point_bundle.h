@@ -8,8 +8,8 @@
 
 namespace dewpoint::calibration {
 
-/// Poses of all cameras marked in `solved`, and the points, together: clicks weighed by
-/// `settings.click`, the places of the points by `settings.tape`.
+/// Poses of all cameras marked in `solved`, and the points, together: clicks weighted by
+/// `settings.click`, the positions of the points by `settings.tape`.
 void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
                     const std::vector<MeasuredPoint>& points, const PointSettings& settings);
 

@@ -33,7 +33,7 @@ public:
   /// Pixel of a world point; nothing where the camera does not see it.
   std::optional<Eigen::Vector2d> pixel(const ChangeVector& change,
                                        const Eigen::Vector3d& world) const;
-  /// Pixels by which the points are off their places, two rows each.
+  /// Pixels by which the points are off their positions, two rows each.
   std::optional<Eigen::VectorXd> residuals(const ChangeVector& change,
                                            const std::vector<ImageAnchor>& anchors) const;
   /// Their derivatives, pixels per unit of change (central differences).

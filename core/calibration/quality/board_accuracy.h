@@ -18,10 +18,10 @@ Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
                                         const BoardDescription& board,
                                         std::optional<std::int64_t> worldInstant);
 
-/// Looks for faults in where the board was seen (findFaults). The request's cameras stand where
-/// they stood before. Where what is seen does not fit that rig at all, or it is no rig, it was not
-/// known; then `result` (null: there is none) takes its place, and lengths cannot be judged. With
-/// fewer than two cameras that have views, nothing is looked for.
+/// Searches for faults in the views of the board (findFaults). The request's cameras have their
+/// poses from before the calibration. If the views do not fit that rig at all, or it is no rig, it
+/// counts as unknown: then `result` (null: there is none) is used instead, and lengths cannot be
+/// checked. With fewer than two cameras that have views, there is no search.
 FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSecond,
                             const ExtrinsicsResult* result);
 

@@ -15,7 +15,7 @@ struct WandReport {
   WandResult result;                   ///< with its faults
   std::string accuracy;                ///< a sentence
   std::vector<BoardCoverage> coverage; ///< per camera
-  bool offsetsFound = false;           ///< time offsets were looked for
+  bool offsetsFound = false;           ///< whether time offsets were estimated
 };
 
 /// One self-contained HTML page: the accuracy, faults and results, residual arrows and coverage for

@@ -8,8 +8,8 @@
 namespace dewpoint::calibration {
 
 /// How the cameras' clocks stand against the first one's, to about half a frame: seconds to add to
-/// the times of a camera's views, as in WandResult::offsets. Up to half a second either way is
-/// looked for; 0 where the views say nothing clear.
+/// the times of a camera's views, as in WandResult::offsets. Offsets up to half a second either way
+/// are tried; 0 where the views do not determine one.
 ///
 /// With the right offset the rays of two cameras to the moving ball miss each other only because
 /// the cameras stand roughly: by something that changes smoothly with the position (a polynomial of

@@ -32,8 +32,8 @@ void moveWorld(const Similarity& change, BundleResult& result);
 /// The mean position of ball `ball` within a tenth of a second of a time; nothing when not seen.
 std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball = 0);
 
-/// The factor on sizes that the scale source of the problem asks for, with its relative standard
-/// deviation: 1 for the stick (it is in the adjustment) and the initial rig.
+/// The factor on sizes by the scale source of the problem, with its relative standard deviation: 1
+/// for the stick (it is in the adjustment) and the initial rig.
 struct ScaleFound {
   double factor = 1.0;
   double sigma = 0.0;
@@ -41,8 +41,8 @@ struct ScaleFound {
 Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,
                            const BundleResult& now);
 
-/// The change of world (metric already) that floor touches or a fall ask for, identity without;
-/// reports what it found in `result`.
+/// The change of world (already metric) by the floor touches or the fall, the identity without
+/// either; reports what it found in `result`.
 Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
                                 WandResult& result);
 

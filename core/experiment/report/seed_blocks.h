@@ -22,10 +22,10 @@ struct SeedBlock {
   std::string_view name; ///< "tuning"
   std::uint64_t first = 0;
   std::uint64_t last = 0;
-  std::string_view sentence; ///< who may look at its results, and when
+  std::string_view sentence; ///< who may read its results, and when
 };
 
-/// First seed of studies whose results may be looked at as often as one likes.
+/// First seed of studies whose results may be read at any time.
 inline constexpr std::uint64_t kFirstTuningSeed = 1;
 /// First seed of what is reported, in the suite and in every study. A result on these seeds that
 /// leads to a change of a method, or of the tables, uses the block up: it becomes part of the

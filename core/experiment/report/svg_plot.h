@@ -43,7 +43,7 @@ struct Plot {
 /// outside the axes are moved to the border.
 std::string svgOf(const Plot& plot);
 
-/// Places of the marks of an axis, ascending: at most about six.
+/// Positions of the ticks of an axis, ascending: at most about six.
 std::vector<double> axisMarks(const SvgAxis& axis);
 
 } // namespace dewpoint::experiment

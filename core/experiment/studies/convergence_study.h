@@ -73,7 +73,7 @@ Result<std::vector<double>> driftCurve(int runs, int iterations,
                                        std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// The systematic drift (section III, figures 4 and 5): meters per iteration that the cloud's mean
-/// moves away from camera 1 along its optical axis when only that camera looks; mean over runs.
+/// moves away from camera 1 along its optical axis when only that camera is used; mean over runs.
 Result<double> measureDrift(int runs = 50, int iterations = 40,
                             std::uint64_t firstSeed = kFirstTuningSeed);
 

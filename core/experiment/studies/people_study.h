@@ -23,7 +23,7 @@ struct PeoplePicture {
   cv::Mat image;
 };
 
-/// What a method did with one simulated scene. Places are compared on the floor, within
+/// What a method did with one simulated scene. Positions are compared on the floor, within
 /// kPeopleGate.
 struct PeopleTrial {
   std::string scenario;

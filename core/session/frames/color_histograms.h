@@ -22,7 +22,7 @@ struct ColorHistograms {
 
 /// One bin of both histograms, as a view draws it.
 struct ColorBar {
-  std::array<std::uint8_t, 3> rgb{}; ///< the color in the middle of the bin
+  std::array<std::uint8_t, 3> rgb{}; ///< the color at the center of the bin
   double reference = 0.0;
   double candidate = 0.0;
 };

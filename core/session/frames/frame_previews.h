@@ -10,9 +10,9 @@
 
 namespace dewpoint::session {
 
-/// Small pictures of the frames that went by, for a quick look while the true ones are decoded: to
-/// reach a frame of a video, all frames since its last key frame must be. When the memory is used
-/// up, every second one is given up; the nearest one before stands for it.
+/// Small pictures of the frames that went by, to be shown while the true ones are decoded: to reach
+/// a frame of a video, all frames since its last key frame must be. When the memory is used up,
+/// every second one is removed, and the nearest one before is shown in its place.
 class FramePreviews {
 public:
   explicit FramePreviews(std::size_t mostBytes) : most_(mostBytes) {}

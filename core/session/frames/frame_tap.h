@@ -14,7 +14,7 @@ namespace dewpoint::session {
 /// (hand the set to a queue) and must not throw.
 using FrameTap = std::function<void(const FrameSetPtr&)>;
 
-/// The place for a tap, set from any thread.
+/// Holds a tap, which may be set from any thread.
 class FrameTapSlot {
 public:
   /// An empty one ends it; when this returns, the former one is not called any more.

@@ -19,7 +19,7 @@ enum class TargetStatus {
   Searching, ///< not held, or not held yet
   Held,      ///< the cameras confirm the estimate
   Lost,      ///< was held, and has not been for kLostAfter seconds
-  Gone,      ///< has left, or is not there yet: nothing to look for
+  Gone,      ///< removed, or not created yet: there is nothing to search for
 };
 /// Seconds after which a target that is not held counts as lost.
 inline constexpr double kLostAfter = 1.0;

@@ -35,7 +35,7 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
     change.personGone = personNear(finding, *correction.position);
   } else if (correction.position &&
              peopleSettings(parameters).area.contains(*correction.position)) {
-    change.newPerson = middleOfBody(*correction.position, parameters);
+    change.newPerson = bodyCenter(*correction.position, parameters);
   } else if (correction.position) {
     refusals.push_back({ErrorCode::BadValue, "", "place of a person",
                         fmt::format("{:.2f}, {:.2f} m lies outside the watched floor",

@@ -47,9 +47,7 @@ public:
   void forgetFrom(std::int64_t frame);
   /// Forgets all copies: they are of another method.
   void forgetCopies();
-  /// What is believed from now on has nothing to do with what was believed before: the moments of
-  /// this frame and of later ones, once they are recorded, do not continue the tails of earlier
-  /// ones.
+  /// Starts new tails at this frame: estimates from here on do not continue those before.
   void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
   /// Forgets what came before this frame (its images are gone).
   void forgetBefore(std::int64_t frame);
@@ -63,7 +61,7 @@ public:
   }
   /// The first one after this frame; null when there is none.
   const TrackedFrame* after(std::int64_t frame) const;
-  /// Places in a tail, at most.
+  /// The most positions in a tail.
   static constexpr std::size_t kTailLength = 256;
   /// The tailPosition() of a target up to and with the frame `end`, of the tail that `frame`
   /// (`end`, or the next one, which is not recorded yet) belongs to: the last kTailLength of them,

@@ -18,8 +18,8 @@ enum class CameraMotionStage {
   Back        ///< it stands again as it was calibrated
 };
 
-/// A pose that is not known then will hardly be (it is looked for about once a second); seconds of
-/// the run.
+/// Seconds of the run after which a pose that is still unknown will hardly be found; it is searched
+/// for about once a second.
 inline constexpr double kCameraMotionPatience = 3.0;
 
 /// `now`: seconds of the run.

@@ -33,11 +33,11 @@ public:
   /// After the iterations of a frame.
   void watch(const FrameSet& frames, const std::vector<Target>& targets,
              const std::vector<SphereEstimate>& estimates);
-  /// While a calibration board is shown to live cameras nothing is watched: a board that fills an
-  /// image and is waved looks just like a scene before which the camera turns, and so does one that
-  /// was there when the reference was taken. Afterwards, as soon as the board has been put down,
-  /// the cameras that are not reported stand as they are calibrated, and their images are the
-  /// reference.
+  /// While a calibration board is shown to live cameras nothing is watched: the image of a moving
+  /// board that fills it is like that of a scene before a rotating camera, and so is that of a
+  /// board that was there when the reference was taken. Afterwards, as soon as the board has been
+  /// put down, the cameras that are not reported stand as they are calibrated, and their images are
+  /// the reference.
   void setResting(bool resting);
   const std::vector<CameraMotionReport>& reports() const { return reports_; }
   /// One for each report: which camera, by how much, when.

@@ -16,8 +16,8 @@ enum class HoldState {
   Searching,
   Lost,
   Missing,
-  Learning, ///< the empty room, before people are looked for
-  Nobody,   ///< people are looked for, and nobody is there
+  Learning, ///< the background images, before people are searched for
+  Nobody,   ///< people are searched for, and nobody is there
   Gone,     ///< a person who has left, or is not there yet
 };
 

@@ -163,12 +163,12 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
 
 void TrackingRun::apply(const RunChange& change) {
   std::visit(Overloaded{[this](const DefinitionChange& other) { apply(other.after); },
-                        [this](const PeopleChange& people) { place(people); },
+                        [this](const PeopleChange& people) { applyCorrection(people); },
                         [this](const PositionCorrection& position) { correct(position); }},
              change);
 }
 
-void TrackingRun::place(const PeopleChange& people) {
+void TrackingRun::applyCorrection(const PeopleChange& people) {
   auto* const placing = tracking::capability<PersonPlacing>(*tracker_);
   if (people.newPerson && placing != nullptr) {
     placing->addPerson(*people.newPerson);

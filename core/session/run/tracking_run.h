@@ -125,7 +125,7 @@ public:
 private:
   /// The common part of both kinds of tracked frames.
   TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
-  void place(const PeopleChange& people);
+  void applyCorrection(const PeopleChange& people);
   void correctPeople();
   /// Nothing unless the method can, and has this target.
   void correct(const PositionCorrection& correction);

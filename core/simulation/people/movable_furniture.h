@@ -20,7 +20,7 @@ struct FurniturePosition {
 /// A piece of furniture that people move. It is drawn with them, not with the room at rest, so that
 /// what was behind it comes to light.
 struct MovableFurniture {
-  /// Its parts around the point of the floor below its middle, x forward and z up, meters.
+  /// Its parts around the point of the floor below its center, x forward and z up, meters.
   std::vector<BodyPart> parts;
   /// In the order of times, at least one: it stands at the first before its time and at the last
   /// after its, and glides from one to the next in between.

@@ -16,7 +16,7 @@
 namespace dewpoint::simulation {
 
 /// Four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m high,
-/// looking at its middle.
+/// looking at its center.
 CameraRig officeRig();
 
 /// People in the simulated office: shadows, furniture that hides them in part, clothes that may

@@ -16,7 +16,7 @@ using PeopleAt = std::function<std::vector<std::vector<BodyPart>>(double time)>;
 
 /// A part of the time for which a shutter is open.
 struct ExposureStep {
-  double time = 0.0;         ///< its middle, seconds from the frame's time
+  double time = 0.0;         ///< its center, seconds from the frame's time
   std::vector<float> shares; ///< of each row's exposure that falls into it; over all steps: 1
 };
 

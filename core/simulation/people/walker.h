@@ -55,7 +55,7 @@ struct Walker {
   double until = std::numeric_limits<double>::infinity(); ///< and before this one
 
   bool presentAt(double time) const { return time >= from && time < until; }
-  /// The point of the floor below the middle of the body: the way with its corners rounded off.
+  /// The point of the floor below the center of the body: the way with its corners rounded off.
   Eigen::Vector2d position(double time) const;
   /// How high the top of the head is above the floor, meters: `height` for somebody who stands.
   double top(double time) const;

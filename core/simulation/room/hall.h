@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// Furnishing::Hall: a living room, its middle free.
+/// Furnishing::Hall: a living room with a free center.
 void furnishHall(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -30,9 +30,9 @@ struct FurtherLamp {
 /// walls, desk and bodies alike.
 struct MovingShadow {
   Vector3f direction = Vector3f::UnitX(); ///< it moves along; unit vector, world, horizontal
-  double start = 0.0;                     ///< of the band's middle along `direction` at time 0, m
+  double start = 0.0;                     ///< of the band's center along `direction` at time 0, m
   double speed = 0.2;                     ///< m/s
-  float halfWidth = 0.1F;                 ///< meters, to the middle of its border
+  float halfWidth = 0.1F;                 ///< meters, to the center of its border
   float edge = 0.03F;                     ///< half width of its soft border, meters; chosen
   float depth = 0.0F;                     ///< share of the lamp that it takes, 0 to 1
 };

@@ -17,7 +17,7 @@ namespace dewpoint::simulation {
 inline constexpr float kHallHalf = 2.25F;
 /// Half the sides of the office, around the origin.
 inline constexpr float kOfficeHalf = 3.5F;
-/// Half the sides of the room with the desk, and world x and y of its middle.
+/// Half the sides of the room with the desk, and world x and y of its center.
 inline constexpr float kDeskRoomHalf = 1.9F;
 inline constexpr float kDeskRoomMiddle = 0.4F;
 /// Of the desk's top, world z = 0, above the floor; within 0.72 to 0.76 m, as desks usually are.

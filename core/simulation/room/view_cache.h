@@ -11,7 +11,7 @@
 namespace dewpoint::simulation {
 
 /// The views of cameras on rooms at rest, each rendered once: many seeds of a scenario share one
-/// background. May be asked by several threads; a view is not changed once it is there.
+/// background. May be used by several threads; a view does not change once it exists.
 class ViewCache {
 public:
   std::shared_ptr<const CameraView> view(const Camera& camera, Furnishing furnishing);

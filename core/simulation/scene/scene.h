@@ -22,7 +22,7 @@ enum class Motion {
   Jump,   ///< stays, then is somewhere else from one frame to the next, once per period
 };
 
-/// The middle of what is seen at the desk, where all its cameras look: world, meters. Chosen: half
+/// The center of the volume at the desk, which all its cameras look at: world, meters. Chosen: half
 /// a meter before both cameras of demoRig().
 inline const Eigen::Vector3d kDeskMiddle{0.5, 0.5, 0.15};
 
@@ -35,7 +35,7 @@ struct SceneBall {
   double radius = kUsualBallRadius;        ///< meters
   Eigen::Vector3d color = kUsualBallColor; ///< BGR in full light, [0, 255]
   Motion motion = Motion::Smooth;
-  Eigen::Vector3d position = kDeskMiddle;   ///< where it starts, and the middle of its path; meters
+  Eigen::Vector3d position = kDeskMiddle;   ///< where it starts, and the center of its path; meters
   Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; meters
   double period = 6.0;                      ///< seconds per smooth round, or between two jumps
   double stillSeconds = 0.0;                ///< it rests this long before it starts to move

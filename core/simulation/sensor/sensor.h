@@ -25,7 +25,7 @@ cv::Mat sharpened(const cv::Mat& image, const Sharpening& sharpening);
 cv::Mat throughJpeg(const cv::Mat& image, int quality);
 
 /// Gains over the image (CV_32FC3): light that falls off towards the corners by `vignette` and
-/// changes linearly by `right` and `down` from the middle to the borders.
+/// changes linearly by `right` and `down` from the center to the borders.
 cv::Mat unevenLight(cv::Size size, double vignette, double right, double down);
 
 } // namespace dewpoint::simulation

@@ -7,7 +7,7 @@
 
 namespace dewpoint::simulation {
 
-/// When the rows of an image collect light. The time of a frame is that of the image's middle.
+/// When the rows of an image collect light. The time of a frame is that of the image's middle row.
 struct Shutter {
   double exposureSeconds = kUsualExposure; ///< each row's, centered on the row's time
   double readoutSeconds = 0.0; ///< from the first row's time to the last row's; 0: global shutter
@@ -20,7 +20,7 @@ double rowTime(const Shutter& shutter, int row, int rows);
 struct RowBand {
   int begin = 0;
   int end = 0;
-  double time = 0.0; ///< of their middle, seconds from the frame's time
+  double time = 0.0; ///< of their middle row, seconds from the frame's time
 };
 
 /// The bands of an image of `rows` rows, from top to bottom; one for a global shutter.

@@ -25,13 +25,13 @@ enum class TargetsFrom {
 
 /// The tables that are written of a run.
 enum class RunTables {
-  Trajectory, ///< places in the room
+  Trajectory, ///< positions in the room
   Boxes,      ///< boxes in images
-  People      ///< places in the room, and the bodies of people
+  People      ///< positions in the room, and the bodies of people
 };
 
-/// What the methods of a kind answer before any of them runs. Each answer is for itself: a new kind
-/// of methods gives its own, and nobody who asks for one need know of it.
+/// The properties of a kind of methods, known before any of them runs. They are independent: a new
+/// kind has values of its own, and code that reads one of them need not know the kind.
 struct MethodFamily {
   TargetsFrom targets = TargetsFrom::Color;
   /// Says where things are in the room; else in the images of one camera, about which nothing need

@@ -33,10 +33,10 @@ void MohedanoTracker::configure(const ParameterValues& parameters) {
   PeopleTrackLifecycle::configure(parameters);
 }
 
-Eigen::Vector2d MohedanoTracker::colorAt(const Eigen::Vector3d& place, double pick) const {
+Eigen::Vector2d MohedanoTracker::colorAt(const Eigen::Vector3d& position, double pick) const {
   std::vector<Eigen::Vector2d> seen;
   for (std::size_t k = 0; k < cameras().count(); ++k) {
-    const auto pixel = cameras().projector(k).project(place);
+    const auto pixel = cameras().projector(k).project(position);
     cv::Point at;
     if (pixel && cameras().usable(k) &&
         nearestPixel(pixel->x(), pixel->y(), cameras().mask(k), at) &&

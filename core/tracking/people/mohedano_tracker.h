@@ -37,8 +37,9 @@ private:
     return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};
   }
 
-  /// Hue and saturation that some camera with motion there sees at a place; chosen by `pick`.
-  Eigen::Vector2d colorAt(const Eigen::Vector3d& place, double pick) const;
+  /// Hue and saturation at a position, in one of the cameras with motion there; `pick`, within 0 to
+  /// 1, chooses it.
+  Eigen::Vector2d colorAt(const Eigen::Vector3d& position, double pick) const;
   PersonObservation observation() const;
   void describe(const StateEstimate& estimate, const Belief& belief, PersonEstimate& person) const;
 

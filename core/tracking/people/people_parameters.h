@@ -17,8 +17,8 @@ struct PeopleArea {
   Eigen::Vector2d half{3.5, 3.5};
   double floor = 0.0; ///< its z
 
-  bool contains(const Eigen::Vector2d& place) const {
-    return ((place - center).cwiseAbs() - half).maxCoeff() <= 0.0;
+  bool contains(const Eigen::Vector2d& position) const {
+    return ((position - center).cwiseAbs() - half).maxCoeff() <= 0.0;
   }
 };
 

@@ -11,9 +11,10 @@
 
 namespace dewpoint::tracking {
 
-/// Method `people`, the project's own: one particle filter per person over place and velocity on
-/// the floor and height, weighed by how a standing body fits the masks of all cameras; what others
-/// cover is theirs, two people cannot stand in one place, clothes tell people apart who met.
+/// Method `people`, the project's own: one particle filter per person over position and velocity on
+/// the floor and height, weighted by how well a standing body fits the masks of all cameras. Pixels
+/// that others cover are theirs, two people cannot stand at one position, and clothes distinguish
+/// people who have met.
 class PeopleParticleTracker final : public PeopleTrackLifecycle {
 public:
   PeopleParticleTracker(const ParameterValues& parameters, const CameraRig& rig);
@@ -28,8 +29,8 @@ private:
     ParticleFilter filter;
     ClothesModel clothes;
   };
-  /// Two people who are, or were, near each other: what their clothes say of them being mistaken
-  /// for each other, and when that was last.
+  /// Two people who are, or were, near each other: the evidence of their clothes about an exchange
+  /// of identities, and the time since they were near.
   struct Meeting {
     double evidence = 0.0;
     double sinceNear = 0.0;

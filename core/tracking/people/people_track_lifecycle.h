@@ -117,7 +117,7 @@ private:
   FrameSetPtr frames_;
   bool stepped_ = false; ///< on this frame
   std::vector<Target> everybody_;
-  mutable std::map<int, BodyCloud> bodies_; ///< of this frame, those that were asked for
+  mutable std::map<int, BodyCloud> bodies_; ///< of this frame, those that were requested
 };
 
 } // namespace dewpoint::tracking

@@ -67,12 +67,12 @@ std::optional<double> besideMiddle(const BodySilhouette& silhouette, const Eigen
   return silhouette.visible && beside <= 1.0 ? std::optional(beside) : std::nullopt;
 }
 
-double scoreOf(const std::vector<View>& views, const Eigen::Vector2d& place, double floor,
+double scoreOf(const std::vector<View>& views, const Eigen::Vector2d& position, double floor,
                double height) {
   double sum = 0.0;
   for (const View& view : views) {
     if (!view.scores.sums.empty()) {
-      sum += bodyScore(view.scores, shrunk(view.maker.of(place, floor, height), view.scale),
+      sum += bodyScore(view.scores, shrunk(view.maker.of(position, floor, height), view.scale),
                        kPieceFloor);
     }
   }
@@ -81,8 +81,8 @@ double scoreOf(const std::vector<View>& views, const Eigen::Vector2d& place, dou
 
 } // namespace
 
-Eigen::Vector3d middleOfBody(const Eigen::Vector2d& place, const ParameterValues& parameters) {
-  return {place.x(), place.y(), parameters.at("floor_z") + 0.5 * heightIn(parameters)};
+Eigen::Vector3d bodyCenter(const Eigen::Vector2d& position, const ParameterValues& parameters) {
+  return {position.x(), position.y(), parameters.at("floor_z") + 0.5 * heightIn(parameters)};
 }
 
 std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const CameraRig& rig,
@@ -103,19 +103,20 @@ std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const 
   std::optional<Eigen::Vector2d> found;
   for (double x = -area.half.x(); x <= area.half.x(); x += step) {
     for (double y = -area.half.y(); y <= area.half.y(); y += step) {
-      const Eigen::Vector2d place = area.center + Eigen::Vector2d(x, y);
-      const auto beside = besideMiddle(views[clicked].maker.of(place, area.floor, height), pixel);
+      const Eigen::Vector2d position = area.center + Eigen::Vector2d(x, y);
+      const auto beside =
+          besideMiddle(views[clicked].maker.of(position, area.floor, height), pixel);
       if (!beside) {
         continue;
       }
-      const double score = scoreOf(views, place, area.floor, height) - kBesideCost * *beside;
+      const double score = scoreOf(views, position, area.floor, height) - kBesideCost * *beside;
       if (score > best) {
         best = score;
-        found = place;
+        found = position;
       }
     }
   }
-  return found ? std::optional(middleOfBody(*found, parameters)) : std::nullopt;
+  return found ? std::optional(bodyCenter(*found, parameters)) : std::nullopt;
 }
 
 } // namespace dewpoint::tracking

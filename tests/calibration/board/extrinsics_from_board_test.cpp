@@ -34,7 +34,7 @@ Eigen::Isometry3d boardInRoom(const BoardDescription& board, std::uint32_t numbe
                      Eigen::AngleAxisd(2.0 * v[2] - 1.0, Eigen::Vector3d::UnitZ()))
                         .toRotationMatrix();
     pose.translation() = Eigen::Vector3d(0.6 * u[0] - 0.3, 0.5 * u[1] - 0.25, 0.5 * u[2]) -
-                         pose.linear() * board.middle();
+                         pose.linear() * board.center();
   }
   return pose;
 }

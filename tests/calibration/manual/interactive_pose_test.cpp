@@ -256,7 +256,7 @@ TEST(Conversions, AGridSuitsItsRig) {
   EXPECT_TRUE(checkGrid(grid));
   // 5.7 m away: half a meter from line to line, around (1, 2).
   EXPECT_EQ(grid.step, 0.5);
-  EXPECT_LT((grid.middle() - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-9);
+  EXPECT_LT((grid.center() - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-9);
   EXPECT_EQ(gridFor({}), ReferenceGrid());
 }
 

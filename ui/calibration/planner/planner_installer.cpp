@@ -91,7 +91,7 @@ void PlannerInstaller::showHandles() {
   for (std::size_t k = 0; hand_.isActive() && k < rig.size(); ++k) {
     const Camera& camera = rig[k];
     // As far away as what they look at: mostly within the picture.
-    const double distance = (hand_.grid().middle() - camera.center()).norm();
+    const double distance = (hand_.grid().center() - camera.center()).norm();
     handles.push_back({camera.center(), camera.center() + distance * camera.opticalAxis()});
   }
   const int chosen = plan_->chosen();
