@@ -102,7 +102,7 @@ public:
   Status start(const cv::Mat& bgr, const ImageBox& box) override {
     window_ = wholePixels(box) & cv::Rect({0, 0}, bgr.size());
     try {
-      look(bgr);
+      convert(bgr);
       const cv::Mat part = hsv_(window_);
       const cv::Mat mask = colored_(window_);
       cv::calcHist(&part, 1, &kChannel, mask, hues_, 1, &kHues, &range_);
@@ -115,7 +115,7 @@ public:
 
   std::optional<ImageBox> step(const cv::Mat& bgr) override {
     try {
-      look(bgr);
+      convert(bgr);
       cv::Mat probability;
       cv::calcBackProject(&hsv_, 1, &kChannel, hues_, probability, &range_);
       probability &= colored_;
@@ -135,7 +135,7 @@ private:
   static constexpr int kHues = 16;   ///< bins, as in OpenCV's example of CAMShift
   static constexpr float kRange[] = {0.0F, 180.0F};
 
-  void look(const cv::Mat& bgr) {
+  void convert(const cv::Mat& bgr) {
     cv::cvtColor(bgr, hsv_, cv::COLOR_BGR2HSV);
     cv::inRange(hsv_, cv::Scalar(0, 30, 10), cv::Scalar(180, 256, 256), colored_);
   }

@@ -61,7 +61,7 @@ void ClothesModel::learn(const cv::Mat& image, const cv::Mat& mask,
   });
 }
 
-void ClothesModel::finishLook() {
+void ClothesModel::finishFrame() {
   bool learned = false;
   for (std::size_t part = 0; part < 2; ++part) {
     float sum = 0.0F;

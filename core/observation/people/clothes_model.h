@@ -28,7 +28,7 @@ public:
   void learn(const cv::Mat& image, const cv::Mat& mask, const BodySilhouette& silhouette,
              const cv::Mat& covered);
   /// Ends a frame: the images learned from since the last call count as one update.
-  void finishLook();
+  void finishFrame();
   bool known() const { return updateCount_ >= kEnoughUpdates; }
   /// This person against another.
   ClothesRatio against(const ClothesModel& other) const;

@@ -233,7 +233,7 @@ void PeopleParticleTracker::learnClothes() {
                                        silhouette(people_[person], k), coveredByOthers(person, k));
       }
     }
-    beliefs_[person].clothes.finishLook();
+    beliefs_[person].clothes.finishFrame();
   }
 }
 

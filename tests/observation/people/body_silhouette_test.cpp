@@ -90,9 +90,9 @@ TEST(ClothesModel, TellsColorsApart) {
   EXPECT_FALSE(one.known());
   for (int look = 0; look < 5; ++look) {
     one.learn(blue, mask, silhouette, cv::Mat());
-    one.finishLook();
+    one.finishFrame();
     other.learn(red, mask, silhouette, cv::Mat());
-    other.finishLook();
+    other.finishFrame();
   }
   ASSERT_TRUE(one.known());
   const ClothesRatio ratio = one.against(other);
