@@ -113,6 +113,7 @@ const Names& windowHeaders() {
   static const Names kHeaders = {"core/calibration/board/board.h",
                                  "core/calibration/board/board_edit.h",
                                  "core/calibration/board/board_print.h",
+                                 "core/calibration/formats/format_catalog.h",
                                  "core/calibration/planning/camera_placement.h",
                                  "core/calibration/manual/click_aids.h",
                                  "core/calibration/manual/interactive_pose.h",
@@ -140,6 +141,7 @@ const Names& windowHeaders() {
                                  "core/trajectory/motion_csv.h",
                                  "core/trajectory/trajectory_figure.h",
                                  "core/trajectory/trajectory_export.h",
+                                 "core/trajectory/export_catalog.h",
                                  "core/trajectory/export_table.h"};
   return kHeaders;
 }
