@@ -115,7 +115,8 @@ QString ParameterRow::tooltip() const {
     return QCoreApplication::translate(
                "ParameterRow", "%1\nFrom %2 to %3%4; what the cameras see unless you change it.")
         .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
-             plain(declaration_.minimum), plain(declaration_.maximum), unitSuffix(declaration_));
+             declaredText(declaration_.minimum), declaredText(declaration_.maximum),
+             unitSuffix(declaration_));
   }
   return QCoreApplication::translate("ParameterRow", "%1\nFrom %2 to %3%4; default %5%4.")
       .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
