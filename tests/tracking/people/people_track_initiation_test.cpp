@@ -38,7 +38,7 @@ protected:
       frames.frames[camera] = nullptr;
     }
     cameras_.begin(frames, {}, team_);
-    return births_.look(cameras_, explained_, taken, kBirthTime);
+    return births_.update(cameras_, explained_, taken, kBirthTime);
   }
   /// After how many frames with these people, the next one is 1, the first is born.
   std::optional<int> framesToBirth(const Places& people, const Places& taken = {},

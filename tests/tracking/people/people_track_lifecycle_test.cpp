@@ -28,10 +28,10 @@ public:
   std::vector<std::size_t> goneOnes; ///< indices, at the time they went
 
 protected:
-  void born(const PersonEstimate& person, const RandomKey&) override {
+  void createBelief(const PersonEstimate& person, const RandomKey&) override {
     bornOnes.push_back(person.identity);
   }
-  void gone(std::size_t index) override { goneOnes.push_back(index); }
+  void removeBelief(std::size_t index) override { goneOnes.push_back(index); }
   void forgetAll() override {
     bornOnes.clear();
     goneOnes.clear();
