@@ -211,15 +211,25 @@ private Q_SLOTS:
     QVERIFY(blob(picture, expected, 0.03 / scene.metersPerPixel()).count > 20);
   }
 
-  void aRigThatWasCalibratedAnewIsSeenAsIfItWereNew() {
-    // The same cameras in a room of a tenth of the size: what an import makes of a guess.
-    const auto small = ballSnapshot(0.1 * kBall);
-    CameraRig rig = *small->rig;
-    for (Camera& camera : rig) {
-      camera.cameraFromWorld.translation() *= 0.1;
+  void aRigThatWasCalibratedAgainIsSeenAsIfItWereNew_data() {
+    QTest::addColumn<bool>("firstCameraStays");
+    QTest::newRow("all cameras move") << false;
+    QTest::newRow("the first camera stays") << true; // a board calibration without a floor
+  }
+  void aRigThatWasCalibratedAgainIsSeenAsIfItWereNew() {
+    // The same cameras in a room of a tenth of the size: what calibration makes of a guess.
+    QFETCH(bool, firstCameraStays);
+    const auto guessed = ballSnapshot();
+    guessed->targets.clear();
+    const auto small = std::make_shared<TrackSnapshot>(*guessed);
+    CameraRig rig = *guessed->rig;
+    const Eigen::Vector3d fixed =
+        firstCameraStays ? rig.front().center() : Eigen::Vector3d(Eigen::Vector3d::Zero());
+    for (std::size_t k = firstCameraStays ? 1 : 0; k < rig.size(); ++k) {
+      const Eigen::Vector3d center = fixed + 0.1 * (rig[k].center() - fixed);
+      rig[k].cameraFromWorld.translation() = -(rig[k].cameraFromWorld.linear() * center);
     }
     small->rig = std::make_shared<CameraRig>(rig);
-    small->targets.clear();
     view_->setSnapshot(small);
     view_->currentPicture();
     const double expected = view_->scene().metersPerPixel();
@@ -228,8 +238,6 @@ private Q_SLOTS:
     view_->resize(640, 480);
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
-    const auto guessed = ballSnapshot();
-    guessed->targets.clear();
     view_->setSnapshot(guessed);
     view_->currentPicture();
     QVERIFY(view_->scene().metersPerPixel() > 5.0 * expected);

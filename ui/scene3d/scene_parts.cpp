@@ -68,25 +68,22 @@ Eigen::AlignedBox3d boxOf(const CameraRig& rig) {
   return box;
 }
 
-/// Whether a rig is the one before with some cameras moved, and not calibrated anew as a whole. All
-/// cameras move at once also when there is only one, or when the world is shifted a little: then
-/// the room stays of about the same size and place.
-bool areAdjusted(const CameraRig& before, const CameraRig& now,
-                 const Eigen::AlignedBox3d& boxBefore, const Eigen::AlignedBox3d& boxNow) {
-  if (before.empty() || !std::ranges::equal(before, now, {}, &Camera::name, &Camera::name)) {
+/// Whether a rig is the one before with one camera adjusted, about as large as it was and at about
+/// the same position. Of a rig that is calibrated as a whole, single cameras may keep their poses,
+/// too: without a floor, the first one does (setup::BoardCalibrationRequest::worldFrame).
+bool isAdjusted(const CameraRig& before, const CameraRig& now, const Eigen::AlignedBox3d& boxBefore,
+                const Eigen::AlignedBox3d& boxNow) {
+  if (before.empty() || !std::ranges::equal(before, now, {}, &Camera::name, &Camera::name) ||
+      boxBefore.isEmpty() || boxNow.isEmpty()) {
     return false;
   }
+  std::size_t unchanged = 0;
   for (std::size_t k = 0; k < now.size(); ++k) {
-    if (now[k].cameraFromWorld.isApprox(before[k].cameraFromWorld)) {
-      return true;
-    }
-  }
-  if (boxBefore.isEmpty() || boxNow.isEmpty()) {
-    return false;
+    unchanged += now[k].cameraFromWorld.isApprox(before[k].cameraFromWorld) ? 1 : 0;
   }
   const double sizeBefore = boxBefore.diagonal().norm();
   const double sizeNow = boxNow.diagonal().norm();
-  return sizeNow < 1.5 * sizeBefore && sizeBefore < 1.5 * sizeNow &&
+  return unchanged + 1 >= now.size() && sizeNow < 1.5 * sizeBefore && sizeBefore < 1.5 * sizeNow &&
          (boxNow.center() - boxBefore.center()).norm() < 0.5 * sizeBefore;
 }
 
@@ -117,9 +114,8 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const CameraRig& cameras = shown ? *shown : none;
   const Eigen::AlignedBox3d boxBefore = rigBox;
   rigBox = boxOf(cameras);
-  // Cameras that are adjusted: the picture holds still unless one leaves it.
-  const bool adjusted = areAdjusted(before, cameras, boxBefore, rigBox);
-  content = adjusted ? content.merged(rigBox) : rigBox;
+  // While one camera is adjusted, the picture holds still unless that camera leaves it.
+  content = isAdjusted(before, cameras, boxBefore, rigBox) ? content.merged(rigBox) : rigBox;
   rig = shown;
   frusta.show(cameras, frustumLength());
   frusta.setPalette(palette());
