@@ -11,12 +11,18 @@
 
 namespace dewpoint::app {
 
+namespace {
+
+constexpr const char* kOfficeMethod = "people";
+
+} // namespace
+
 Project projectOfOffice() {
   const OfficeScene scene = officeDay();
   Project project;
   project.name = kOfficeScene;
   project.scene = kOfficeScene;
-  project.method = methodNames(TargetsFrom::Images).front();
+  project.method = kOfficeMethod;
   project.parameters = ParameterValues(methodParameters(project.method));
   project.framesPerSecond = scene.framesPerSecond;
   for (const Camera& camera : scene.cameras) {

@@ -163,18 +163,12 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
 }
 
 std::int64_t RunDriver::beginOf(const command::SetMethod& method, std::int64_t from) const {
-  // Another kind of methods follows other things; of the same kind both can do what one can.
-  const bool isOther = methodFamily(method.method).targets != run().definition()->family().targets;
-  // People need the background learned at the beginning.
-  if (isOther || run().capability<PeopleFinding>() != nullptr) {
-    return travel().nearest(0).value_or(from);
-  }
-  if (run().capability<BoxFollowing>() != nullptr) {
-    for (const Target& target : run().targets()) { // they begin at their boxes
-      from = target.box ? std::min(from, travel().nearest(target.box->frame).value_or(from)) : from;
-    }
-  }
-  return from;
+  // Of the same targets, both methods can do what one can; others are tracked from the beginning.
+  const MethodFamily family = run().definition()->family();
+  const std::int64_t begin = family.tracksSameTargetsAs(methodFamily(method.method))
+                                 ? family.beginFor(run().targets(), from)
+                                 : 0;
+  return travel().nearest(begin).value_or(from);
 }
 
 void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool thenView) {
@@ -250,7 +244,7 @@ void RunDriver::setMethod(const command::SetMethod& request) {
 void RunDriver::setTargets(const std::vector<Target>& targets) {
   RunDefinition wanted = definition();
   wanted.targets = targets;
-  if (run().capability<BoxFollowing>() != nullptr) {
+  if (run().definition()->family().tracksAgainOnEdit) {
     changeBoxes(std::move(wanted));
     return;
   }
@@ -330,7 +324,7 @@ std::vector<Correction> RunDriver::takeCorrections(std::vector<Correction> RunDe
 
 void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
   const auto ofHead =
-      takeCorrections(&RunDefinition::people, people, run().capability<PersonPlacing>() != nullptr);
+      takeCorrections(&RunDefinition::people, people, run().definition()->family().findsTargets());
   for (const PersonCorrection& correction : ofHead) { // the head needs no tracking again
     kept_.change(run().changeBy(correction));
   }
@@ -341,8 +335,8 @@ void RunDriver::setPeople(const std::vector<PersonCorrection>& people) {
 }
 
 void RunDriver::setCorrections(const std::vector<PositionCorrection>& corrections) {
-  const auto ofHead = takeCorrections(&RunDefinition::corrections, corrections,
-                                      run().capability<PositionCorrecting>() != nullptr);
+  const auto ofHead =
+      takeCorrections(&RunDefinition::corrections, corrections, run().takesCorrections());
   for (const PositionCorrection& correction : ofHead) {
     kept_.change(correction);
   }
@@ -376,7 +370,7 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
 
 void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   snapshot.rig = definition().rig;
-  snapshot.targetsFrom = definition().family().targets;
+  snapshot.family = definition().family();
   snapshot.emptyRooms = definition().emptyRooms;
   snapshot.seed = definition().seed;
   if (kept_.exists()) {

@@ -112,7 +112,7 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
   log_.append(run.samples());
   log_.append(run.boxSamples());
   log_.append(frameRecord(trackedFrame, *run.frames()));
-  if (run.capability<PeopleFinding>() != nullptr && !trackedFrame.targets.empty()) {
+  if (run.definition()->family().writesBodies() && !trackedFrame.targets.empty()) {
     log_.append(peopleFrame(trackedFrame));
   }
 }

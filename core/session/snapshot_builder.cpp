@@ -40,16 +40,16 @@ TargetSnapshot absent(const Target& target) {
   return shown;
 }
 
-/// Targets of the run that are not in the moment shown. Nothing is believed of them then, but they
-/// are known; people are not there yet.
+/// Targets of the run that are not in the frame shown. Nothing is believed of them then, but they
+/// are known; those that are found are not there yet.
 void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
-  const bool ofPeople = run.capability<PeopleFinding>() != nullptr;
-  if (snapshot.tracked && !ofPeople) {
+  const bool areFound = run.definition()->family().findsTargets();
+  if (snapshot.tracked && !areFound) {
     return;
   }
   for (std::size_t k = snapshot.targets.size(); k < run.targets().size(); ++k) {
     const Target& target = run.targets()[k];
-    if (ofPeople) {
+    if (areFound) {
       snapshot.targets.push_back(absent(target));
     } else {
       snapshot.targets.emplace_back().target = target;
@@ -177,7 +177,7 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
     }
   }
   addOthers(run, snapshot);
-  if (run.capability<BoxFollowing>() != nullptr) {
+  if (run.definition()->family().tracksAgainOnEdit) {
     showPresentBoxes(run, snapshot);
   }
 }
@@ -192,13 +192,14 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
   if (!snapshot.preview) {
     addHistograms(run, snapshot);
   }
-  if (run.capability<PeopleFinding>() == nullptr) { // of whom nobody knows which true one it is
+  // Of targets that were found nobody knows which true ones they are.
+  if (!run.definition()->family().findsTargets()) {
     for (TargetSnapshot& target : snapshot.targets) {
       target.truth = truth_.at(target.target.name, snapshot.frame);
     }
   }
   // A target without a color has no mask.
-  if (options_.masks && !snapshot.preview && snapshot.targetsFrom == TargetsFrom::Color) {
+  if (options_.masks && !snapshot.preview && snapshot.family.masksColors()) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
@@ -237,7 +238,7 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
 }
 
 bool SnapshotBuilder::wantsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
-  return run.capability<PeopleFinding>() != nullptr // whose motion is seen without tracking
+  return run.definition()->family().masksMotion
              ? (options_.masks || options_.maps) && snapshot.frames != nullptr
              : options_.maps && snapshot.tracked;
 }

@@ -73,6 +73,38 @@ TEST(Architecture, OwnHeadersAreIncludedByTheirFullPath) {
   }
 }
 
+// A new kind of methods is to be added in the catalog and in few other places.
+TEST(Architecture, FewPlacesAskOfWhichKindAMethodIs) {
+  constexpr int kMost = 9;
+  int questions = 0;
+  std::string places;
+  for (const fs::path& file : sourceFiles()) {
+    const std::string path = fs::relative(file, DEWPOINT_SOURCE_DIR).generic_string();
+    const bool counts =
+        path.starts_with("core/") || path.starts_with("ui/") || path.starts_with("app/");
+    if (counts && !path.starts_with("core/tracking/catalog/")) {
+      const int found = kindQuestions(contents(file));
+      questions += found;
+      places += found > 0 ? "\n  " + path + ": " + std::to_string(found) : "";
+    }
+  }
+  EXPECT_LE(questions, kMost) << "let MethodFamily answer what is to be known:" << places;
+  EXPECT_GT(questions, 0);
+}
+
+TEST(SourceRules, CountsQuestionsForTheKindOfAMethod) {
+  EXPECT_EQ(kindQuestions("  if (family.tables == RunTables::Boxes) {\n"), 1);
+  EXPECT_EQ(kindQuestions("f(TargetsFrom::Box, TargetsFrom::Color);\n"), 2);
+  EXPECT_EQ(kindQuestions("  // as RunTables::Boxes\n"), 0);
+  EXPECT_EQ(kindQuestions("  switch (family.tables) {\n  case RunTables::Boxes:\n    break;\n"
+                          "  case RunTables::People:\n    break;\n"),
+            1);
+  EXPECT_EQ(kindQuestions("  if (run.capability<Copying>() == nullptr) {\n"), 1);
+  EXPECT_EQ(kindQuestions("  const auto* const copying = run.capability<Copying>();\n"
+                          "  if (copying != nullptr) {\n"),
+            0);
+}
+
 // Dividing a class over files would only hide that it has grown; divide what it is responsible for.
 TEST(Architecture, AClassOfTheWindowIsOnePairOfFiles) {
   static const std::regex kClass("(?:^|\\n)(?:class|struct) ([A-Z]\\w*)[^;]*\\{");

@@ -6,6 +6,7 @@
 #include "tests/architecture/room_tables.h"
 
 #include <algorithm>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -209,6 +210,33 @@ std::vector<std::string> includesOf(std::string_view text) {
     }
   }
   return names;
+}
+
+int kindQuestions(std::string_view text) {
+  static const std::regex kKind("\\b(TargetsFrom|RunTables)::[A-Z]");
+  static const std::regex kAbility("capability<\\w+>\\([^()]*\\)\\s*[!=]=\\s*nullptr");
+  const auto count = [](const std::string& code, const std::regex& sought) {
+    return static_cast<int>(
+        std::distance(std::sregex_iterator(code.begin(), code.end(), sought), {}));
+  };
+  int questions = 0;
+  bool isFirstCase = false; // of a switch
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) {
+    const std::string code = line.substr(0, line.find("//"));
+    if (code.find("capability<") != std::string::npos) {
+      questions += count(code, kAbility);
+    }
+    if (code.find("::") != std::string::npos) {
+      const int named = count(code, kKind);
+      const bool isCase = code.find("case ") != std::string::npos;
+      questions += isCase ? std::min(named, isFirstCase ? 1 : 0) : named;
+    }
+    if (code.find_first_not_of(' ') != std::string::npos) {
+      isFirstCase = code.find("switch (") != std::string::npos;
+    }
+  }
+  return questions;
 }
 
 std::set<std::string> classesDefinedIn(std::string_view text) {

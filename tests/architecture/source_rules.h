@@ -21,6 +21,11 @@ std::vector<std::string> includesOf(std::string_view text);
 /// each; empty when it is fine. `path` is relative to the repository, such as "core/base/time.h".
 std::vector<std::string> violations(const std::string& path, std::string_view text);
 
+/// How often a source file asks of which kind a method is (docs/architecture.md, "Methods"): names
+/// a value of TargetsFrom or RunTables, where a `switch` over them counts once, or asks for an
+/// ability only to know whether it is there. Comments do not count.
+int kindQuestions(std::string_view text);
+
 /// The classes of which a source file defines member functions, each once.
 std::set<std::string> classesDefinedIn(std::string_view text);
 

@@ -54,12 +54,34 @@ TEST(Parameters, EveryMethodBelongsToAFamily) {
     EXPECT_EQ(family.targets, method.family.targets) << method.name;
     EXPECT_EQ(family.needsCalibration, family.targets != TargetsFrom::Box) << method.name;
     EXPECT_NE(family.describe, nullptr) << method.name;
+    EXPECT_TRUE(family.findsTargets() || family.lack != nullptr) << method.name;
+    EXPECT_EQ(family.lacksTargets({}), !family.findsTargets()) << method.name;
     EXPECT_EQ(findMethod(method.name), &method);
   }
   EXPECT_EQ(methodNames(RunTables::Boxes), methodNames(TargetsFrom::Box));
   EXPECT_EQ(methodNames(RunTables::People), methodNames(TargetsFrom::Images));
   EXPECT_EQ(findMethod("nothing"), nullptr);
   EXPECT_TRUE(methodSentence("nothing").empty());
+}
+
+TEST(Parameters, AFamilyAnswersWhatMustBeKnownBeforeARun) {
+  const MethodFamily spheres = methodFamily("barrera");
+  const MethodFamily boxes = methodFamily("histogram");
+  const MethodFamily people = methodFamily("people");
+  Target boxed;
+  boxed.box = TargetBox{.camera = 0, .frame = 7, .box = {}};
+  EXPECT_FALSE(spheres.lacksTargets({Target()}));
+  EXPECT_TRUE(boxes.lacksTargets({Target()}));
+  EXPECT_FALSE(boxes.lacksTargets({Target(), boxed}));
+  EXPECT_EQ(spheres.beginFor({boxed}, 20), 20);
+  EXPECT_EQ(boxes.beginFor({Target(), boxed}, 20), 7);
+  EXPECT_EQ(boxes.beginFor({Target(), boxed}, 5), 5);
+  EXPECT_EQ(people.beginFor({}, 20), 0);
+  EXPECT_TRUE(spheres.tracksSameTargetsAs(methodFamily("dewpoint")));
+  EXPECT_FALSE(spheres.tracksSameTargetsAs(people));
+  EXPECT_TRUE(spheres.masksColors() && spheres.hasBestParticle && spheres.writesPositions());
+  EXPECT_TRUE(boxes.tracksAgainOnEdit && !boxes.writesPositions() && !boxes.hasBestParticle);
+  EXPECT_TRUE(people.masksMotion && people.writesBodies() && people.writesPositions());
 }
 
 TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {

@@ -172,10 +172,10 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   QCOMPARE(window_->document().project().method, std::string("histogram"));
   QCOMPARE(messageText(),
            QStringLiteral("Click the thing or drag a box around it in any camera view."));
-  QVERIFY(waitFor([this] { return window_->shown()->targetsFrom == TargetsFrom::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targets == TargetsFrom::Box; }));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isHidden());
   action("actionUndo")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->targetsFrom != TargetsFrom::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targets != TargetsFrom::Box; }));
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isHidden());
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/document/document.h"
@@ -45,8 +46,9 @@ void CameraDocks::connectActions() {
       view->setMaskShown(shown);
     }
   });
-  bench_.needRun({"actionShowBest"},
-                 [document = &bench_.document] { return document->presentation().marksBest; });
+  bench_.needRun({"actionShowBest"}, [document = &bench_.document] {
+    return document->methodFamily().hasBestParticle;
+  });
   bench_.onToggled("actionShowBest", this, [this](bool shown) {
     for (CameraView* view : views_) {
       view->setBestShown(shown);

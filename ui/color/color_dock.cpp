@@ -6,7 +6,6 @@
 #include "ui/cameraview/camera_docks.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
-#include "ui/document/method_presentation.h"
 #include "ui/panels/inspector_docks.h"
 #include "ui/panels/target_panel.h"
 #include "ui/widgets/message_bar.h"
@@ -57,20 +56,16 @@ void ColorDock::connectActions() {
   connect(&bench_.document, &Document::methodChanged, this, &ColorDock::nameLearning);
 }
 
-bool ColorDock::takesBoxes() const {
-  return bench_.document.presentation().pointing == Pointing::Box;
-}
-
 void ColorDock::nameLearning() {
   bench_.actions.rename(bench_.action("actionLearnColor"),
-                        takesBoxes() ? QT_TRANSLATE_NOOP("Actions", "Take a box")
-                                     : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
+                        panel_->takesBoxes() ? QT_TRANSLATE_NOOP("Actions", "Take a box")
+                                             : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
                         "learn");
 }
 
 void ColorDock::learned(int target, bool isNew) {
   targets_->choose(target);
-  if (takesBoxes()) {
+  if (panel_->takesBoxes()) {
     targetDock_->raise();
     bench_.session.startAfterBox(isNew);
     return;

@@ -25,7 +25,6 @@ private:
   void connectActions();
   void nameLearning();
   void learned(int target, bool isNew);
-  bool takesBoxes() const;
 
   Workbench bench_;
   ViewDock* targetDock_;

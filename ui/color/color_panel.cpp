@@ -3,6 +3,7 @@
 
 #include "core/color/color_histogram.h"
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/box_picker.h"
 #include "ui/color/color_learner.h"
@@ -317,16 +318,11 @@ void ColorPanel::surveyImages() {
 }
 
 bool ColorPanel::takesBoxes() const {
-  return document_.presentation().pointing == Pointing::Box;
+  return document_.presentation().takesBoxes;
 }
 
 bool ColorPanel::mustPoint() const {
-  if (document_.presentation().pointing == Pointing::Nothing) {
-    return false; // they are found by themselves
-  }
-  const auto& targets = document_.project().targets;
-  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
-  return takesBoxes() ? std::ranges::none_of(targets, hasBox) : targets.empty();
+  return document_.methodFamily().lacksTargets(document_.project().targets);
 }
 
 /// Methods for boxes learn all they need from one.

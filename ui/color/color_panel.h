@@ -43,6 +43,8 @@ public:
   /// Whether the panel can be seen: only then colors are judged.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
+  /// Whether a click gives the target a box in place of a color.
+  bool takesBoxes() const;
 
 Q_SIGNALS:
   void pickingChanged(bool picking);
@@ -54,8 +56,6 @@ private:
   void retranslateUi();
   void refresh();
   void connectLearner();
-  /// Whether a box is pointed at in place of a color.
-  bool takesBoxes() const;
   /// Whether a plain click is expected although nobody asked for it: there is nothing to follow.
   bool mustPoint() const;
   void showBox();

@@ -37,6 +37,10 @@ const MethodPresentation& Document::presentation() const {
   return presentationOf(*project_);
 }
 
+MethodFamily Document::methodFamily() const {
+  return tracking::methodFamily(project_->method);
+}
+
 void Document::replace(Project project, bool unsaved) {
   project_ = std::make_shared<Project>(std::move(project));
   usedParameters_ = parametersInUse(*project_);

@@ -14,6 +14,10 @@
 
 class QUndoStack;
 
+namespace dewpoint::tracking {
+struct MethodFamily;
+} // namespace dewpoint::tracking
+
 namespace dewpoint::ui {
 
 struct MethodPresentation;
@@ -34,6 +38,8 @@ public:
   const ParameterValues& usedParameters() const { return usedParameters_; }
   /// What the window does for its method; another from methodChanged() or replaced() on.
   const MethodPresentation& presentation() const;
+  /// Of the project's method.
+  MethodFamily methodFamily() const;
   QUndoStack* undoStack() const { return undoStack_; }
   /// Another project takes the place of this one; the history starts from scratch. `unsaved`: the
   /// project is in no file as it is (recovered, or just made).

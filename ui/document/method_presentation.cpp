@@ -10,14 +10,9 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr MethodPresentation kColors{};
-constexpr MethodPresentation kBoxes{.pointing = Pointing::Box,
-                                    .pages = RunPages::Boxes,
-                                    .showsRoom = false,
-                                    .hasOverlays = false,
-                                    .marksBest = false,
-                                    .tracksBoxesAgain = true};
-constexpr MethodPresentation kPeople{
-    .pointing = Pointing::Nothing, .marksBest = false, .countsPeople = true};
+constexpr MethodPresentation kBoxes{
+    .takesBoxes = true, .showsBoxes = true, .showsRoom = false, .hasOverlays = false};
+constexpr MethodPresentation kPeople{.countsPeople = true};
 
 const MethodPresentation& presentationOf(TargetsFrom targets) {
   switch (targets) {
@@ -38,7 +33,7 @@ const MethodPresentation& presentationOf(const Project& project) {
 }
 
 const MethodPresentation& presentationOf(const TrackSnapshot& snapshot) {
-  return presentationOf(snapshot.targetsFrom);
+  return presentationOf(snapshot.family.targets);
 }
 
 } // namespace dewpoint::ui

@@ -12,22 +12,14 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-/// What a person points at in an image to say what is to be followed.
-enum class Pointing { Color, Box, Nothing };
-
-/// The pages on which plots, table and export show a run.
-enum class RunPages { Positions, Boxes };
-
-/// What the window does for a method: one row per kind of targets, and the only place of the window
-/// that asks for the kind.
+/// What the window does for a method, beyond what its family answers (tracking::MethodFamily): one
+/// row for each kind of targets, and the only place of the window that asks for the kind.
 struct MethodPresentation {
-  Pointing pointing = Pointing::Color;
-  RunPages pages = RunPages::Positions;
-  bool showsRoom = true;         ///< has a bird's-eye view
-  bool hasOverlays = true;       ///< masks and likelihood maps over the images
-  bool marksBest = true;         ///< can mark the particle of highest weight
-  bool countsPeople = false;     ///< lists people, and says how many there are
-  bool tracksBoxesAgain = false; ///< at once when one is changed
+  bool takesBoxes = false;   ///< a click or a drag in an image gives a target its box, else a color
+  bool showsBoxes = false;   ///< plots, table and export have boxes in images, else positions
+  bool showsRoom = true;     ///< has a bird's-eye view
+  bool hasOverlays = true;   ///< masks and likelihood maps over the images
+  bool countsPeople = false; ///< lists people and shows how many are there
 };
 
 /// Of the project's method. The row lives for ever.

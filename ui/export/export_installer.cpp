@@ -75,7 +75,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
 
 void installExport(const Workbench& bench, const Timeline& timeline) {
   bench.onTriggered("actionExportTrajectory", &bench.window, [bench, &timeline] {
-    if (bench.document.presentation().pages == RunPages::Boxes) {
+    if (bench.document.presentation().showsBoxes) {
       exportBoxes(bench);
     } else {
       exportTrajectory(bench, timeline.model());

@@ -152,7 +152,7 @@ void ProjectController::beginNew(const QStringList& files) {
 }
 
 void ProjectController::openMade(const Project& project, const QString& note) {
-  const bool boxes = presentationOf(project).pointing == Pointing::Box;
+  const bool boxes = presentationOf(project).takesBoxes;
   const QString hint = boxes ? tr("Click the thing or drag a box around it in any camera view.")
                        : note.isEmpty()
                            ? tr("Click the thing to follow in any image: its color is learned and "

@@ -187,8 +187,7 @@ void StatusBarPanel::refresh() {
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();
-  const MethodPresentation& presentation = presentationOf(snapshot);
-  if (presentation.countsPeople && target_ < 0) { // nobody in particular
+  if (presentationOf(snapshot).countsPeople && target_ < 0) { // nobody in particular
     state_ = holdState(snapshot);
     name_.clear();
     const QString there = numberText(peopleThere(snapshot), 0);
@@ -199,7 +198,7 @@ void StatusBarPanel::refresh() {
   QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
   if (mustSay && box != nullptr) {
     reason = tr("held where it is thought to be");
-  } else if (mustSay && presentation.pointing == Pointing::Box && !target->target.box) {
+  } else if (mustSay && !snapshot.family.isDefined(target->target)) {
     reason = tr("click it or drag a box around it");
   }
   reason_->setFullText(reason);

@@ -2,8 +2,8 @@
 #include "ui/panels/inspector_docks.h"
 
 #include "core/setup/new_project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
-#include "ui/document/method_presentation.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/parameter_panel.h"
@@ -17,24 +17,22 @@
 #include <QMainWindow>
 #include <QScrollArea>
 
-#include <algorithm>
-
 namespace dewpoint::ui {
 
 namespace {
 
 void showMethodRequirements(const Workbench& bench) {
   const Project& project = bench.document.project();
-  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
-  if (bench.document.presentation().pointing == Pointing::Box) {
-    if (std::ranges::none_of(project.targets, hasBox)) {
-      bench.messages.showNotice(
-          ParameterPanel::tr("Click the thing or drag a box around it in any camera view."));
+  const MethodFamily family = bench.document.methodFamily();
+  if (family.needsCalibration) {
+    if (isGuessed(project)) {
+      bench.messages.showNotice(ParameterPanel::tr(
+          "This method works in the room: calibrate the cameras first (menu Calibration), their "
+          "positions are only a guess."));
     }
-  } else if (isGuessed(project)) {
-    bench.messages.showNotice(ParameterPanel::tr(
-        "This method works in the room: calibrate the cameras first (menu Calibration), their "
-        "positions are only a guess."));
+  } else if (family.lacksTargets(project.targets)) {
+    bench.messages.showNotice(
+        ParameterPanel::tr("Click the thing or drag a box around it in any camera view."));
   }
 }
 

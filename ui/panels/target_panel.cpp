@@ -109,7 +109,7 @@ void TargetPanel::refresh() {
   choose(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
   refreshing_ = false;
   shown_ = chosen();
-  const bool boxes = document_.presentation().pointing == Pointing::Box;
+  const bool boxes = document_.presentation().takesBoxes;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
   box_->setVisible(boxes);
@@ -138,8 +138,7 @@ void TargetPanel::showChosen() {
 
 void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const auto index = static_cast<std::size_t>(std::max(0, chosen()));
-  if (!snapshot || presentationOf(*snapshot).pages != RunPages::Boxes ||
-      index >= snapshot->targets.size()) {
+  if (!snapshot || !presentationOf(*snapshot).showsBoxes || index >= snapshot->targets.size()) {
     box_->clear();
     histograms_->setHistograms(nullptr);
     return;

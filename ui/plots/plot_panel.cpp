@@ -3,6 +3,7 @@
 
 #include "core/session/run/snapshot.h"
 #include "ui/actions/action_registry.h"
+#include "ui/document/method_presentation.h"
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
@@ -196,7 +197,7 @@ void PlotPanel::clear() {
 }
 
 void PlotPanel::useCameras() {
-  stack_->setPlots(pages_ == RunPages::Boxes ? boxRunPlots() : runPlots(cameras_));
+  stack_->setPlots(showsBoxes_ ? boxRunPlots() : runPlots(cameras_));
 }
 
 void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -205,10 +206,10 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     return;
   }
   const QStringList cameras = snapshot->rig ? cameraNames(*snapshot->rig) : QStringList();
-  const RunPages pages = presentationOf(*snapshot).pages;
-  if (cameras != cameras_ || !camerasKnown_ || pages != pages_) {
+  const bool showsBoxes = presentationOf(*snapshot).showsBoxes;
+  if (cameras != cameras_ || !camerasKnown_ || showsBoxes != showsBoxes_) {
     camerasKnown_ = true;
-    pages_ = pages;
+    showsBoxes_ = showsBoxes;
     cameras_ = cameras;
     for (const auto& series : series_) {
       series->reset(runPlotColumns(static_cast<int>(cameras_.size())));

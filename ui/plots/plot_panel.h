@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/document/method_presentation.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/plots/plot_series.h"
 
@@ -71,7 +70,7 @@ private:
   PlotStack* stack_;
   QStringList cameras_;
   bool camerasKnown_ = false;
-  RunPages pages_ = RunPages::Positions;
+  bool showsBoxes_ = false; ///< curves of boxes in images, else of positions
   std::vector<std::unique_ptr<PlotSeries>> series_; ///< per target
   int target_ = 0;
   JobQueue files_;

@@ -4,8 +4,8 @@
 #include "core/project/project.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
-#include "ui/document/method_presentation.h"
 #include "ui/preferences/preferences.h"
 #include "ui/selection/selection.h"
 #include "ui/session/background_loader.h"
@@ -127,8 +127,8 @@ void SessionController::applyOpened(const OpenRequest& request,
 
 void SessionController::start(const OpenRequest& request, SessionInputs inputs) {
   // Without a target a recording waits for the click instead of running away.
-  const bool wantsTarget = inputs.project.targets.empty() &&
-                           presentationOf(inputs.project).pointing != Pointing::Nothing;
+  const bool wantsTarget =
+      inputs.project.targets.empty() && !methodFamily(inputs.project.method).findsTargets();
   const bool waits = request.unsaved || (wantsTarget && !inputs.source->isLive());
   inputs.threads = Preferences().filterThreads();
   // Of the window, not of this: it goes after the views, which look at the session to the end.

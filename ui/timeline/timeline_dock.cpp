@@ -3,8 +3,8 @@
 
 #include "core/project/project.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
-#include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/session/logged_records.h"
 #include "ui/timeline/timeline.h"
@@ -48,7 +48,7 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
 
 /// Whoever changes something while looking back is told what that changes.
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
-  const bool again = changes.boxes && bench.document.presentation().tracksBoxesAgain;
+  const bool again = changes.boxes && bench.document.methodFamily().tracksAgainOnEdit;
   if (bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(
         Timeline::tr("The change holds from now on. “%1” shows what it makes of this moment.")

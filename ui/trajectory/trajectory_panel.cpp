@@ -231,7 +231,7 @@ void TrajectoryPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (!snapshot) {
     return; // what follows the run empties the table
   }
-  pages_->setCurrentIndex(presentationOf(*snapshot).pages == RunPages::Boxes ? 1 : 0);
+  pages_->setCurrentIndex(presentationOf(*snapshot).showsBoxes ? 1 : 0);
   names_.clear();
   for (const TargetSnapshot& target : snapshot->targets) {
     names_.push_back(target.target.name);

@@ -18,6 +18,19 @@ namespace dewpoint::app {
 namespace {
 
 using Fingerprints = std::map<std::string, std::string>;
+using Compute = Result<Fingerprints> (*)(const std::vector<std::string>& methods);
+
+/// Methods of which a fingerprint is computed in the same way.
+struct MethodGroup {
+  std::vector<std::string> methods;
+  Compute compute;
+};
+
+std::vector<MethodGroup> methodGroups() {
+  return {{suiteMethods(), suiteFingerprints},
+          {boxFollowerNames(), boxFingerprints},
+          {methodNames(TargetsFrom::Images), peopleFingerprints}};
+}
 
 /// Those of `known` that are wanted; all for none.
 std::vector<std::string> chosenOf(const std::vector<std::string>& known,
@@ -30,8 +43,7 @@ std::vector<std::string> chosenOf(const std::vector<std::string>& known,
 }
 
 /// Prints what `compute` says of the methods, in their order; nothing for none.
-Status printFingerprints(const std::vector<std::string>& methods,
-                         Result<Fingerprints> (*compute)(const std::vector<std::string>&)) {
+Status printFingerprints(const std::vector<std::string>& methods, Compute compute) {
   if (methods.empty()) {
     return {};
   }
@@ -44,16 +56,13 @@ Status printFingerprints(const std::vector<std::string>& methods,
 
 int showFingerprints(const std::vector<std::string>& wanted) {
   fmt::print("method,fingerprint\n");
-  const auto printed =
-      printFingerprints(chosenOf(suiteMethods(), wanted), suiteFingerprints)
-          .and_then([&] {
-            return printFingerprints(chosenOf(boxFollowerNames(), wanted), boxFingerprints);
-          })
-          .and_then([&] {
-            return printFingerprints(chosenOf(methodNames(TargetsFrom::Images), wanted),
-                                     peopleFingerprints);
-          });
-  return printed ? static_cast<int>(kExitDone) : report(printed.error());
+  for (const MethodGroup& group : methodGroups()) {
+    const auto printed = printFingerprints(chosenOf(group.methods, wanted), group.compute);
+    if (!printed) {
+      return report(printed.error());
+    }
+  }
+  return kExitDone;
 }
 
 } // namespace
@@ -62,9 +71,10 @@ void addFingerprintCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
       "fingerprint", "The state of each method: a checksum of what it computes on a few short "
                      "fixed runs, as CSV.");
-  std::vector<std::string> known = suiteMethods();
-  std::ranges::copy(boxFollowerNames(), std::back_inserter(known));
-  std::ranges::copy(methodNames(TargetsFrom::Images), std::back_inserter(known));
+  std::vector<std::string> known;
+  for (const MethodGroup& each : methodGroups()) {
+    std::ranges::copy(each.methods, std::back_inserter(known));
+  }
   auto wanted = std::make_shared<std::vector<std::string>>();
   command->add_option("--method", *wanted, "Method; all unless given")
       ->delimiter(',')

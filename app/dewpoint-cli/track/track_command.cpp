@@ -8,10 +8,7 @@
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -31,7 +28,7 @@ struct TrackOptions {
 
 /// Whether the tables of a method are those of people, which another command writes.
 bool isForPeople(const std::string& method) {
-  return methodFamily(method).tables == RunTables::People;
+  return methodFamily(method).writesBodies();
 }
 
 /// Of all methods those of which the command writes the tables.
@@ -43,20 +40,13 @@ std::vector<std::string> trackableMethods() {
 
 /// Whether the project of `file` names what its method is to follow.
 Status checkTargets(const Project& project, const std::string& file) {
-  const auto hasBox = [](const Target& target) { return target.box.has_value(); };
   if (isForPeople(project.method)) {
     return failure(ErrorCode::BadValue, file, "method",
                    project.method + " is for people, whom dewpoint-cli people tracks");
   }
-  if (methodFamily(project.method).targets == TargetsFrom::Box &&
-      std::ranges::none_of(project.targets, hasBox)) {
-    return failure(
-        ErrorCode::MissingKey, file, "target",
-        fmt::format("method {} needs at least one [[target]] with a box", project.method));
-  }
-  if (project.targets.empty()) {
-    return failure(ErrorCode::MissingKey, file, "target",
-                   "at least one [[target]] is needed; learn-color makes one");
+  const MethodFamily family = methodFamily(project.method);
+  if (family.lacksTargets(project.targets)) {
+    return failure(ErrorCode::MissingKey, file, "target", family.lack(project.method));
   }
   return {};
 }

@@ -186,7 +186,7 @@ int TrackJob::run(SessionInputs inputs) const {
   inputs.project = run->definition()->appliedTo(std::move(inputs.project));
   const TrajectoryHeader header = trajectoryHeader(inputs.project);
   TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
-  if (run->definition()->family().tables != RunTables::Boxes) {
+  if (run->definition()->family().writesPositions()) {
     auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
     if (!writer) {
       return report(writer.error());

@@ -14,7 +14,7 @@ public:
   explicit CameraMotionObserver(CameraMotionWatch& watch) : watch_(watch) {}
 
   Status tracked(const TrackingRun& run) override {
-    if (run.capability<CameraCalibrated>() != nullptr) {
+    if (run.definition()->family().needsCalibration) {
       watch_.watch(*run.frames(), run.targets(), spheresOf(run.estimates()));
     }
     return {};

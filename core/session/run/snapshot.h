@@ -80,7 +80,7 @@ struct BudgetFigures {
 /// Everything a view may show of one frame. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  TargetsFrom targetsFrom = TargetsFrom::Color;
+  MethodFamily family;             ///< of the method whose results these are
   FrameSetPtr frames;              ///< null before the first frame
   std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
   /// Per camera CV_8UC1, 255 - k: color of target k. Empty unless wanted.

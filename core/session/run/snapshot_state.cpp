@@ -89,7 +89,7 @@ template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, cons
   if (!snapshot.frames) {
     return HoldState::NoImages;
   }
-  const bool findsTargets = snapshot.targetsFrom == TargetsFrom::Images;
+  const bool findsTargets = snapshot.family.findsTargets();
   if (snapshot.targets.empty() && !findsTargets) {
     return HoldState::NoTarget;
   }

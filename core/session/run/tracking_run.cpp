@@ -66,7 +66,7 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   }
   const Method* const method = findMethod(project.method);
   header.hasSeen = method != nullptr && method->writesMeasurements;
-  header.hasBest = method != nullptr && method->family.tables == RunTables::Trajectory;
+  header.hasBest = method != nullptr && method->family.hasBestParticle;
   header.hasCorrected = header.hasBest && !project.corrections.empty();
   return header;
 }
@@ -261,7 +261,7 @@ void TrackingRun::correctPositions() {
 }
 
 bool TrackingRun::isCorrected(std::size_t target) const {
-  return capability<PositionCorrecting>() != nullptr &&
+  return takesCorrections() &&
          std::ranges::any_of(definition_->corrections, [&](const PositionCorrection& correction) {
            return correction.frame == frames_->index &&
                   static_cast<std::size_t>(correction.target) == target;

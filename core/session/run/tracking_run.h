@@ -76,6 +76,8 @@ public:
   void restore(const State& state);
   /// Whether save() has a tracker to restore.
   bool canBeCopied() const;
+  /// Whether the user may correct positions.
+  bool takesCorrections() const { return capability<PositionCorrecting>() != nullptr; }
   /// Goes on counting iterations from here.
   void countFrom(std::int64_t iterations) { iterations_ = iterations; }
   /// From the next iteration on so many threads share the work; they never change the result.

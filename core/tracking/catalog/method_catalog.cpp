@@ -36,9 +36,41 @@ std::string boxText(const Target& target) {
   return target.box ? "another box" : "no box";
 }
 
-constexpr MethodFamily kSpheres{TargetsFrom::Color, true, RunTables::Trajectory, colorText};
-constexpr MethodFamily kBoxes{TargetsFrom::Box, false, RunTables::Boxes, boxText};
-constexpr MethodFamily kPeople{TargetsFrom::Images, true, RunTables::People, colorText};
+std::string lackOfTargets(std::string_view /*method*/) {
+  return "at least one [[target]] is needed; learn-color makes one";
+}
+
+std::string lackOfBoxes(std::string_view method) {
+  return fmt::format("method {} needs at least one [[target]] with a box", method);
+}
+
+/// Targets begin at their boxes.
+std::int64_t firstBox(const std::vector<Target>& targets, std::int64_t frame) {
+  for (const Target& target : targets) {
+    frame = target.box ? std::min(frame, target.box->frame) : frame;
+  }
+  return frame;
+}
+
+constexpr MethodFamily kSpheres{.describe = colorText, .lack = lackOfTargets};
+constexpr MethodFamily kBoxes{
+    .targets = TargetsFrom::Box,
+    .needsCalibration = false,
+    .tables = RunTables::Boxes,
+    .hasBestParticle = false,
+    .tracksAgainOnEdit = true,
+    .describe = boxText,
+    .isDefined = [](const Target& target) { return target.box.has_value(); },
+    .lack = lackOfBoxes,
+    .beginFor = firstBox};
+constexpr MethodFamily kPeople{
+    .targets = TargetsFrom::Images,
+    .tables = RunTables::People,
+    .hasBestParticle = false,
+    .masksMotion = true,
+    .describe = colorText,
+    // The background is learned at the beginning.
+    .beginFor = [](const std::vector<Target>&, std::int64_t) { return std::int64_t{0}; }};
 
 using Made = std::unique_ptr<Tracker>;
 using Targets = std::vector<Target>;
@@ -112,6 +144,10 @@ template <class Suits> std::vector<std::string> namesWhere(const Suits& suits) {
 }
 
 } // namespace
+
+bool MethodFamily::lacksTargets(const std::vector<Target>& projectTargets) const {
+  return !findsTargets() && std::ranges::none_of(projectTargets, isDefined);
+}
 
 std::span<const Method> methods() {
   return kMethods;

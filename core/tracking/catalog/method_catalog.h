@@ -6,6 +6,7 @@
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,16 +31,47 @@ enum class RunTables {
   People      ///< positions in the room, and the bodies of people
 };
 
-/// The properties of a kind of methods, known before any of them runs. They are independent: a new
-/// kind has values of its own, and code that reads one of them need not know the kind.
+/// The properties of a kind of methods, known before any of them runs: a row of the catalog's table
+/// of families. They are independent: a new kind has values of its own, and code that reads one of
+/// them need not know the kind. Read properties, do not compare kinds: tests/architecture counts
+/// where a kind is named.
 struct MethodFamily {
   TargetsFrom targets = TargetsFrom::Color;
-  /// Says where things are in the room; else in the images of one camera, about which nothing need
-  /// be known.
+  /// Estimates positions in the room, by calibrated cameras; else in the images of one camera,
+  /// about which nothing need be known.
   bool needsCalibration = true;
   RunTables tables = RunTables::Trajectory;
+  /// Trajectories have columns for the particle of highest weight.
+  bool hasBestParticle = true;
+  /// Masks and maps show what moves, in every frame with images, tracked or not.
+  bool masksMotion = false;
+  /// A target may be edited in a frame that was tracked already: the frames from there on are
+  /// tracked again at once, and past frames show the targets that there are now.
+  bool tracksAgainOnEdit = false;
   /// What a target is to the method, in words.
   std::string (*describe)(const Target& target) = nullptr;
+  /// Whether a target of the project has all that tracking it needs.
+  bool (*isDefined)(const Target& target) = [](const Target&) { return true; };
+  /// Why nothing can be tracked while lacksTargets(), in words.
+  std::string (*lack)(std::string_view method) = nullptr;
+  /// The frame at which a run has to begin so that it is right at `frame`: at most that one.
+  std::int64_t (*beginFor)(const std::vector<Target>& targets, std::int64_t frame) =
+      [](const std::vector<Target>&, std::int64_t frame) { return frame; };
+
+  /// Finds by itself which targets there are: the project names none of them, and a truth has none
+  /// of their names.
+  bool findsTargets() const { return targets == TargetsFrom::Images; }
+  /// The pixels that have the color of a target are masked.
+  bool masksColors() const { return targets == TargetsFrom::Color; }
+  /// Whether there is nothing to track with these targets of a project.
+  bool lacksTargets(const std::vector<Target>& projectTargets) const;
+  /// Whether the other methods track the same targets, so that a run by one of them can go on from
+  /// where the other was.
+  bool tracksSameTargetsAs(const MethodFamily& other) const { return targets == other.targets; }
+  /// Positions are written, row by row while the run goes on.
+  bool writesPositions() const { return tables != RunTables::Boxes; }
+  /// The bodies of the targets are kept and written, too.
+  bool writesBodies() const { return tables == RunTables::People; }
 };
 
 /// A tracking method: one row of the catalog.

@@ -60,7 +60,7 @@ TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
 
 TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Held, TargetStatus::Searching});
-  snapshot.targetsFrom = TargetsFrom::Box;
+  snapshot.family.targets = TargetsFrom::Box;
   for (TargetSnapshot& target : snapshot.targets) {
     target.estimate = AbsentEstimate{};
     target.absence = HoldState::NoBox;
@@ -81,7 +81,7 @@ TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
 
 TEST(SnapshotState, PeopleAreLearnedFirst) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.targetsFrom = TargetsFrom::Images;
+  snapshot.family.targets = TargetsFrom::Images;
   snapshot.peopleCameras.resize(2);
   snapshot.peopleCameras[0].learned = 1.0;
   snapshot.peopleCameras[1].learned = 0.5;
@@ -126,7 +126,7 @@ TEST(SnapshotState, OnlyAHeldTargetWithinTheImageIsInView) {
 
 TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.targetsFrom = TargetsFrom::Images;
+  snapshot.family.targets = TargetsFrom::Images;
   addPerson(snapshot, test::kBall + Eigen::Vector3d(0.0, 0.3, 0.0)); // behind, for the left camera
   addPerson(snapshot, test::kBall);
   const Eigen::Vector2d center(79.5, 59.5); // where both cameras look
