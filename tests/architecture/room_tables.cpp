@@ -139,7 +139,7 @@ const Names& windowHeaders() {
                                  "core/trajectory/csv_line.h",
                                  "core/trajectory/motion.h",
                                  "core/trajectory/motion_csv.h",
-                                 "core/trajectory/trajectory_figure.h",
+                                 "core/trajectory/figure_drawing.h",
                                  "core/trajectory/trajectory_export.h",
                                  "core/trajectory/export_catalog.h",
                                  "core/trajectory/export_table.h"};

@@ -29,6 +29,15 @@ expectExit 0 export run --smooth --out smooth.csv
 expectExit 0 evaluate smooth.csv run/truth.csv
 expectExit 0 evaluate run run/truth.csv
 
+# The figure of what is chosen, alone or beside an export.
+expectExit 0 export run --figure run.svg
+expectText run.svg '<svg ' 'time (s)' 'from above' 'pink ball' 'demo'
+expectExit 0 export run --smooth --unit mm --figure smooth.svg --out figure.csv
+expectText smooth.svg 'x (mm)'
+[[ -s figure.csv ]] || fail 'no export beside the figure'
+expectExit $kUsage export run --figure run.png
+expectSentence --figure svg
+
 expectExit 0 export run --out by-ending.npz
 [[ $(head -c 2 by-ending.npz) == PK ]] || fail 'the ending does not choose the format'
 expectExit $kUsage export run --format csv --out x.c3d

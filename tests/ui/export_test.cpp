@@ -343,16 +343,15 @@ void ExportTest::enterInAFieldExportsNothing() {
 void ExportTest::drawsAFigure() {
   const auto table = makeExportTable(smallRun(), {}, {});
   QVERIFY(table);
-  const FigureWords words{QStringLiteral("title"), QStringLiteral("time (s)"),
-                          QStringLiteral("from above")};
+  const FigureTexts texts{"title", "time (s)", "from above"};
   const std::filesystem::path svg = folder_.filePath(QStringLiteral("f.svg")).toStdString();
-  QVERIFY(writeTrajectoryFigure(*table, words, svg));
+  QVERIFY(writeTrajectoryFigure(*table, texts, svg));
   QSvgRenderer renderer(QString::fromStdString(svg.string()));
   QVERIFY(renderer.isValid());
   QCOMPARE(renderer.viewBox(), QRect(0, 0, 1000, 707));
   QVERIFY(readTextFile(svg)->find("from above") != std::string::npos);
   const std::filesystem::path pdf = folder_.filePath(QStringLiteral("f.pdf")).toStdString();
-  QVERIFY(writeTrajectoryFigure(*table, words, pdf));
+  QVERIFY(writeTrajectoryFigure(*table, texts, pdf));
   QVERIFY(readTextFile(pdf)->starts_with("%PDF-"));
 }
 

@@ -30,17 +30,6 @@ constexpr int kFollowMs = 2000;
 constexpr std::size_t kMostToFollow = 20'000; ///< samples; to copy more takes noticeable time
 constexpr int kSoonDoneMs = 500;              ///< less needs no button to stop it
 
-/// What a figure is of: the project and the method.
-QString titleOf(const Trajectory& trajectory) {
-  QStringList parts;
-  for (const auto& [key, value] : trajectory.header.entries) {
-    if ((key == "project" || key == "method") && !value.empty()) {
-      parts << QString::fromStdString(value);
-    }
-  }
-  return parts.join(QStringLiteral(" · "));
-}
-
 } // namespace
 
 ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent)
@@ -335,12 +324,13 @@ void ExportDialog::startFigure() {
   }
   refresh();
   setRunning(true);
-  const FigureWords words{titleOf(*trajectory_), tr("time (s)"), tr("from above")};
+  const FigureTexts texts{figureTitle(trajectory_->header.entries), tr("time (s)").toStdString(),
+                          tr("from above").toStdString()};
   const std::filesystem::path figure = chosen.toStdString();
   worker_->run(
-      [trajectory = trajectory_, options = form_->options(), words, figure]() -> Status {
+      [trajectory = trajectory_, options = form_->options(), texts, figure]() -> Status {
         const auto table = makeExportTable(*trajectory, options, {});
-        return table ? writeTrajectoryFigure(*table, words, figure)
+        return table ? writeTrajectoryFigure(*table, texts, figure)
                      : Status(tl::make_unexpected(table.error()));
       },
       figure);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/trajectory_figure.h"
 
+#include "core/base/overloaded.h"
 #include "core/base/text_file.h"
-#include "core/trajectory/trajectory_figure.h"
 #include "ui/style/theme.h"
-#include "ui/text/quantity_text.h"
 
 #include <QBuffer>
 #include <QPageSize>
@@ -14,185 +13,123 @@
 #include <QSvgGenerator>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace dewpoint::ui {
 
 namespace {
 
-constexpr double kFigureWidth = 1000.0; ///< of the page in the units drawn with; A4 is 1.414 : 1
-constexpr double kHeight = 707.0;
-constexpr double kFigureMargin = 24.0;
-constexpr double kAxisSpace = 58.0; ///< for the numbers beside an axis
 const QColor kInk(40, 40, 40);
 const QColor kGrid(222, 222, 222);
-
-/// A frame with axes, into which curves are drawn.
-class Panel {
-public:
-  Panel(QPainter& painter, QRectF frame, const FigurePanel& shown)
-      : painter_(painter), frame_(frame), horizontal_(shown.horizontal), vertical_(shown.vertical) {
-  }
-
-  void drawAxes(const QString& horizontalName, const QString& verticalName, bool numbersBelow) {
-    for (const double x : gridLines(horizontal_)) {
-      const QPointF foot = at(x, vertical_.low);
-      line(foot, {foot.x(), frame_.top()}, kGrid);
-      if (numbersBelow) {
-        text(QRectF(foot.x() - 40, foot.y() + 3, 80, 16), Qt::AlignHCenter, figureNumberText(x));
-      }
-    }
-    for (const double y : gridLines(vertical_)) {
-      const QPointF foot = at(horizontal_.low, y);
-      line(foot, {frame_.right(), foot.y()}, kGrid);
-      text(QRectF(foot.x() - 56, foot.y() - 8, 50, 16), Qt::AlignRight | Qt::AlignVCenter,
-           figureNumberText(y));
-    }
-    painter_.setPen(QPen(kInk, 1.0));
-    painter_.setBrush(Qt::NoBrush);
-    painter_.drawRect(frame_);
-    if (numbersBelow) {
-      text(QRectF(frame_.left(), frame_.bottom() + 18, frame_.width(), 18), Qt::AlignHCenter,
-           horizontalName);
-    }
-    text(QRectF(frame_.left() + 6, frame_.top() + 3, frame_.width(), 18), Qt::AlignLeft,
-         verticalName);
-  }
-
-  void drawCurve(const FigureCurve& curve, const QColor& color) {
-    painter_.save();
-    painter_.setClipRect(frame_);
-    if (!curve.band.empty()) {
-      QColor veil = color;
-      veil.setAlphaF(0.2F);
-      painter_.setPen(Qt::NoPen);
-      painter_.setBrush(veil);
-      painter_.drawPolygon(placed(curve.band));
-    }
-    QPainterPath path;
-    path.addPolygon(placed(curve.path));
-    painter_.setBrush(Qt::NoBrush);
-    painter_.setPen(QPen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter_.drawPath(path);
-    painter_.restore();
-  }
-
-private:
-  QPointF at(double x, double y) const {
-    return {frame_.left() + (x - horizontal_.low) / horizontal_.size() * frame_.width(),
-            frame_.bottom() - (y - vertical_.low) / vertical_.size() * frame_.height()};
-  }
-  QPolygonF placed(const std::vector<Eigen::Vector2d>& points) const {
-    QPolygonF polygon;
-    for (const Eigen::Vector2d& point : points) {
-      polygon << at(point.x(), point.y());
-    }
-    return polygon;
-  }
-  void line(QPointF from, QPointF to, const QColor& color) {
-    painter_.setPen(QPen(color, 0.8));
-    painter_.drawLine(from, to);
-  }
-  void text(const QRectF& box, int flags, const QString& words) {
-    painter_.setPen(kInk);
-    painter_.drawText(box, flags | Qt::TextDontClip, words);
-  }
-
-  QPainter& painter_;
-  QRectF frame_;
-  AxisRange horizontal_;
-  AxisRange vertical_;
-};
 
 /// The dark twin of a target's color, which reads on white.
 QColor inkOf(const ExportTable& table, std::size_t target) {
   return targetColor(table.targets[target], static_cast<int>(target)).darker(115);
 }
 
-void drawCurves(Panel& panel, const FigurePanel& shown, const ExportTable& table) {
-  for (const FigureCurve& curve : shown.curves) {
-    panel.drawCurve(curve, inkOf(table, curve.target));
-  }
+QRectF rectangle(const Eigen::AlignedBox2d& box) {
+  return {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
 }
 
-void drawLegend(QPainter& painter, const ExportTable& table, QRectF place) {
-  for (std::size_t target = 0; target < table.targets.size(); ++target) {
-    painter.fillRect(QRectF(place.left(), place.top() + 5, 14, 4), inkOf(table, target));
-    painter.setPen(kInk);
-    painter.drawText(QRectF(place.left() + 20, place.top() - 2, place.width() - 20, 18),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     QString::fromStdString(table.targets[target]));
-    place.translate(0, 18);
+QPolygonF polygon(const std::vector<Eigen::Vector2d>& points) {
+  QPolygonF polygon;
+  for (const Eigen::Vector2d& point : points) {
+    polygon << QPointF(point.x(), point.y());
   }
+  return polygon;
 }
 
-constexpr const char* kAxisNames[] = {"x", "y", "z"};
+void drawLabel(QPainter& painter, const FigureDrawing::Label& label) {
+  using Align = FigureDrawing::Align;
+  const int across = label.align == Align::Left    ? Qt::AlignLeft
+                     : label.align == Align::Right ? Qt::AlignRight
+                                                   : Qt::AlignHCenter;
+  const int down = label.isCentered ? Qt::AlignVCenter : Qt::AlignTop;
+  painter.setPen(kInk);
+  painter.drawText(rectangle(label.box), across | down | Qt::TextDontClip,
+                   QString::fromStdString(label.text));
+}
 
-QString axisName(const ExportTable& table, int axis) {
-  return QStringLiteral("%1 (%2)").arg(QLatin1String(kAxisNames[axis]),
-                                       QLatin1String(table.unitName()));
+void drawCurve(QPainter& painter, const FigureDrawing::Curve& curve, const QColor& color) {
+  painter.save();
+  painter.setClipRect(rectangle(curve.within));
+  if (!curve.band.empty()) {
+    QColor veil = color;
+    veil.setAlphaF(0.2F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil);
+    painter.drawPolygon(polygon(curve.band));
+  }
+  QPainterPath path;
+  path.addPolygon(polygon(curve.path));
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(path);
+  painter.restore();
+}
+
+void drawItem(QPainter& painter, const ExportTable& table, const FigureDrawing::Item& item) {
+  std::visit(Overloaded{[&](const FigureDrawing::GridLine& line) {
+                          painter.setPen(QPen(kGrid, 0.8));
+                          painter.drawLine(QPointF(line.from.x(), line.from.y()),
+                                           QPointF(line.to.x(), line.to.y()));
+                        },
+                        [&](const FigureDrawing::Frame& frame) {
+                          painter.setPen(QPen(kInk, 1.0));
+                          painter.setBrush(Qt::NoBrush);
+                          painter.drawRect(rectangle(frame.box));
+                        },
+                        [&](const FigureDrawing::Label& label) { drawLabel(painter, label); },
+                        [&](const FigureDrawing::Curve& curve) {
+                          drawCurve(painter, curve, inkOf(table, curve.target));
+                        },
+                        [&](const FigureDrawing::LegendKey& key) {
+                          painter.fillRect(rectangle(key.box), inkOf(table, key.target));
+                        }},
+             item);
 }
 
 } // namespace
 
 void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTable& table,
-                          const FigureWords& words) {
+                          const FigureTexts& texts) {
+  const QRectF whole(0, 0, FigureDrawing::kWidth, FigureDrawing::kHeight);
   painter.save();
   painter.translate(page.topLeft());
-  const double scale = std::min(page.width() / kFigureWidth, page.height() / kHeight);
+  const double scale = std::min(page.width() / whole.width(), page.height() / whole.height());
   painter.scale(scale, scale);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(QRectF(0, 0, kFigureWidth, kHeight), Qt::white);
+  painter.fillRect(whole, Qt::white);
   QFont font(QStringLiteral("sans-serif"));
-  font.setPixelSize(13);
+  font.setPixelSize(static_cast<int>(FigureDrawing::kFontSize));
   painter.setFont(font);
-  painter.setPen(kInk);
-  painter.drawText(QRectF(kFigureMargin, 12, kFigureWidth - 2 * kFigureMargin, 20), Qt::AlignLeft,
-                   words.title);
-
-  const TrajectoryFigure figure = trajectoryFigure(table);
-  const double top = 44.0;
-  const double height = (kHeight - top - 60.0) / 3.0;
-  for (std::size_t axis = 0; axis < figure.overTime.size(); ++axis) {
-    const FigurePanel& shown = figure.overTime[axis];
-    Panel panel(painter,
-                QRectF(kFigureMargin + kAxisSpace, top + static_cast<double>(axis) * height, 470.0,
-                       height - 10.0),
-                shown);
-    panel.drawAxes(words.time, axisName(table, shown.verticalAxis), axis == 2);
-    drawCurves(panel, shown, table);
+  const FigureDrawing drawing = figureDrawing(table, texts);
+  for (const FigureDrawing::Item& item : drawing.items) {
+    drawItem(painter, table, item);
   }
-  const QRectF square(660.0, top, kFigureWidth - 660.0 - kFigureMargin,
-                      kFigureWidth - 660.0 - kFigureMargin);
-  Panel above(painter, square, figure.fromAbove);
-  above.drawAxes(
-      axisName(table, figure.fromAbove.horizontalAxis),
-      words.topView + QStringLiteral(", ") + axisName(table, figure.fromAbove.verticalAxis), true);
-  drawCurves(above, figure.fromAbove, table);
-  drawLegend(painter, table, QRectF(square.left(), square.bottom() + 54.0, square.width(), 18.0));
   painter.restore();
 }
 
-Status writeTrajectoryFigure(const ExportTable& table, const FigureWords& words,
+Status writeTrajectoryFigure(const ExportTable& table, const FigureTexts& texts,
                              const std::filesystem::path& file) {
+  const QString title = QString::fromStdString(texts.title);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
-  const QRectF page(0, 0, kFigureWidth, kHeight);
   if (file.extension() == ".pdf") {
     QPdfWriter device(&buffer);
     device.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Landscape, {}));
-    device.setTitle(words.title);
+    device.setTitle(title);
     QPainter painter(&device);
-    drawTrajectoryFigure(painter, QRectF(0, 0, device.width(), device.height()), table, words);
+    drawTrajectoryFigure(painter, QRectF(0, 0, device.width(), device.height()), table, texts);
   } else {
+    const QRectF page(0, 0, FigureDrawing::kWidth, FigureDrawing::kHeight);
     QSvgGenerator device;
     device.setOutputDevice(&buffer);
     device.setSize(page.size().toSize());
     device.setViewBox(page);
-    device.setTitle(words.title);
+    device.setTitle(title);
     QPainter painter(&device);
-    drawTrajectoryFigure(painter, page, table, words);
+    drawTrajectoryFigure(painter, page, table, texts);
   }
   return writeTextFile(file, buffer.data().toStdString());
 }

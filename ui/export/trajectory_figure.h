@@ -3,8 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/trajectory/export_table.h"
-
-#include <QString>
+#include "core/trajectory/figure_drawing.h"
 
 #include <filesystem>
 
@@ -13,21 +12,14 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Words of a figure, in the person's language.
-struct FigureWords {
-  QString title;
-  QString time; ///< "time (s)"
-  QString topView;
-};
-
-/// Draws a trajectory for print: x, y and z over time with a band of two standard deviations, the
-/// path from above beside them, a legend. Colors of the targets, dark on white.
+/// Draws a figureDrawing() of a trajectory into a rectangle of a page, in the colors of the
+/// targets, dark on white.
 void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTable& table,
-                          const FigureWords& words);
+                          const FigureTexts& texts);
 
 /// Writes the figure as SVG or, by the suffix, PDF (A4, landscape); beside, and renamed. Any
 /// thread.
-Status writeTrajectoryFigure(const ExportTable& table, const FigureWords& words,
+Status writeTrajectoryFigure(const ExportTable& table, const FigureTexts& texts,
                              const std::filesystem::path& file);
 
 } // namespace dewpoint::ui

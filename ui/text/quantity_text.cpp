@@ -108,10 +108,6 @@ QString tableText(double value, int decimals) {
   return numberText(value, decimals, NumberForm::Table);
 }
 
-QString figureNumberText(double value) {
-  return QString::number(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 5);
-}
-
 QString digitsText(double value, int digits) {
   const int decimals =
       value > 0.0 ? digits - 1 - static_cast<int>(std::floor(std::log10(value))) : 0;

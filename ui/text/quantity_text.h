@@ -20,9 +20,6 @@ enum class NumberForm {
 QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
 /// As it stands in a table.
 QString tableText(double value, int decimals);
-/// At the axes of figures that are printed: five digits at most, in no language, and zero for what
-/// is next to nothing.
-QString figureNumberText(double value);
 /// With so many digits that count, at most four decimals and never as a power of ten.
 QString digitsText(double value, int digits);
 /// Three digits at most: a ratio of 1000 or of 1.08.

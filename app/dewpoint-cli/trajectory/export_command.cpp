@@ -2,7 +2,9 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/progress.h"
+#include "core/base/text_file.h"
 #include "core/trajectory/export_catalog.h"
+#include "core/trajectory/figure_drawing.h"
 #include "core/trajectory/trajectory_export.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +22,8 @@ namespace {
 
 struct ExportCommand {
   std::string source;
-  std::string file;
+  std::string file;   ///< empty: no export is written
+  std::string figure; ///< empty: no figure is written
   std::string from;
   std::string to;
   std::string gaps = "leave";
@@ -75,6 +78,9 @@ Result<std::string> formatFor(const std::string& wanted, const std::filesystem::
 }
 
 Status completeOptions(ExportCommand& command) {
+  if (!command.figure.empty() && std::filesystem::path(command.figure).extension() != ".svg") {
+    return failure(ErrorCode::BadValue, "", "--figure", "figures are SVG files, ending in .svg");
+  }
   auto format = formatFor(command.format, command.file);
   if (!format) {
     return tl::make_unexpected(format.error());
@@ -122,6 +128,38 @@ int showPreview(const ExportCommand& command, const Trajectory& trajectory) {
   return kExitDone;
 }
 
+/// What is chosen, in the units and axes that the figures of the window have.
+Status writeFigure(const ExportCommand& command, const Trajectory& trajectory) {
+  const auto table = makeExportTable(trajectory, command.options, {});
+  if (!table) {
+    return tl::make_unexpected(table.error());
+  }
+  const std::string title = figureTitle(trajectory.header.entries);
+  const FigureDrawing drawing = figureDrawing(*table, {title, "time (s)", "from above"});
+  return writeTextFile(command.figure, figureSvg(drawing, title));
+}
+
+int writeExport(const ExportCommand& command, const Trajectory& trajectory) {
+  Progress bar("export", 100);
+  const auto summary =
+      exportTrajectory(trajectory, command.options, command.file, [&](double done) {
+        bar.show(static_cast<std::int64_t>(100.0 * done));
+        return true;
+      });
+  bar.finish();
+  if (!summary) {
+    return reportAbout(summary.error(), command.source);
+  }
+  fmt::print("{} rows of {} target{}{} in {}.\n", summary->rows, summary->targets,
+             summary->targets == 1 ? "" : "s",
+             summary->gaps > 0 ? fmt::format(", {} places unknown,", summary->gaps) : "",
+             summary->files.size() == 1
+                 ? summary->files.back().string()
+                 : fmt::format("{} files, the last is {}", summary->files.size(),
+                               summary->files.back().string()));
+  return kExitDone;
+}
+
 int exportCommand(ExportCommand& command) {
   if (const auto complete = completeOptions(command); !complete) {
     report(complete.error());
@@ -142,24 +180,12 @@ int exportCommand(ExportCommand& command) {
   if (command.preview) {
     return showPreview(command, *trajectory);
   }
-  Progress bar("export", 100);
-  const auto summary =
-      exportTrajectory(*trajectory, command.options, command.file, [&](double done) {
-        bar.show(static_cast<std::int64_t>(100.0 * done));
-        return true;
-      });
-  bar.finish();
-  if (!summary) {
-    return reportAbout(summary.error(), command.source);
+  if (!command.figure.empty()) {
+    if (const auto drawn = writeFigure(command, *trajectory); !drawn) {
+      return reportAbout(drawn.error(), command.source);
+    }
   }
-  fmt::print("{} rows of {} target{}{} in {}.\n", summary->rows, summary->targets,
-             summary->targets == 1 ? "" : "s",
-             summary->gaps > 0 ? fmt::format(", {} places unknown,", summary->gaps) : "",
-             summary->files.size() == 1
-                 ? summary->files.back().string()
-                 : fmt::format("{} files, the last is {}", summary->files.size(),
-                               summary->files.back().string()));
-  return kExitDone;
+  return command.file.empty() ? static_cast<int>(kExitDone) : writeExport(command, *trajectory);
 }
 
 std::string formatHelp() {
@@ -190,6 +216,8 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   command->add_option("--format", arguments->format, formatHelp())
       ->check(CLI::IsMember(formatIds()));
   command->add_option("--out", arguments->file, "File to write");
+  command->add_option("--figure", arguments->figure,
+                      "Figure to write (SVG): positions over time, and from above");
   command->add_option("--targets", options.targets, "Targets; all unless given")->delimiter(',');
   command->add_option("--from", arguments->from, "First time in seconds, or frame as 75f");
   command->add_option("--to", arguments->to, "Last time in seconds, or frame as 150f");
@@ -209,7 +237,7 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   command->add_flag("--no-header", arguments->noHeader, "Without comments about the run");
   command->add_flag("--preview", arguments->preview, "Only show the first lines, units and axes");
   command->callback([arguments, command, &exitCode] {
-    if (arguments->file.empty() && !arguments->preview) {
+    if (arguments->file.empty() && arguments->figure.empty() && !arguments->preview) {
       throw CLI::RequiredError(command->get_option("--out")->get_name());
     }
     exitCode = exportCommand(*arguments);
