@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/calibrated_project.h"
 
-#include "core/calibration/manual/measured_points.h"
-
 #include <algorithm>
+#include <utility>
 
 namespace dewpoint::setup {
 
@@ -41,6 +40,20 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
   for (MeasuredPoint& point : project.points) {
     if (const PointClick* click = clickIn(point, camera)) {
       setClickIn(point, camera, transformed(symmetry, click->pixel, before.width, before.height));
+    }
+  }
+  return project;
+}
+
+bool canSetImageSymmetry(const ProjectCamera& camera) {
+  return camera.source != SourceKind::Simulation;
+}
+
+Project withProposedSymmetries(Project project, const std::vector<CameraFromPoints>& cameras) {
+  for (const CameraFromPoints& found : cameras) {
+    if (found.proposal &&
+        canSetImageSymmetry(project.cameras.at(static_cast<std::size_t>(found.camera)))) {
+      project = withImageSymmetry(std::move(project), found.camera, found.proposal->symmetry);
     }
   }
   return project;

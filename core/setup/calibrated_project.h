@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/board/intrinsics_from_board.h"
+#include "core/calibration/manual/measured_points.h"
 #include "core/geometry/image_symmetry.h"
 #include "core/project/project.h"
 
@@ -25,6 +26,13 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 /// done to them already: how they are rotated, its calibration and the clicks on measured points in
 /// it all change together.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
+
+/// Whether the images of a camera may be rotated and mirrored by a setting: those of a simulated
+/// one are made as they are.
+bool canSetImageSymmetry(const ProjectCamera& camera);
+
+/// The project with the image symmetry that was proposed for each camera, where it can be set.
+Project withProposedSymmetries(Project project, const std::vector<CameraFromPoints>& cameras);
 
 /// The project with these lenses, in the order of its cameras, which keep theirs where there is
 /// none; poses stay.

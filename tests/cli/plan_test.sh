@@ -9,6 +9,7 @@ expectText rig.toml 'camera 3'
 mapfile -t shares < <(grep -o '[0-9.]* % of the volume' out.txt | cut -d' ' -f1)
 [[ ${#shares[@]} == 2 ]] || fail "$(cat out.txt)"
 awk -v a="${shares[0]}" -v b="${shares[1]}" 'BEGIN { exit !(b >= a && b <= 100) }' || fail "$(cat out.txt)"
+expectText out.txt "% of the volume, ${shares[0]} % before"
 cp out.txt first.txt
 expectExit 0 plan demo --volume -1 -1 0 1 1 1
 cmp out.txt first.txt || fail "the same input gave another place"

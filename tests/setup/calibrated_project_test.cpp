@@ -86,6 +86,20 @@ TEST(CalibratedProject, ATurnedPictureTakesItsCalibrationAndClicksAlong) {
   EXPECT_NEAR((*was + *is - Eigen::Vector2d(159.0, 119.0)).norm(), 0.0, 1e-9);
 }
 
+TEST(CalibratedProject, ProposedSymmetriesAreSetButForSimulatedCameras) {
+  Project project = mixedProject();
+  project.cameras[1].rotateDegrees = 90;
+  std::vector<CameraFromPoints> found(2);
+  found[1].camera = 1;
+  EXPECT_EQ(withProposedSymmetries(project, found), project); // nothing is proposed
+  for (CameraFromPoints& camera : found) {
+    camera.proposal = SymmetryProposal{.symmetry = {180, false}};
+  }
+  const Project changed = withProposedSymmetries(project, found);
+  EXPECT_EQ(changed, withImageSymmetry(project, 1, {180, false}));
+  EXPECT_EQ(changed.cameras[1].rotateDegrees, 270);
+}
+
 TEST(CalibratedProject, AClickReplacesTheOneInTheSameCamera) {
   MeasuredPoint point;
   setClickIn(point, 2, {1.0, 2.0});

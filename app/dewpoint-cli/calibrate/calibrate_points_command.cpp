@@ -19,6 +19,7 @@ struct PointsCommandOptions {
   std::string project;
   std::string out;
   bool apply = false;
+  bool acceptOrientation = false;
   PointSettings points;
 };
 
@@ -38,18 +39,46 @@ const char* statusText(PoseStatus status) {
   return "";
 }
 
-void printCamera(const CameraRig& rig, const CameraFromPoints& found) {
-  const std::string& name = rig[static_cast<std::size_t>(found.camera)].name;
-  fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", name, found.clicks, found.rmsPx,
-             statusText(found.status));
+const ProjectCamera& cameraOf(const Project& project, const CameraFromPoints& found) {
+  return project.cameras[static_cast<std::size_t>(found.camera)];
+}
+
+/// "rotate = 180, mirror = true", as in a project file.
+std::string orientationText(const ImageSymmetry& symmetry) {
+  return fmt::format("rotate = {}, mirror = {}", symmetry.rotateDegrees, symmetry.mirrored);
+}
+
+void printProposal(const Project& project, const CameraFromPoints& found) {
+  const ProjectCamera& camera = cameraOf(project, found);
+  const ImageSymmetry& symmetry = found.proposal->symmetry;
+  const ImageSymmetry source = combined({camera.rotateDegrees, camera.mirrored}, symmetry);
+  fmt::print("{} seems to be {}{}{}: its points fit to {:.2f} px with {}{}.\n", camera.camera.name,
+             symmetry.rotateDegrees != 0 ? "rotated" : "",
+             symmetry.rotateDegrees != 0 && symmetry.mirrored ? " and " : "",
+             symmetry.mirrored ? "mirrored" : "", found.proposal->rmsPx, orientationText(source),
+             canSetImageSymmetry(camera) ? "; --accept-orientation sets it" : "");
+}
+
+void printCamera(const Project& project, const CameraFromPoints& found) {
+  fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", cameraOf(project, found).camera.name, found.clicks,
+             found.rmsPx, statusText(found.status));
   if (found.proposal) {
-    const ImageSymmetry& symmetry = found.proposal->symmetry;
-    fmt::print("{} seems to be {}{}{}: its points fit to {:.2f} px with rotate += {}{}.\n", name,
-               symmetry.rotateDegrees != 0 ? "rotated" : "",
-               symmetry.rotateDegrees != 0 && symmetry.mirrored ? " and " : "",
-               symmetry.mirrored ? "mirrored" : "", found.proposal->rmsPx, symmetry.rotateDegrees,
-               symmetry.mirrored ? " and mirror = true" : "");
+    printProposal(project, found);
   }
+}
+
+/// Sets what was proposed, and tells of it.
+Project withOrientations(const Project& project, const PointSolution& solution) {
+  Project changed = withProposedSymmetries(project, solution.cameras);
+  for (const CameraFromPoints& found : solution.cameras) {
+    const ProjectCamera& camera = cameraOf(changed, found);
+    const ImageSymmetry set{camera.rotateDegrees, camera.mirrored};
+    const ProjectCamera& before = cameraOf(project, found);
+    if (set != ImageSymmetry{before.rotateDegrees, before.mirrored}) {
+      fmt::print("{}: {} now.\n", camera.camera.name, orientationText(set));
+    }
+  }
+  return changed;
 }
 
 void printPoints(const Project& project, const PointSolution& solution) {
@@ -71,7 +100,12 @@ int calibrate(const PointsCommandOptions& options) {
     report({ErrorCode::BadValue, "", "--apply", "only a project file can be changed"});
     return kExitUsage;
   }
-  const auto project = resolveProject(options.project);
+  if (options.acceptOrientation && !options.apply) {
+    report({ErrorCode::BadValue, "", "--accept-orientation",
+            "the project file has it, so --apply is needed, too"});
+    return kExitUsage;
+  }
+  auto project = resolveProject(options.project);
   if (!project) {
     return report(project.error());
   }
@@ -79,10 +113,14 @@ int calibrate(const PointsCommandOptions& options) {
     return report(
         {ErrorCode::MissingKey, options.project, "point", "no measured point to calibrate from"});
   }
-  const PointSolution solution = solveFromPoints(rigOf(*project), project->points, options.points);
+  PointSolution solution = solveFromPoints(rigOf(*project), project->points, options.points);
+  if (options.acceptOrientation) {
+    *project = withOrientations(*project, solution);
+    solution = solveFromPoints(rigOf(*project), project->points, options.points);
+  }
   fmt::print("{:<16} {:>6} {:>8}\n", "camera", "points", "px");
   for (const CameraFromPoints& found : solution.cameras) {
-    printCamera(solution.rig, found);
+    printCamera(*project, found);
   }
   printPoints(*project, solution);
   auto written = options.out.empty() ? Status() : saveCalibration(solution.rig, options.out);
@@ -103,6 +141,9 @@ void addCalibratePointsCommand(CLI::App& group, int& exitCode) {
   command->add_flag("--focal", options->points.alsoFocal, "Find the focal lengths too");
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_flag("--apply", options->apply, "Write the cameras into the project file");
+  command->add_flag("--accept-orientation", options->acceptOrientation,
+                    "Rotate and mirror the images of cameras whose points fit only then; with "
+                    "--apply");
   command->callback([options, &exitCode] { exitCode = calibrate(*options); });
 }
 

@@ -99,8 +99,9 @@ int plan(PlanOptions& options) {
   fmt::print("best place for another  {:.2f} {:.2f} {:.2f} m, looking {:.1f} degrees from x to y, "
              "{:.1f} above the horizon\n",
              center.x(), center.y(), center.z(), heading.yaw / kDegree, heading.pitch / kDegree);
-  fmt::print("within {:.4g} mm then    {:.1f} % of the volume\n", 1e3 * options.placement.goodSigma,
-             100.0 * found->withinAfter);
+  fmt::print("within {:.4g} mm then    {:.1f} % of the volume, {:.1f} % before\n",
+             1e3 * options.placement.goodSigma, 100.0 * found->withinAfter,
+             100.0 * found->withinBefore);
   if (!options.out.empty()) {
     rig.push_back(found->camera);
     if (const auto written = saveCalibration(rig, options.out); !written) {

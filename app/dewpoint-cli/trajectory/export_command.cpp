@@ -184,6 +184,7 @@ int exportCommand(ExportCommand& command) {
     if (const auto drawn = writeFigure(command, *trajectory); !drawn) {
       return reportAbout(drawn.error(), command.source);
     }
+    fmt::print("Figure in {}.\n", command.figure);
   }
   return command.file.empty() ? static_cast<int>(kExitDone) : writeExport(command, *trajectory);
 }

@@ -242,9 +242,9 @@ std::optional<int> PointCalibrator::proposedCamera() const {
   if (!proposal_ || proposal_->camera >= static_cast<int>(cameras.size())) {
     return std::nullopt;
   }
-  const bool simulated = cameras[static_cast<std::size_t>(proposal_->camera)].source ==
-                         SourceKind::Simulation; // its images are made as they are
-  return simulated ? std::nullopt : std::optional(proposal_->camera);
+  return canSetImageSymmetry(cameras[static_cast<std::size_t>(proposal_->camera)])
+             ? std::optional(proposal_->camera)
+             : std::nullopt;
 }
 
 QString PointCalibrator::proposalText() const {
