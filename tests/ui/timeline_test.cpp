@@ -39,7 +39,7 @@ private Q_SLOTS:
 private:
   bool showsFrame(qint64 frame) {
     return waitFor(
-        [&] { return shown().frame == frame && window_->selection().moment() == frame; });
+        [&] { return shown().frame == frame && window_->selection().currentFrame() == frame; });
   }
   /// What a view shows once it has drawn the newest snapshot; empty if it does not in time.
   QImage picture(const char* view) {

@@ -126,10 +126,10 @@ void PeoplePanel::retranslateUi() {
 }
 
 void PeoplePanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
-  const bool otherMoment = !snapshot_ || !snapshot || snapshot->state != PlayState::Playing ||
-                           snapshot_->targets.size() != snapshot->targets.size();
+  const bool showsOtherFrame = !snapshot_ || !snapshot || snapshot->state != PlayState::Playing ||
+                               snapshot_->targets.size() != snapshot->targets.size();
   snapshot_ = snapshot;
-  if (otherMoment || !sinceRefresh_.isValid() || sinceRefresh_.elapsed() >= kRefreshMs) {
+  if (showsOtherFrame || !sinceRefresh_.isValid() || sinceRefresh_.elapsed() >= kRefreshMs) {
     refresh();
   }
 }

@@ -39,8 +39,8 @@ void PlotCursor::draw(QCPPainter* painter) {
     if (dragged) {
       fill(*rect, *dragged, palette.color(QPalette::WindowText), 32);
     }
-    if (moment) {
-      line(*rect, *moment, QPen(accent, 2.0));
+    if (currentFrame) {
+      line(*rect, *currentFrame, QPen(accent, 2.0));
     }
     if (hovered) {
       line(*rect, *hovered, QPen(palette.color(QPalette::WindowText), 0.0));

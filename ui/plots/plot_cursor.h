@@ -18,7 +18,7 @@ public:
   PlotCursor(QCustomPlot* plot, const QString& layer) : QCPLayerable(plot, layer) {}
 
   std::vector<QCPAxisRect*> rects; ///< those it crosses
-  std::optional<double> moment;
+  std::optional<double> currentFrame;
   std::optional<double> hovered;
   std::optional<std::pair<double, double>> span;
   std::optional<std::pair<double, double>> dragged; ///< part to be zoomed to

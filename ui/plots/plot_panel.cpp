@@ -69,7 +69,7 @@ PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* par
   connectActions();
   stack_->setSeries(&seriesOf(0));
   stack_->link(selection_);
-  connect(&selection_, &Selection::momentChanged, this, &PlotPanel::placeMoment);
+  connect(&selection_, &Selection::currentFrameChanged, this, &PlotPanel::showCurrentFrame);
   connect(&selection_, &Selection::targetSelected, this,
           [this](int target) { setTarget(std::max(0, target)); });
 }
@@ -181,7 +181,7 @@ void PlotPanel::append(const std::vector<IterationRecord>& records) {
     appendTo(series, record);
   }
   if (!records.empty()) {
-    placeMoment();
+    showCurrentFrame();
     stack_->refresh();
   }
 }
@@ -191,7 +191,7 @@ void PlotPanel::clear() {
   for (const auto& series : series_) {
     series->reset(columns);
   }
-  stack_->setMoment(std::nullopt);
+  stack_->setCurrentFrame(std::nullopt);
   stack_->setHovered(std::nullopt);
   stack_->refresh();
 }
@@ -218,12 +218,12 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
 }
 
-void PlotPanel::placeMoment() {
+void PlotPanel::showCurrentFrame() {
   // At the newest frame there is no line: the curves end there.
   const PlotSeries& series = seriesOf(target_);
-  const std::int64_t frame = selection_.moment();
+  const std::int64_t frame = selection_.currentFrame();
   const bool past = series.size() > 0 && frame < series.row(series.size() - 1).frame;
-  stack_->setMoment(past ? std::optional(frame) : std::nullopt);
+  stack_->setCurrentFrame(past ? std::optional(frame) : std::nullopt);
 }
 
 void PlotPanel::setTarget(int target) {

@@ -62,7 +62,7 @@ private:
   void keepChoice();
   void useCameras();
   void askSave();
-  void placeMoment();
+  void showCurrentFrame();
   PlotSeries& seriesOf(int target);
 
   ActionRegistry& actions_;

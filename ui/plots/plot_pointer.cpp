@@ -116,7 +116,7 @@ void PlotPointer::release(QMouseEvent* event) {
   stack_.cursor_->dragged.reset();
   if (was == Drag::Press) {
     if (const auto frame = stack_.frameAt(event->pos().x())) {
-      Q_EMIT stack_.momentChosen(*frame);
+      Q_EMIT stack_.frameChosen(*frame);
     }
   } else if (was == Drag::Zoom && event->pos() != pressed_) {
     const auto [lower, upper] = std::minmax({pressedKey_, stack_.keyAt(event->pos().x())});
@@ -170,7 +170,7 @@ bool PlotPointer::key(QKeyEvent* event) {
   case Qt::Key_Return:
   case Qt::Key_Enter:
     if (stack_.hovered_) {
-      Q_EMIT stack_.momentChosen(*stack_.hovered_);
+      Q_EMIT stack_.frameChosen(*stack_.hovered_);
     }
     return true;
   case Qt::Key_Escape:

@@ -154,7 +154,7 @@ std::optional<std::size_t> PlotStack::cursorRow() const {
   if (series_ == nullptr || series_->size() == 0) {
     return std::nullopt;
   }
-  const auto frame = hovered_ ? hovered_ : moment_;
+  const auto frame = hovered_ ? hovered_ : currentFrame_;
   return frame ? series_->atFrame(*frame) : series_->size() - 1;
 }
 
@@ -163,7 +163,7 @@ void PlotStack::drawCursor() {
     const auto row = series_ != nullptr && frame ? series_->atFrame(*frame) : std::nullopt;
     return row ? std::optional(series_->key(*row, axis())) : std::nullopt;
   };
-  cursor_->moment = place(moment_);
+  cursor_->currentFrame = place(currentFrame_);
   cursor_->hovered = place(hovered_);
   cursor_->span.reset();
   if (span_) {
@@ -190,7 +190,7 @@ void PlotStack::setAxis(PlotAxis axis) {
 }
 
 void PlotStack::link(Selection& selection) {
-  connect(this, &PlotStack::momentChosen, &selection, &Selection::requestFrame);
+  connect(this, &PlotStack::frameChosen, &selection, &Selection::requestFrame);
   connect(this, &PlotStack::spanChosen, &selection, [&selection](qint64 first, qint64 last) {
     selection.selectSpan(FrameSpan{first, last});
   });
@@ -210,9 +210,9 @@ void PlotStack::shareCursor(PlotStack& other) {
   tell(other, *this);
 }
 
-void PlotStack::setMoment(std::optional<std::int64_t> frame) {
-  if (frame != moment_) {
-    moment_ = frame;
+void PlotStack::setCurrentFrame(std::optional<std::int64_t> frame) {
+  if (frame != currentFrame_) {
+    currentFrame_ = frame;
     drawCursor();
   }
 }
@@ -244,9 +244,9 @@ void PlotStack::showPart(double lower, double upper) {
 void PlotStack::zoom(double factor, std::optional<double> about) {
   const auto [lower, upper] = shownRange();
   const auto row = cursorRow();
-  const double middle = about                          ? *about
-                        : (hovered_ || moment_) && row ? series_->key(*row, axis())
-                                                       : (lower + upper) / 2.0;
+  const double middle = about                                ? *about
+                        : (hovered_ || currentFrame_) && row ? series_->key(*row, axis())
+                                                             : (lower + upper) / 2.0;
   showPart(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
 }
 

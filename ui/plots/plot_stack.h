@@ -50,7 +50,7 @@ public:
   /// The pointer's frame is shown in both.
   void shareCursor(PlotStack& other);
   /// The frame all views show; nothing: the newest.
-  void setMoment(std::optional<std::int64_t> frame);
+  void setCurrentFrame(std::optional<std::int64_t> frame);
   /// The frame the pointer is on, here or in another view; nothing: nowhere.
   void setHovered(std::optional<std::int64_t> frame);
   void setSpan(std::optional<FrameSpan> span);
@@ -89,7 +89,7 @@ public:
 Q_SIGNALS:
   /// The pointer (or the arrow keys) is on this frame; negative: it has left.
   void hovered(qint64 frame);
-  void momentChosen(qint64 frame);
+  void frameChosen(qint64 frame);
   void spanChosen(qint64 first, qint64 last);
   void spanCleared();
   void cursorMoved();
@@ -119,7 +119,7 @@ private:
   std::vector<std::unique_ptr<PlotRow>> rows_;
   const PlotSeries* series_ = nullptr;
   PlotAxisRange range_;
-  std::optional<std::int64_t> moment_;
+  std::optional<std::int64_t> currentFrame_;
   std::optional<std::int64_t> hovered_;
   std::optional<FrameSpan> span_;
   QTimer timer_;

@@ -5,13 +5,13 @@
 
 namespace dewpoint::ui {
 
-void Selection::setMoment(qint64 frame, double seconds, bool past) {
-  const bool changed = frame != moment_ || seconds != seconds_ || past != past_;
-  moment_ = frame;
+void Selection::setCurrentFrame(qint64 frame, double seconds, bool past) {
+  const bool changed = frame != currentFrame_ || seconds != seconds_ || past != past_;
+  currentFrame_ = frame;
   seconds_ = seconds;
   past_ = past;
   if (changed) {
-    Q_EMIT momentChanged(frame, seconds);
+    Q_EMIT currentFrameChanged(frame, seconds);
   }
 }
 
@@ -47,7 +47,7 @@ void Selection::selectPlannedCamera(int planned) {
 void Selection::clear() {
   selectSpan(std::nullopt);
   selectTarget(-1);
-  setMoment(-1, 0.0, false);
+  setCurrentFrame(-1, 0.0, false);
 }
 
 } // namespace dewpoint::ui

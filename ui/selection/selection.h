@@ -16,20 +16,20 @@ struct FrameSpan {
   bool operator==(const FrameSpan&) const = default;
 };
 
-/// What is selected, in all views at once: moment, span, target and camera. A view shows what the
-/// `...Changed` signals say and tells with `request...` and `select...` what the user points at;
-/// views never talk to each other. The window passes the request for a frame on to the session and
-/// reports the moment once its images are there.
+/// What is selected, in all views at once: frame, range, target and camera. A view shows what the
+/// `...Changed` signals report and passes on with `request...` and `select...` what you point at;
+/// views never talk to each other. The window hands the request for a frame to the session and
+/// sets the current frame once its images are there.
 class Selection : public QObject {
   Q_OBJECT
 public:
   explicit Selection(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Frame shown in all views; -1 before the first.
-  qint64 moment() const { return moment_; }
+  qint64 currentFrame() const { return currentFrame_; }
   /// Its time, seconds.
   double seconds() const { return seconds_; }
-  /// Whether that is an earlier moment than the run stands at, or an untracked one.
+  /// Whether that is an earlier frame than the run stands at, or an untracked one.
   bool isPast() const { return past_; }
   const std::optional<FrameSpan>& span() const { return span_; }
   /// Index of the selected target or camera; -1: none.
@@ -39,12 +39,12 @@ public:
   /// the selected camera; -1: none.
   int plannedCamera() const { return plannedCamera_; }
 
-  /// The user points at a frame (timeline, plot, table).
+  /// You point at a frame (timeline, plot, table).
   void requestFrame(qint64 frame) { Q_EMIT frameRequested(frame); }
-  /// The user wants to see again where the run stands.
+  /// You want to see again where the run stands.
   void requestLiveFrame() { Q_EMIT liveFrameRequested(); }
   /// The frame that is shown from now on: for the window.
-  void setMoment(qint64 frame, double seconds, bool past);
+  void setCurrentFrame(qint64 frame, double seconds, bool past);
 
   void selectSpan(std::optional<FrameSpan> span);
   void selectTarget(int target);
@@ -56,14 +56,14 @@ public:
 Q_SIGNALS:
   void frameRequested(qint64 frame);
   void liveFrameRequested();
-  void momentChanged(qint64 frame, double seconds);
+  void currentFrameChanged(qint64 frame, double seconds);
   void spanChanged();
   void targetSelected(int target);
   void cameraSelected(int camera);
   void plannedCameraSelected(int planned);
 
 private:
-  qint64 moment_ = -1;
+  qint64 currentFrame_ = -1;
   double seconds_ = 0.0;
   bool past_ = false;
   std::optional<FrameSpan> span_;

@@ -199,7 +199,7 @@ void SessionController::applyMethod() {
   // of a recording is tracked again.
   const bool tracked = shown_ && shown_->frameCount && shown_->history.head >= 0;
   if (selection_.isPast() || tracked) {
-    session.setMethodFrom(selection_.isPast() ? selection_.moment() : 0, project.method,
+    session.setMethodFrom(selection_.isPast() ? selection_.currentFrame() : 0, project.method,
                           project.parameters);
   } else {
     session.setMethod(project.method, project.parameters);
@@ -264,8 +264,8 @@ void SessionController::useFilterThreads() {
 }
 
 void SessionController::rerun() {
-  if (bridge_ != nullptr && selection_.moment() >= 0) {
-    bridge_->session().rerunFrom(selection_.moment());
+  if (bridge_ != nullptr && selection_.currentFrame() >= 0) {
+    bridge_->session().rerunFrom(selection_.currentFrame());
   }
 }
 

@@ -37,7 +37,7 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     marks_->retranslate();
     update();
   });
-  connect(&selection_, &Selection::momentChanged, this, [this] {
+  connect(&selection_, &Selection::currentFrameChanged, this, [this] {
     announceFrame();
     update();
   });
@@ -141,7 +141,7 @@ qint64 Timeline::reached() const {
   // What was asked for a moment ago may not be shown yet; what never comes is forgotten.
   const bool recent =
       wanted_ && sinceWanted_.isValid() && sinceWanted_.elapsed() < kRequestTimeoutMs;
-  return recent ? *wanted_ : std::max<qint64>(0, selection_.moment());
+  return recent ? *wanted_ : std::max<qint64>(0, selection_.currentFrame());
 }
 
 void Timeline::want(qint64 frame, bool extendSpan) {
@@ -229,7 +229,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     drag_ = Drag::Span;
     anchor_ = frame;
   } else {
-    drag_ = Drag::Moment;
+    drag_ = Drag::Frame;
     want(frame);
   }
 }
@@ -258,7 +258,7 @@ void Timeline::leaveEvent(QEvent* event) {
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
   const qint64 frame = scale_.frameAt(event->position().x());
   hover(event->position());
-  if (drag_ == Drag::Moment) {
+  if (drag_ == Drag::Frame) {
     want(frame);
   } else if (drag_ == Drag::Span) {
     selectTo(frame);
@@ -336,13 +336,13 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event) {
   }
   Q_EMIT menuWanted(event->reason() == QContextMenuEvent::Mouse
                         ? event->globalPos()
-                        : mapToGlobal(positionOf(selection_.moment())));
+                        : mapToGlobal(positionOf(selection_.currentFrame())));
 }
 
 void Timeline::announceFrame() {
   if (QAccessible::isActive()) { // nobody else hears it
-    const qint64 moment = selection_.moment();
-    setAccessibleDescription(moment < 0 ? QString() : model_.describe(moment));
+    const qint64 currentFrame = selection_.currentFrame();
+    setAccessibleDescription(currentFrame < 0 ? QString() : model_.describe(currentFrame));
   }
 }
 
@@ -376,7 +376,7 @@ void Timeline::stepMark(int direction) {
 }
 
 void Timeline::addMark() {
-  const qint64 frame = selection_.moment();
+  const qint64 frame = selection_.currentFrame();
   if (frame < 0) {
     return;
   }
@@ -388,7 +388,7 @@ void Timeline::addMark() {
 }
 
 bool Timeline::removeMark() {
-  return marks_->remove(selection_.moment());
+  return marks_->remove(selection_.currentFrame());
 }
 
 void Timeline::editName(const ProjectMark& mark) {

@@ -87,7 +87,7 @@ private:
   Document& document_;
   TimelineModel model_;
   TimelineScale scale_;
-  enum class Drag { None, Moment, Span };
+  enum class Drag { None, Frame, Span };
   Drag drag_ = Drag::None;
   qint64 hovered_ = -1;
   qint64 anchor_ = -1;           ///< where the span began

@@ -73,9 +73,9 @@ Timeline* installTimeline(const Workbench& bench) {
                    [bench, timeline](const TrackSnapshotPtr& snapshot) {
                      bench.action("actionNow")->setEnabled(snapshot && snapshot->past);
                      if (snapshot) {
-                       bench.selection.setMoment(snapshot->frame,
-                                                 timeline->model().secondsOf(snapshot->frame),
-                                                 snapshot->past);
+                       bench.selection.setCurrentFrame(snapshot->frame,
+                                                       timeline->model().secondsOf(snapshot->frame),
+                                                       snapshot->past);
                      }
                    });
   QObject::connect(timeline, &Timeline::menuWanted, timeline,

@@ -204,10 +204,10 @@ void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScal
     painter.setPen(QPen(palette.color(QPalette::Text), 1.2, Qt::DashLine));
     painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));
   }
-  if (selection.moment() < 0) {
+  if (selection.currentFrame() < 0) {
     return;
   }
-  const double x = scale.x(static_cast<double>(selection.moment()) + 0.5);
+  const double x = scale.x(static_cast<double>(selection.currentFrame()) + 0.5);
   if (x < rows.axis.left() - 1.0 || x > rows.axis.right() + 1.0) {
     return;
   }

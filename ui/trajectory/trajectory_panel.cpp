@@ -144,7 +144,7 @@ void TrajectoryPanel::connectViews() {
     selection_.selectSpan(FrameSpan{first, last});
   });
   connect(&selection_, &Selection::spanChanged, this, &TrajectoryPanel::showSpan);
-  connect(&selection_, &Selection::momentChanged, this, &TrajectoryPanel::placeMoment);
+  connect(&selection_, &Selection::currentFrameChanged, this, &TrajectoryPanel::showCurrentFrame);
   connect(&selection_, &Selection::targetSelected, this, [this](int target) {
     const auto chosen = static_cast<std::size_t>(std::max(0, target));
     setTarget(chosen < names_.size() ? names_[chosen] : std::string());
@@ -212,7 +212,7 @@ void TrajectoryPanel::fetch() {
   }
   choosing_ = choosing;
   gaps_->setGaps(model_->log().gaps());
-  placeMoment();
+  showCurrentFrame();
   if (following_ && !selection_.span()) {
     table_->scrollToBottom();
   }
@@ -338,11 +338,12 @@ void TrajectoryPanel::highlight() {
                                     static_cast<std::size_t>(last), motion_.target(), kMostPlaces));
 }
 
-void TrajectoryPanel::placeMoment() {
+void TrajectoryPanel::showCurrentFrame() {
   // At the newest frame there is no line: the curves end there.
   const auto& rows = model_->log().rows();
-  const bool past = !rows.empty() && selection_.moment() < rows.back().sample.frame;
-  plots_->setMoment(past ? std::optional<std::int64_t>(selection_.moment()) : std::nullopt);
+  const bool past = !rows.empty() && selection_.currentFrame() < rows.back().sample.frame;
+  plots_->setCurrentFrame(past ? std::optional<std::int64_t>(selection_.currentFrame())
+                               : std::nullopt);
 }
 
 void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool extend) {
@@ -359,8 +360,8 @@ void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool
     return;
   }
   selection_.selectTarget(target);
-  if (extend && selection_.moment() >= 0) {
-    selection_.selectSpan(FrameSpan{selection_.moment(), found->sample.frame});
+  if (extend && selection_.currentFrame() >= 0) {
+    selection_.selectSpan(FrameSpan{selection_.currentFrame(), found->sample.frame});
   } else {
     selection_.requestFrame(found->sample.frame);
   }

@@ -75,7 +75,7 @@ protected:
 private:
   void setTarget(const std::string& name);
   void showSpan();
-  void placeMoment();
+  void showCurrentFrame();
   void makeTable();
   void makePlots();
   void connectViews();
