@@ -251,13 +251,13 @@ void ExportTest::theSpanIsTheSelectedOne() {
   };
   // Frames 2 to 4 at 30 frames a second: 0.0666.. to 0.1333.. s, outwards to the milliseconds
   // shown.
-  window_->selection().selectSpan(FrameSpan{2, 4});
+  window_->selection().selectRange(SelectedRange{2, 4});
   open();
   QCOMPARE(from->value(), 0.066);
   QCOMPARE(to->value(), 0.134);
   QTRY_VERIFY_WITH_TIMEOUT(field<QLabel>("exportSize")->text().contains(QStringLiteral("rows: 3")),
                            kPatienceMs);
-  window_->selection().selectSpan(std::nullopt);
+  window_->selection().selectRange(std::nullopt);
   open();
   QCOMPARE(from->value(), from->minimum()); // the beginning
   QCOMPARE(to->value(), to->minimum());     // the end

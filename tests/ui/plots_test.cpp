@@ -94,7 +94,7 @@ void PlotsTest::init() {
   plots().showAll();
   action("actionPlotOverTime")->setChecked(false);
   QTest::keyClick(canvas(), Qt::Key_Escape);
-  QVERIFY(!plots().span());
+  QVERIFY(!plots().selectedRange());
 }
 
 void PlotsTest::openTrajectory() {
@@ -223,15 +223,16 @@ void PlotsTest::spanOfThePlotsIsSelectedInTheTable() {
   point(at(0.3));
   point(at(0.6));
   QTest::mouseRelease(canvas(), Qt::LeftButton, Qt::ShiftModifier, at(0.6));
-  QVERIFY(plots().span());
-  const FrameSpan span = *plots().span();
-  QVERIFY(span.first < span.last);
-  QCOMPARE(window_->selection().span(), plots().span());
+  QVERIFY(plots().selectedRange());
+  const SelectedRange selectedRange = *plots().selectedRange();
+  QVERIFY(selectedRange.first < selectedRange.last);
+  QCOMPARE(window_->selection().selectedRange(), plots().selectedRange());
   // One target: a row for each frame.
-  QCOMPARE(table().selectionModel()->selectedRows().size(), span.last - span.first + 1);
+  QCOMPARE(table().selectionModel()->selectedRows().size(),
+           selectedRange.last - selectedRange.first + 1);
   QVERIFY(!highlighted.isEmpty());
   QTest::keyClick(canvas(), Qt::Key_Escape);
-  QVERIFY(!window_->selection().span());
+  QVERIFY(!window_->selection().selectedRange());
   QVERIFY(!table().selectionModel()->hasSelection());
 }
 
@@ -246,9 +247,9 @@ void PlotsTest::rowsOfTheTableAreASpanInThePlotsAndTheRoom() {
   for (int i = 0; i < 20; ++i) {
     QTest::keyClick(&table(), Qt::Key_Down, Qt::ShiftModifier);
   }
-  QVERIFY(plots().span());
-  QCOMPARE(*plots().span(), (FrameSpan{64, 85})); // rows from 64 on, 21 steps down
-  QCOMPARE(trajectory().plots().span(), plots().span());
+  QVERIFY(plots().selectedRange());
+  QCOMPARE(*plots().selectedRange(), (SelectedRange{64, 85})); // rows from 64 on, 21 steps down
+  QCOMPARE(trajectory().plots().selectedRange(), plots().selectedRange());
   QVERIFY(window_->findChild<BirdsEyeView*>()->currentPicture() != before);
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
@@ -271,9 +272,10 @@ void PlotsTest::placeOfTheTailIsAMoment() {
   const auto chosen = wanted.first().first().toULongLong();
   QVERIFY(QLineF(pixel(chosen), pixel(80)).length() < 2.0);
   QTest::mouseClick(view, Qt::LeftButton, Qt::ShiftModifier, pixel(80).toPoint());
-  QVERIFY(window_->selection().span());
-  const FrameSpan span = *window_->selection().span();
-  QVERIFY(span.first == static_cast<qint64>(chosen) || span.last == static_cast<qint64>(chosen));
+  QVERIFY(window_->selection().selectedRange());
+  const SelectedRange selectedRange = *window_->selection().selectedRange();
+  QVERIFY(selectedRange.first == static_cast<qint64>(chosen) ||
+          selectedRange.last == static_cast<qint64>(chosen));
   window_->selection().requestLiveFrame();
   QVERIFY(waitFor([this] { return window_->shown()->frame == kFrames - 1; }));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();

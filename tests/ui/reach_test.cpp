@@ -79,9 +79,9 @@ void ReachTest::aRaisedViewComesToTheFrontBelowTheMessage() {
 void ReachTest::anotherProjectOpensWhileASpanIsSelected() {
   openDemo();
   QVERIFY(waitFor([this] { return window_->shown()->frame >= 10; }));
-  window_->selection().selectSpan(FrameSpan{2, 5});
+  window_->selection().selectRange(SelectedRange{2, 5});
   open();
-  QVERIFY(!window_->selection().span());
+  QVERIFY(!window_->selection().selectedRange());
   QVERIFY(isOpen(2));
 }
 

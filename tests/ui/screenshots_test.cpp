@@ -139,7 +139,7 @@ void ScreenshotsTest::keepWaving() {
     project.cameras[1].adjusted = true;
     project.cameras[1].camera.cameraFromWorld.translation() += Eigen::Vector3d(0.02, 0.01, 0.0);
   }));
-  window_->selection().selectSpan(FrameSpan{60, 199});
+  window_->selection().selectRange(SelectedRange{60, 199});
   find<QCheckBox>("wandSpan")->click();
   find<QPushButton>("wandTake")->click();
   find<QPushButton>("wandRefine")->click();

@@ -108,9 +108,9 @@ void TimelineTest::keysGoByFramesSecondsAndToTheEnds() {
   QVERIFY(showsFrame(30));
   QTest::keyClick(timeline_, Qt::Key_Left, Qt::ShiftModifier);
   QVERIFY(showsFrame(29));
-  QVERIFY(window_->selection().span() == (FrameSpan{29, 30}));
+  QVERIFY(window_->selection().selectedRange() == (SelectedRange{29, 30}));
   QTest::keyClick(timeline_, Qt::Key_Escape);
-  QVERIFY(!window_->selection().span());
+  QVERIFY(!window_->selection().selectedRange());
   QTest::keyClick(timeline_, Qt::Key_End);
   QVERIFY(showsFrame(kTracked - 1));
   QTest::keyClick(window_.get(), Qt::Key_Comma);
@@ -177,15 +177,15 @@ void TimelineTest::marksAreStepsOfTheDocument() {
 }
 
 void TimelineTest::spansAreSelectedAndZoomedTo() {
-  QSignalSpy spans(&window_->selection(), &Selection::spanChanged);
+  QSignalSpy ranges(&window_->selection(), &Selection::rangeChanged);
   const int axis = 5;
   const QPoint begin(timeline_->positionOf(5).x(), axis);
   const QPoint end(timeline_->positionOf(25).x(), axis);
   QTest::mousePress(timeline_, Qt::LeftButton, {}, begin);
   QTest::mouseMove(timeline_, end);
   QTest::mouseRelease(timeline_, Qt::LeftButton, {}, end);
-  QVERIFY(spans.count() > 0);
-  QVERIFY(window_->selection().span() == (FrameSpan{5, 25}));
+  QVERIFY(ranges.count() > 0);
+  QVERIFY(window_->selection().selectedRange() == (SelectedRange{5, 25}));
   const int before = timeline_->positionOf(25).x() - timeline_->positionOf(5).x();
   trigger("actionZoomToSpan");
   QVERIFY(timeline_->positionOf(25).x() - timeline_->positionOf(5).x() > before);

@@ -115,12 +115,12 @@ void TrajectoryPanelTest::speedHeightAndGaps() {
 
 void TrajectoryPanelTest::chosenGapIsTheSpan() {
   follow(circle(100));
-  QSignalSpy chosen(&selection_, &Selection::spanChanged);
+  QSignalSpy chosen(&selection_, &Selection::rangeChanged);
   panel_->findChild<GapList*>()->selectRow(0);
   QCOMPARE(chosen.size(), 1);
-  QCOMPARE(selection_.span(), std::optional(FrameSpan{40, 49}));
+  QCOMPARE(selection_.selectedRange(), std::optional(SelectedRange{40, 49}));
   QCOMPARE(table().selectionModel()->selectedRows().size(), 10);
-  selection_.selectSpan(std::nullopt);
+  selection_.selectRange(std::nullopt);
   QVERIFY(!table().selectionModel()->hasSelection());
   QVERIFY(!panel_->findChild<GapList*>()->selectionModel()->hasSelection());
 }

@@ -18,7 +18,7 @@ namespace dewpoint::tests {
 namespace {
 
 /// The frames in which the demo's ball moves well enough: as the test of the command line has them.
-constexpr FrameSpan kWave{60, 199};
+constexpr SelectedRange kWave{60, 199};
 
 /// The demo's frames as live cameras would bring them; afterwards nothing comes any more.
 class LiveDemo : public FrameSetSource {
@@ -60,7 +60,7 @@ private Q_SLOTS:
 
 private:
   void press(const char* name) { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
-  void refine(const FrameSpan& span);
+  void refine(const SelectedRange& selectedRange);
   CameraRig cameras() {
     CameraRig rig;
     for (const ProjectCamera& one : project().cameras) {
@@ -81,8 +81,8 @@ void WandPageTest::cleanup() {
   window_.reset();
 }
 
-void WandPageTest::refine(const FrameSpan& span) {
-  window_->selection().selectSpan(span);
+void WandPageTest::refine(const SelectedRange& selectedRange) {
+  window_->selection().selectRange(selectedRange);
   find<QCheckBox>("wandSpan")->click();
   QVERIFY(find<QCheckBox>("wandSpan")->isChecked());
   find<QComboBox>("wandSize")->activated(0);

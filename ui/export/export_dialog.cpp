@@ -285,8 +285,8 @@ void ExportDialog::setRunning(bool running) {
   figure_->setEnabled(!running);
 }
 
-void ExportDialog::setSpan(std::optional<std::pair<double, double>> seconds) {
-  form_->setSpan(seconds);
+void ExportDialog::setSelectedRange(std::optional<std::pair<double, double>> seconds) {
+  form_->setSelectedRange(seconds);
 }
 
 void ExportDialog::askToReplace(const QString& file) {

@@ -33,7 +33,7 @@ public:
   /// Takes the run as it is now and shows it.
   void refresh();
   /// Proposes to export these seconds only; nothing: takes that proposal back.
-  void setSpan(std::optional<std::pair<double, double>> seconds);
+  void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Proposes a file in this folder.
   void proposeIn(const QString& folder);
   /// Another project: what was chosen for the last one is forgotten; a file in this folder is

@@ -197,7 +197,7 @@ bool ExportForm::isLive() const {
   return estimates_->currentIndex() == 0;
 }
 
-void ExportForm::setSpan(std::optional<std::pair<double, double>> seconds) {
+void ExportForm::setSelectedRange(std::optional<std::pair<double, double>> seconds) {
   const std::pair<double, double> all(from_->minimum(), to_->minimum());
   if (!seconds && std::pair(from_->value(), to_->value()) != given_) {
     return; // typed by hand since

@@ -30,7 +30,7 @@ public:
   /// Offers the targets of a trajectory; the same ones stay as they are marked.
   void setTargetsOf(const Trajectory& trajectory);
   /// Proposes these seconds only; nothing: takes that proposal back, if nobody typed since.
-  void setSpan(std::optional<std::pair<double, double>> seconds);
+  void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Forgets what was chosen for another project.
   void startAnew();
   void retranslate();

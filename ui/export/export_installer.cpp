@@ -64,10 +64,11 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     QObject::connect(&bench.document, &Document::replaced, dialog, startAnew);
     startAnew();
   }
-  const auto& span = bench.selection.span();
-  dialog->setSpan(
-      span ? std::optional(std::pair(time.secondsOf(span->first), time.secondsOf(span->last)))
-           : std::nullopt);
+  const auto& selectedRange = bench.selection.selectedRange();
+  dialog->setSelectedRange(selectedRange
+                               ? std::optional(std::pair(time.secondsOf(selectedRange->first),
+                                                         time.secondsOf(selectedRange->last)))
+                               : std::nullopt);
   Workbench::present(dialog);
 }
 

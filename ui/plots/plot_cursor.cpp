@@ -33,8 +33,8 @@ void PlotCursor::draw(QCPPainter* painter) {
   const QColor accent = palette.color(QPalette::Highlight);
   for (const QCPAxisRect* rect : rects) {
     painter->setClipRect(rect->rect());
-    if (span) {
-      fill(*rect, *span, accent, 48);
+    if (selectedRange) {
+      fill(*rect, *selectedRange, accent, 48);
     }
     if (dragged) {
       fill(*rect, *dragged, palette.color(QPalette::WindowText), 32);

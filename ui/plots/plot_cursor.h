@@ -20,7 +20,7 @@ public:
   std::vector<QCPAxisRect*> rects; ///< those it crosses
   std::optional<double> currentFrame;
   std::optional<double> hovered;
-  std::optional<std::pair<double, double>> span;
+  std::optional<std::pair<double, double>> selectedRange;
   std::optional<std::pair<double, double>> dragged; ///< part to be zoomed to
 
 protected:

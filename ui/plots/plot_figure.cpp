@@ -47,7 +47,8 @@ void PlotFigure::paintFor(bool figure) {
           QMargins(0, 4, 4, figure ? 2 * PlotStack::kTickHeight : PlotStack::kTickHeight));
     }
   }
-  cursor_.setVisible(!figure || cursor_.span.has_value() || cursor_.currentFrame.has_value());
+  cursor_.setVisible(!figure || cursor_.selectedRange.has_value() ||
+                     cursor_.currentFrame.has_value());
 }
 
 PlotPicture PlotFigure::draw(bool asDrawing) {

@@ -77,7 +77,7 @@ void PlotPointer::press(QMouseEvent* event) {
   pressedKey_ = stack_.keyAt(pressed_.x());
   pressedRange_ = stack_.shownRange();
   anchor_.reset();
-  drag_ = event->modifiers().testFlag(Qt::ShiftModifier)     ? Drag::Span
+  drag_ = event->modifiers().testFlag(Qt::ShiftModifier)     ? Drag::Range
           : event->modifiers().testFlag(Qt::ControlModifier) ? Drag::Zoom
                                                              : Drag::Press;
 }
@@ -98,12 +98,12 @@ void PlotPointer::move(QMouseEvent* event) {
   } else if (drag_ == Drag::Zoom) {
     stack_.cursor_->dragged = std::minmax(pressedKey_, now);
     stack_.drawCursor();
-  } else if (drag_ == Drag::Span) {
+  } else if (drag_ == Drag::Range) {
     const auto from = stack_.frameAt(pressed_.x());
     const auto to = stack_.frameAt(here.x());
     if (from && to) {
       const auto [first, last] = std::minmax(*from, *to);
-      stack_.setSpan(FrameSpan{first, last});
+      stack_.setSelectedRange(SelectedRange{first, last});
     }
   }
 }
@@ -121,12 +121,12 @@ void PlotPointer::release(QMouseEvent* event) {
   } else if (was == Drag::Zoom && event->pos() != pressed_) {
     const auto [lower, upper] = std::minmax({pressedKey_, stack_.keyAt(event->pos().x())});
     stack_.showPart(lower, upper);
-  } else if (was == Drag::Span && stack_.span_) {
+  } else if (was == Drag::Range && stack_.selectedRange_) {
     if (event->pos() == pressed_) {
-      stack_.setSpan(std::nullopt);
-      Q_EMIT stack_.spanCleared();
+      stack_.setSelectedRange(std::nullopt);
+      Q_EMIT stack_.rangeCleared();
     } else {
-      Q_EMIT stack_.spanChosen(stack_.span_->first, stack_.span_->last);
+      Q_EMIT stack_.rangeChosen(stack_.selectedRange_->first, stack_.selectedRange_->last);
     }
   }
   stack_.drawCursor();
@@ -176,8 +176,8 @@ bool PlotPointer::key(QKeyEvent* event) {
   case Qt::Key_Escape:
     anchor_.reset();
     hover(std::nullopt);
-    stack_.setSpan(std::nullopt);
-    Q_EMIT stack_.spanCleared();
+    stack_.setSelectedRange(std::nullopt);
+    Q_EMIT stack_.rangeCleared();
     return true;
   default:
     return false;
@@ -200,8 +200,8 @@ void PlotPointer::walk(std::int64_t frames, bool choosing) {
   }
   anchor_ = anchor_.value_or(from);
   const auto [first, last] = std::minmax(*anchor_, to);
-  stack_.setSpan(FrameSpan{first, last});
-  Q_EMIT stack_.spanChosen(first, last);
+  stack_.setSelectedRange(SelectedRange{first, last});
+  Q_EMIT stack_.rangeChosen(first, last);
 }
 
 } // namespace dewpoint::ui

@@ -30,7 +30,7 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  enum class Drag { None, Press, Pan, Zoom, Span };
+  enum class Drag { None, Press, Pan, Zoom, Range };
   void press(QMouseEvent* event);
   void move(QMouseEvent* event);
   void release(QMouseEvent* event);

@@ -165,12 +165,12 @@ void PlotStack::drawCursor() {
   };
   cursor_->currentFrame = place(currentFrame_);
   cursor_->hovered = place(hovered_);
-  cursor_->span.reset();
-  if (span_) {
-    const auto first = place(span_->first);
-    const auto last = place(span_->last);
+  cursor_->selectedRange.reset();
+  if (selectedRange_) {
+    const auto first = place(selectedRange_->first);
+    const auto last = place(selectedRange_->last);
     if (last) {
-      cursor_->span = std::pair(first.value_or(series_->key(0, axis())), *last);
+      cursor_->selectedRange = std::pair(first.value_or(series_->key(0, axis())), *last);
     }
   }
   const auto row = cursorRow();
@@ -191,13 +191,13 @@ void PlotStack::setAxis(PlotAxis axis) {
 
 void PlotStack::link(Selection& selection) {
   connect(this, &PlotStack::frameChosen, &selection, &Selection::requestFrame);
-  connect(this, &PlotStack::spanChosen, &selection, [&selection](qint64 first, qint64 last) {
-    selection.selectSpan(FrameSpan{first, last});
+  connect(this, &PlotStack::rangeChosen, &selection, [&selection](qint64 first, qint64 last) {
+    selection.selectRange(SelectedRange{first, last});
   });
-  connect(this, &PlotStack::spanCleared, &selection,
-          [&selection] { selection.selectSpan(std::nullopt); });
-  connect(&selection, &Selection::spanChanged, this,
-          [this, &selection] { setSpan(selection.span()); });
+  connect(this, &PlotStack::rangeCleared, &selection,
+          [&selection] { selection.selectRange(std::nullopt); });
+  connect(&selection, &Selection::rangeChanged, this,
+          [this, &selection] { setSelectedRange(selection.selectedRange()); });
 }
 
 void PlotStack::shareCursor(PlotStack& other) {
@@ -224,9 +224,9 @@ void PlotStack::setHovered(std::optional<std::int64_t> frame) {
   }
 }
 
-void PlotStack::setSpan(std::optional<FrameSpan> span) {
-  if (span != span_) {
-    span_ = span;
+void PlotStack::setSelectedRange(std::optional<SelectedRange> selectedRange) {
+  if (selectedRange != selectedRange_) {
+    selectedRange_ = selectedRange;
     drawCursor();
   }
 }

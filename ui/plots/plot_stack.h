@@ -53,8 +53,8 @@ public:
   void setCurrentFrame(std::optional<std::int64_t> frame);
   /// The frame the pointer is on, here or in another view; nothing: nowhere.
   void setHovered(std::optional<std::int64_t> frame);
-  void setSpan(std::optional<FrameSpan> span);
-  std::optional<FrameSpan> span() const { return span_; }
+  void setSelectedRange(std::optional<SelectedRange> selectedRange);
+  std::optional<SelectedRange> selectedRange() const { return selectedRange_; }
   /// The part of the axis that is shown.
   std::pair<double, double> shownRange() const;
 
@@ -90,8 +90,8 @@ Q_SIGNALS:
   /// The pointer (or the arrow keys) is on this frame; negative: it has left.
   void hovered(qint64 frame);
   void frameChosen(qint64 frame);
-  void spanChosen(qint64 first, qint64 last);
-  void spanCleared();
+  void rangeChosen(qint64 first, qint64 last);
+  void rangeCleared();
   void cursorMoved();
   void contextMenuWanted(const QPoint& global);
 
@@ -121,7 +121,7 @@ private:
   PlotAxisRange range_;
   std::optional<std::int64_t> currentFrame_;
   std::optional<std::int64_t> hovered_;
-  std::optional<FrameSpan> span_;
+  std::optional<SelectedRange> selectedRange_;
   QTimer timer_;
   QElapsedTimer sinceDrawing_;
   double lastDrawingMs_ = 0.0;

@@ -68,7 +68,7 @@ void Scene3d::choose(int target) {
 }
 
 void Scene3d::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
-  parts_->span.show(strokes);
+  parts_->range.show(strokes);
 }
 
 void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
@@ -164,7 +164,7 @@ void Scene3d::prepareFrame(int width, int height) {
   parts.frusta.prepareFrame(parts.scale);
   parts.planned.prepareFrame(parts.scale);
   parts.map.prepareFrame(parts.scale);
-  parts.span.prepareFrame(parts.scale);
+  parts.range.prepareFrame(parts.scale);
   for (const auto& target : parts.targets) {
     target->prepareFrame(parts.scale);
   }

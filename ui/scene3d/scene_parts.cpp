@@ -96,7 +96,7 @@ void SceneParts::applyPalette() {
   frusta.setPalette(palette());
   planned.setPalette(plannedPalette());
   map.setPalette(palette());
-  span.setPalette(palette());
+  range.setPalette(palette());
   for (const auto& target : targets) {
     target->setPalette(palette());
   }

@@ -4,8 +4,8 @@
 #include "ui/scene3d/camera_frusta.h"
 #include "ui/scene3d/ground.h"
 #include "ui/scene3d/map_actor.h"
+#include "ui/scene3d/range_actor.h"
 #include "ui/scene3d/scene3d.h"
-#include "ui/scene3d/span_actor.h"
 #include "ui/scene3d/target_actors.h"
 
 #include <vtkCamera.h>
@@ -24,7 +24,7 @@ public:
   using View = Scene3d::View;
 
   SceneParts()
-      : ground(renderer), frusta(renderer), planned(renderer), map(renderer), span(renderer) {
+      : ground(renderer), frusta(renderer), planned(renderer), map(renderer), range(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers ask for bounds that a cloud of bare points does not have.
     renderer->UseFXAAOn();
@@ -51,7 +51,7 @@ public:
   CameraFrusta frusta;
   CameraFrusta planned;
   MapActor map;
-  SpanActor span; ///< before the targets, which are drawn over it
+  RangeActor range; ///< before the targets, which are drawn over it
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::shared_ptr<const CameraRig> rig;
   Eigen::AlignedBox3d rigBox;  ///< cameras and what they look at; empty without

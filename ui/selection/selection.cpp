@@ -15,13 +15,13 @@ void Selection::setCurrentFrame(qint64 frame, double seconds, bool past) {
   }
 }
 
-void Selection::selectSpan(std::optional<FrameSpan> span) {
-  if (span && span->first > span->last) {
-    std::swap(span->first, span->last);
+void Selection::selectRange(std::optional<SelectedRange> selectedRange) {
+  if (selectedRange && selectedRange->first > selectedRange->last) {
+    std::swap(selectedRange->first, selectedRange->last);
   }
-  if (span != span_) {
-    span_ = span;
-    Q_EMIT spanChanged();
+  if (selectedRange != selectedRange_) {
+    selectedRange_ = selectedRange;
+    Q_EMIT rangeChanged();
   }
 }
 
@@ -45,7 +45,7 @@ void Selection::selectPlannedCamera(int planned) {
 }
 
 void Selection::clear() {
-  selectSpan(std::nullopt);
+  selectRange(std::nullopt);
   selectTarget(-1);
   setCurrentFrame(-1, 0.0, false);
 }

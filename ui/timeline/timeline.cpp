@@ -41,7 +41,7 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     announceFrame();
     update();
   });
-  connect(&selection_, &Selection::spanChanged, this, qOverload<>(&QWidget::update));
+  connect(&selection_, &Selection::rangeChanged, this, qOverload<>(&QWidget::update));
   connect(&document_, &Document::changed, this, &Timeline::takeMarks);
   connect(&document_, &Document::replaced, this, &Timeline::takeMarks);
   takeMarks();
@@ -144,13 +144,13 @@ qint64 Timeline::reached() const {
   return recent ? *wanted_ : std::max<qint64>(0, selection_.currentFrame());
 }
 
-void Timeline::want(qint64 frame, bool extendSpan) {
+void Timeline::want(qint64 frame, bool extendsRange) {
   const qint64 before = reached();
   const qint64 first = model_.live ? model_.history.first : scale_.first();
   frame = std::clamp(frame, first, scale_.last());
-  if (extendSpan) {
-    anchor_ = selection_.span() && anchor_ >= 0 ? anchor_ : before;
-    selection_.selectSpan(FrameSpan{anchor_, frame});
+  if (extendsRange) {
+    anchor_ = selection_.selectedRange() && anchor_ >= 0 ? anchor_ : before;
+    selection_.selectRange(SelectedRange{anchor_, frame});
   } else {
     anchor_ = -1;
   }
@@ -162,12 +162,12 @@ void Timeline::want(qint64 frame, bool extendSpan) {
 }
 
 void Timeline::selectTo(qint64 frame) {
-  selection_.selectSpan(FrameSpan{anchor_, frame});
+  selection_.selectRange(SelectedRange{anchor_, frame});
 }
 
-void Timeline::zoomToSpan() {
-  if (selection_.span()) {
-    scale_.show(selection_.span()->first, selection_.span()->last);
+void Timeline::zoomToRange() {
+  if (selection_.selectedRange()) {
+    scale_.show(selection_.selectedRange()->first, selection_.selectedRange()->last);
     update();
   }
 }
@@ -226,7 +226,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
   }
   const bool inAxis = event->position().y() < rows().axis.bottom();
   if (inAxis || event->modifiers().testFlag(Qt::ShiftModifier)) {
-    drag_ = Drag::Span;
+    drag_ = Drag::Range;
     anchor_ = frame;
   } else {
     drag_ = Drag::Frame;
@@ -260,15 +260,15 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
   hover(event->position());
   if (drag_ == Drag::Frame) {
     want(frame);
-  } else if (drag_ == Drag::Span) {
+  } else if (drag_ == Drag::Range) {
     selectTo(frame);
   }
 }
 
 void Timeline::mouseReleaseEvent(QMouseEvent* event) {
   const qint64 frame = scale_.frameAt(event->position().x());
-  if (drag_ == Drag::Span && frame == anchor_) { // a click, no drag
-    selection_.selectSpan(std::nullopt);
+  if (drag_ == Drag::Range && frame == anchor_) { // a click, no drag
+    selection_.selectRange(std::nullopt);
     want(frame);
   }
   drag_ = Drag::None;
@@ -278,7 +278,7 @@ void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
   if (const auto mark = markAt(event->position())) {
     editName(model_.marks[*mark]);
   } else if (event->position().y() < rows().axis.bottom()) {
-    selection_.span() ? zoomToSpan() : zoomOut();
+    selection_.selectedRange() ? zoomToRange() : zoomOut();
   }
 }
 
@@ -324,7 +324,7 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
   case Qt::Key_0:
     return zoomOut();
   case Qt::Key_Escape:
-    return selection_.selectSpan(std::nullopt);
+    return selection_.selectRange(std::nullopt);
   default:
     QWidget::keyPressEvent(event);
   }

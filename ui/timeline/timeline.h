@@ -39,7 +39,7 @@ public:
   bool removeMark();
   /// Where the pointer is in another view; negative: nowhere.
   void setHovered(qint64 frame);
-  void zoomToSpan();
+  void zoomToRange();
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
@@ -75,7 +75,7 @@ private:
   void place();
   /// The frame shown, or asked for just now.
   qint64 reached() const;
-  void want(qint64 frame, bool extendSpan = false);
+  void want(qint64 frame, bool extendsRange = false);
   void selectTo(qint64 frame);
   std::optional<std::size_t> markAt(const QPointF& point) const;
   void takeMarks();
@@ -87,7 +87,7 @@ private:
   Document& document_;
   TimelineModel model_;
   TimelineScale scale_;
-  enum class Drag { None, Frame, Span };
+  enum class Drag { None, Frame, Range };
   Drag drag_ = Drag::None;
   qint64 hovered_ = -1;
   qint64 anchor_ = -1;           ///< where the span began

@@ -40,7 +40,7 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
   bench.onTriggered("actionRemoveMark", timeline, [timeline] { timeline->removeMark(); });
   bench.onTriggered("actionPreviousMark", timeline, [timeline] { timeline->stepMark(-1); });
   bench.onTriggered("actionNextMark", timeline, [timeline] { timeline->stepMark(1); });
-  bench.onTriggered("actionZoomToSpan", timeline, [timeline] { timeline->zoomToSpan(); });
+  bench.onTriggered("actionZoomToSpan", timeline, [timeline] { timeline->zoomToRange(); });
   bench.needRun({"actionPreviousFrame", "actionRerun", "actionAddMark", "actionRemoveMark",
                  "actionPreviousMark", "actionNextMark", "actionZoomToSpan"});
   bench.action("actionNow")->setEnabled(false); // the moment shown decides

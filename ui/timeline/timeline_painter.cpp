@@ -237,13 +237,13 @@ void paintHovered(QPainter& painter, const TimelineScale& scale, const TimelineR
   painter.drawLine(line);
 }
 
-void paintSpan(QPainter& painter, const TimelineScale& scale, const TimelineRows& rows,
-               const Selection& selection, const QPalette& palette) {
-  if (!selection.span()) {
+void paintSelectedRange(QPainter& painter, const TimelineScale& scale, const TimelineRows& rows,
+                        const Selection& selection, const QPalette& palette) {
+  if (!selection.selectedRange()) {
     return;
   }
-  const double begin = scale.x(static_cast<double>(selection.span()->first));
-  const double end = scale.x(static_cast<double>(selection.span()->last) + 1.0);
+  const double begin = scale.x(static_cast<double>(selection.selectedRange()->first));
+  const double end = scale.x(static_cast<double>(selection.selectedRange()->last) + 1.0);
   QColor color = palette.color(QPalette::Highlight);
   painter.setPen(QPen(color, 1.2));
   color.setAlphaF(0.22F);
@@ -297,12 +297,13 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
   if (model.history.mostBytes == 0) {
     return;
   }
-  const double span =
+  const double shownSeconds =
       model.secondsOf(model.history.last + 1) - model.secondsOf(model.history.first);
   QString text = QCoreApplication::translate("Timeline", "history %1 of %2 MB")
                      .arg(megabytes(model.history.bytes), megabytes(model.history.mostBytes));
   if (model.live && model.history.last >= 0) {
-    text += QCoreApplication::translate("Timeline", ", the last %1").arg(secondsText(span, 0));
+    text +=
+        QCoreApplication::translate("Timeline", ", the last %1").arg(secondsText(shownSeconds, 0));
   }
   if (model.rerun) {
     text = QCoreApplication::translate("Timeline", "tracking again: frame %1 of %2 to %3")
@@ -386,7 +387,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
     painter.fillRect(gone, veil);
   }
   painter.setRenderHint(QPainter::Antialiasing);
-  paintSpan(painter, scale, rows, selection, palette);
+  paintSelectedRange(painter, scale, rows, selection, palette);
   paintMarks(painter, model, scale, rows, palette);
   paintHead(painter, model, scale, rows, selection, palette);
   paintHovered(painter, scale, rows, hovered, palette);

@@ -45,10 +45,11 @@ void GapList::setGaps(std::vector<TrajectoryGap> gaps) {
   }
 }
 
-void GapList::setSpan(std::optional<FrameSpan> span) {
+void GapList::setSelectedRange(std::optional<SelectedRange> selectedRange) {
   const QSignalBlocker quiet(this);
   const auto found = std::ranges::find_if(gaps_, [&](const TrajectoryGap& gap) {
-    return span && gap.firstFrame == span->first && gap.lastFrame == span->last;
+    return selectedRange && gap.firstFrame == selectedRange->first &&
+           gap.lastFrame == selectedRange->last;
   });
   if (found == gaps_.end()) {
     clearSelection();

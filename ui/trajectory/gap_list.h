@@ -20,7 +20,7 @@ public:
 
   void setGaps(std::vector<TrajectoryGap> gaps);
   /// Marks the gap that is exactly this span.
-  void setSpan(std::optional<FrameSpan> span);
+  void setSelectedRange(std::optional<SelectedRange> selectedRange);
 
 Q_SIGNALS:
   void gapChosen(qint64 first, qint64 last);

@@ -38,11 +38,11 @@ std::size_t TrajectoryModel::replaceFrom(std::size_t first,
   return change.firstChanged;
 }
 
-std::pair<int, int> TrajectoryModel::rowsOf(const FrameSpan& span) const {
+std::pair<int, int> TrajectoryModel::rowsOf(const SelectedRange& selectedRange) const {
   const auto frameOf = [](const MotionLog::Row& row) { return row.sample.frame; };
   const auto& rows = log_.rows();
-  const auto first = std::ranges::lower_bound(rows, span.first, {}, frameOf);
-  const auto last = std::ranges::upper_bound(rows, span.last, {}, frameOf);
+  const auto first = std::ranges::lower_bound(rows, selectedRange.first, {}, frameOf);
+  const auto last = std::ranges::upper_bound(rows, selectedRange.last, {}, frameOf);
   return {static_cast<int>(first - rows.begin()), static_cast<int>(last - rows.begin())};
 }
 

@@ -37,7 +37,7 @@ public:
   /// Samples from number `first` on are these now; the first row that has changed.
   std::size_t replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
   /// Rows [first, last) of the frames of a span.
-  std::pair<int, int> rowsOf(const FrameSpan& span) const;
+  std::pair<int, int> rowsOf(const SelectedRange& selectedRange) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -101,7 +101,7 @@ void TrajectoryPanel::makeTable() {
   connect(bar, &QScrollBar::valueChanged, this,
           [this, bar](int value) { following_ = value == bar->maximum(); });
   connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int end) {
-    if (following_ && !selection_.span()) {
+    if (following_ && !selection_.selectedRange()) {
       bar->setValue(end);
     }
   });
@@ -141,9 +141,9 @@ void TrajectoryPanel::makePlots() {
 void TrajectoryPanel::connectViews() {
   plots_->link(selection_);
   connect(gaps_, &GapList::gapChosen, this, [this](qint64 first, qint64 last) {
-    selection_.selectSpan(FrameSpan{first, last});
+    selection_.selectRange(SelectedRange{first, last});
   });
-  connect(&selection_, &Selection::spanChanged, this, &TrajectoryPanel::showSpan);
+  connect(&selection_, &Selection::rangeChanged, this, &TrajectoryPanel::showSelectedRange);
   connect(&selection_, &Selection::currentFrameChanged, this, &TrajectoryPanel::showCurrentFrame);
   connect(&selection_, &Selection::targetSelected, this, [this](int target) {
     const auto chosen = static_cast<std::size_t>(std::max(0, target));
@@ -213,7 +213,7 @@ void TrajectoryPanel::fetch() {
   choosing_ = choosing;
   gaps_->setGaps(model_->log().gaps());
   showCurrentFrame();
-  if (following_ && !selection_.span()) {
+  if (following_ && !selection_.selectedRange()) {
     table_->scrollToBottom();
   }
   updateSummary();
@@ -289,7 +289,7 @@ void TrajectoryPanel::chooseRows() {
   const auto selected = table_->selectionModel()->selection();
   choosing_ = true; // the rows stay as they were chosen
   if (selected.isEmpty()) {
-    selection_.selectSpan(std::nullopt);
+    selection_.selectRange(std::nullopt);
   } else {
     const auto& rows = model_->log().rows();
     const auto& top = rows[static_cast<std::size_t>(selected.front().top())].sample;
@@ -298,26 +298,26 @@ void TrajectoryPanel::chooseRows() {
     if (target != names_.end()) {
       selection_.selectTarget(static_cast<int>(target - names_.begin()));
     }
-    selection_.selectSpan(FrameSpan{top.frame, bottom.frame});
+    selection_.selectRange(SelectedRange{top.frame, bottom.frame});
   }
   choosing_ = false;
 }
 
-void TrajectoryPanel::showSpan() {
+void TrajectoryPanel::showSelectedRange() {
   const bool byRows = choosing_;
   fetch(); // the span may be of samples that were not fetched while nobody looked
-  gaps_->setSpan(selection_.span());
+  gaps_->setSelectedRange(selection_.selectedRange());
   if (!byRows) {
-    selectSpan();
+    selectRange();
   }
   choosing_ = byRows;
   highlight();
 }
 
-void TrajectoryPanel::selectSpan() {
+void TrajectoryPanel::selectRange() {
   choosing_ = true;
   const auto [first, last] =
-      selection_.span() ? model_->rowsOf(*selection_.span()) : std::pair(0, 0);
+      selection_.selectedRange() ? model_->rowsOf(*selection_.selectedRange()) : std::pair(0, 0);
   if (first < last) {
     const QItemSelection rows(model_->index(first, 0),
                               model_->index(last - 1, TrajectoryModel::ColumnCount - 1));
@@ -333,7 +333,7 @@ void TrajectoryPanel::selectSpan() {
 
 void TrajectoryPanel::highlight() {
   const auto [first, last] =
-      selection_.span() ? model_->rowsOf(*selection_.span()) : std::pair(0, 0);
+      selection_.selectedRange() ? model_->rowsOf(*selection_.selectedRange()) : std::pair(0, 0);
   Q_EMIT highlightChanged(strokesOf(model_->log().rows(), static_cast<std::size_t>(first),
                                     static_cast<std::size_t>(last), motion_.target(), kMostPlaces));
 }
@@ -361,7 +361,7 @@ void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool
   }
   selection_.selectTarget(target);
   if (extend && selection_.currentFrame() >= 0) {
-    selection_.selectSpan(FrameSpan{selection_.currentFrame(), found->sample.frame});
+    selection_.selectRange(SelectedRange{selection_.currentFrame(), found->sample.frame});
   } else {
     selection_.requestFrame(found->sample.frame);
   }

@@ -74,7 +74,7 @@ protected:
 
 private:
   void setTarget(const std::string& name);
-  void showSpan();
+  void showSelectedRange();
   void showCurrentFrame();
   void makeTable();
   void makePlots();
@@ -82,7 +82,7 @@ private:
   void fetch();
   void updatePlots(std::size_t firstChanged);
   void chooseRows();
-  void selectSpan();
+  void selectRange();
   void highlight();
   void updateSummary();
 

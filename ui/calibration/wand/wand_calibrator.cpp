@@ -46,7 +46,7 @@ WandCalibrator::WandCalibrator(Surroundings around, QObject* parent)
   connect(job_, &BackgroundJob::ended, this, &WandCalibrator::changed);
   connect(&around_.document, &Document::replaced, this, &WandCalibrator::forget);
   connect(&around_.document, &Document::targetsChanged, this, &WandCalibrator::changed);
-  connect(&around_.selection, &Selection::spanChanged, this, &WandCalibrator::changed);
+  connect(&around_.selection, &Selection::rangeChanged, this, &WandCalibrator::changed);
   connect(&around_.document, &Document::calibrationChanged, this, [this] {
     if (refinement_ && applied_) {
       Q_EMIT changed();
@@ -176,8 +176,10 @@ void WandCalibrator::refine() {
   }
   stopWaving();
   const auto collector = live_ ? collector_ : nullptr;
-  const auto span = live_ ? std::nullopt : around_.selection.span();
-  const auto selected = span ? std::optional(FrameStretch{span->first, span->last}) : std::nullopt;
+  const auto selectedRange = live_ ? std::nullopt : around_.selection.selectedRange();
+  const auto selected = selectedRange
+                            ? std::optional(FrameStretch{selectedRange->first, selectedRange->last})
+                            : std::nullopt;
   const WandOptions options = toOptions(wish_, moments_, project(), selected);
   refinement_.reset();
   failure_.clear();

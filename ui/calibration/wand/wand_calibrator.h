@@ -52,7 +52,7 @@ public:
   /// Whether there is a moment to take.
   bool canTakeMoment() const { return shownFrame_ >= 0; }
   /// Whether a stretch is selected in the timeline.
-  bool hasSpan() const { return around_.selection.span().has_value(); }
+  bool hasSelectedRange() const { return around_.selection.selectedRange().has_value(); }
 
   // Live cameras.
   void setSnapshot(const TrackSnapshotPtr& snapshot);

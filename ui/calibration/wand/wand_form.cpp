@@ -80,7 +80,7 @@ void WandForm::build() {
   offsets_ = makeCheck("wandOffsets", this);
   focal_ = makeCheck("wandFocal", this);
   distortion_ = makeCheck("wandDistortion", this);
-  span_ = makeCheck("wandSpan", this);
+  onlyRange_ = makeCheck("wandSpan", this);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(6);
@@ -103,7 +103,8 @@ void WandForm::build() {
   grid->addWidget(initialTurnError_, 6, 2);
   initialErrorLabel_->setBuddy(initialPositionError_);
   int at = 7; // one below the other: some languages need the width
-  for (QWidget* check : std::initializer_list<QWidget*>{offsets_, focal_, distortion_, span_}) {
+  for (QWidget* check :
+       std::initializer_list<QWidget*>{offsets_, focal_, distortion_, onlyRange_}) {
     grid->addWidget(check, at++, 0, 1, 3);
   }
 }
@@ -140,7 +141,7 @@ void WandForm::connectFields() {
   check(offsets_, &WandSettings::findOffsets);
   check(focal_, &WandSettings::findFocal);
   check(distortion_, &WandSettings::findDistortion);
-  check(span_, &WandSettings::onlySpan);
+  check(onlyRange_, &WandSettings::onlySpan);
 }
 
 void WandForm::edit(const std::function<void(WandSettings&)>& change) {
@@ -185,8 +186,8 @@ void WandForm::refresh() {
   offsets_->setChecked(wish.findOffsets);
   focal_->setChecked(wish.findFocal);
   distortion_->setChecked(wish.findDistortion);
-  span_->setChecked(wish.onlySpan && calibrator_.hasSpan());
-  span_->setEnabled(calibrator_.hasSpan());
+  onlyRange_->setChecked(wish.onlySpan && calibrator_.hasSelectedRange());
+  onlyRange_->setEnabled(calibrator_.hasSelectedRange());
   for (QWidget* field :
        std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {
     field->setVisible(wish.stick);
@@ -196,7 +197,7 @@ void WandForm::refresh() {
   const bool distance = !wish.stick && wish.size == WandSize::Distance;
   distanceLabel_->setVisible(distance);
   distance_->setVisible(distance);
-  span_->setVisible(!calibrator_.isLive());
+  onlyRange_->setVisible(!calibrator_.isLive());
   setEnabled(!calibrator_.isRefining());
 }
 
@@ -240,7 +241,7 @@ void WandForm::retranslateUi() {
   check(focal_, tr("Find focal lengths"), tr("For lenses that were never calibrated, or zoomed"));
   check(distortion_, tr("Find the distortion k1"),
         tr("The first coefficient of each lens; needs a ball seen up to the edges of the images"));
-  check(span_, tr("Only the selected span"),
+  check(onlyRange_, tr("Only the selected span"),
         tr("Look through the stretch selected in the timeline, not the whole recording"));
   refresh();
 }

@@ -54,7 +54,7 @@ private:
   QCheckBox* offsets_;
   QCheckBox* focal_;
   QCheckBox* distortion_;
-  QCheckBox* span_;
+  QCheckBox* onlyRange_;
 };
 
 } // namespace dewpoint::ui

@@ -10,12 +10,12 @@
 namespace dewpoint::ui {
 
 /// A chosen part of a trajectory: a broad stroke under the tail.
-class SpanActor {
+class RangeActor {
 public:
-  explicit SpanActor(vtkRenderer* renderer);
-  ~SpanActor();
-  SpanActor(const SpanActor&) = delete;
-  SpanActor& operator=(const SpanActor&) = delete;
+  explicit RangeActor(vtkRenderer* renderer);
+  ~RangeActor();
+  RangeActor(const RangeActor&) = delete;
+  RangeActor& operator=(const RangeActor&) = delete;
 
   /// One stroke for each piece, meters.
   void show(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
