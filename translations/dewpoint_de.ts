@@ -4474,7 +4474,7 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::MarkEditor</name>
+    <name>dewpoint::ui::MarkerEditor</name>
     <message>
         <source>Name of the mark</source>
         <translation>Name der Marke</translation>

@@ -4472,7 +4472,7 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::MarkEditor</name>
+    <name>dewpoint::ui::MarkerEditor</name>
     <message>
         <source>Name of the mark</source>
         <translation>マークの名前</translation>

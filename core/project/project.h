@@ -42,11 +42,11 @@ struct ProjectCamera {
 };
 
 /// A marker: a frame of the recording with a name that the user gave it.
-struct ProjectMark {
+struct ProjectMarker {
   std::int64_t frame = 0;
   std::string name;
 
-  bool operator==(const ProjectMark&) const = default;
+  bool operator==(const ProjectMarker&) const = default;
 };
 
 /// A correction of the people in a recording, made in the window, for methods that find people by
@@ -94,7 +94,7 @@ struct Project {
   std::vector<ProjectCamera> cameras;
   std::optional<std::filesystem::path> truth;  ///< truth.csv, absolute
   std::string scene;                           ///< name or file of the simulated scene, or empty
-  std::vector<ProjectMark> marks;              ///< in the order of their frames
+  std::vector<ProjectMarker> markers;          ///< in the order of their frames
   std::optional<ReferenceGrid> grid;           ///< laid over the images to adjust cameras by hand
   std::vector<MeasuredPoint> points;           ///< measured with a tape, clicked in the images
   std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for in it alone

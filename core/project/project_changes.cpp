@@ -31,7 +31,7 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.sources = !std::ranges::equal(before.cameras, after.cameras, sameSource) ||
                     before.framesPerSecond != after.framesPerSecond ||
                     before.truth != after.truth || before.scene != after.scene;
-  changes.marks = before.marks != after.marks;
+  changes.markers = before.markers != after.markers;
   changes.grid = before.grid != after.grid;
   changes.volume = before.volumeOfInterest != after.volumeOfInterest;
   changes.points = before.points != after.points;

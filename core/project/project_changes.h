@@ -14,7 +14,7 @@ struct ProjectChanges {
   bool targets = false;     ///< their number, order, names, colors or radii
   bool boxes = false;       ///< of them, those that are followed by methods that follow boxes
   bool calibration = false; ///< of cameras that are otherwise the same
-  bool marks = false;
+  bool markers = false;
   bool grid = false;        ///< the reference grid
   bool volume = false;      ///< the volume of interest
   bool points = false;      ///< measured points and their clicks
@@ -24,7 +24,7 @@ struct ProjectChanges {
   bool sources = false;     ///< which cameras there are, and where images and truth come from
 
   bool any() const {
-    return name || method || seed || parameters || targets || calibration || sources || marks ||
+    return name || method || seed || parameters || targets || calibration || sources || markers ||
            grid || points || people || corrections || emptyRooms || volume;
   }
 };

@@ -320,16 +320,16 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
   }
 }
 
-void readMarks(TableReader& reader, const std::string& file, Project& project) {
+void readMarkers(TableReader& reader, const std::string& file, Project& project) {
   for (const toml::table* table : reader.tables("mark")) {
-    TableReader one(*table, file, fmt::format("mark {}.", project.marks.size() + 1));
-    ProjectMark& mark = project.marks.emplace_back();
+    TableReader one(*table, file, fmt::format("mark {}.", project.markers.size() + 1));
+    ProjectMarker& marker = project.markers.emplace_back();
     one.require("frame");
-    one.integer("frame", mark.frame, 0, std::numeric_limits<std::int64_t>::max());
-    one.text("name", mark.name);
+    one.integer("frame", marker.frame, 0, std::numeric_limits<std::int64_t>::max());
+    one.text("name", marker.name);
     reader.recordError(one.finish());
   }
-  std::ranges::stable_sort(project.marks, {}, &ProjectMark::frame);
+  std::ranges::stable_sort(project.markers, {}, &ProjectMarker::frame);
 }
 
 void readWindow(TableReader& reader, const std::string& file, Project& project) {
@@ -358,7 +358,7 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   TableReader reader(*table, file.string(), "");
   readHead(reader, project.file.parent_path(), project);
   readParts(reader, file.string(), project);
-  readMarks(reader, file.string(), project);
+  readMarkers(reader, file.string(), project);
   readRoom(reader, file.string(), project);
   readPeople(reader, file.string(), project);
   readCorrections(reader, file.string(), project);

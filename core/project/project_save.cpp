@@ -154,8 +154,8 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
       text += cameraText(camera, folder);
     }
   }
-  for (const auto& mark : project.marks) {
-    text += fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", mark.frame, quoted(mark.name));
+  for (const auto& marker : project.markers) {
+    text += fmt::format("\n[[mark]]\nframe = {}\nname = {}\n", marker.frame, quoted(marker.name));
   }
   text += roomText(project);
   text += peopleText(project);

@@ -101,17 +101,17 @@ TEST(ProjectFile, PersonsThatCannotBeAreRefused) {
   EXPECT_EQ(field("frame = 3\nplace = [0, 0]\n"), "none");
 }
 
-TEST(ProjectFile, MarksComeBackInTheOrderOfTheirFrames) {
+TEST(ProjectFile, MarkersComeBackInTheOrderOfTheirFrames) {
   auto project = load(std::string(kGood) + "[[mark]]\nframe = 90\nname = \"lost\"\n"
                                            "[[mark]]\nframe = 12\n");
   ASSERT_TRUE(project) << sentence(project.error());
-  const std::vector<ProjectMark> expected{{12, ""}, {90, "lost"}};
-  EXPECT_EQ(project->marks, expected);
+  const std::vector<ProjectMarker> expected{{12, ""}, {90, "lost"}};
+  EXPECT_EQ(project->markers, expected);
   const auto file = fileNamed("again.toml");
   ASSERT_TRUE(saveProject(*project, file));
   const auto again = loadProject(file);
   ASSERT_TRUE(again) << sentence(again.error());
-  EXPECT_EQ(again->marks, expected);
+  EXPECT_EQ(again->markers, expected);
   EXPECT_EQ(load(std::string(kGood) + "[[mark]]\nframe = -1\n").error().field, "mark 1.frame");
 }
 

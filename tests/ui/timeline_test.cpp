@@ -32,7 +32,7 @@ private Q_SLOTS:
   void keysGoByFramesSecondsAndToTheEnds();
   void playGoesOnFromTheMomentShown();
   void trackingAgainReplacesWhatFollows();
-  void marksAreStepsOfTheDocument();
+  void markersAreStepsOfTheDocument();
   void spansAreSelectedAndZoomedTo();
   void titleSaysWhy();
 
@@ -150,7 +150,7 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean == then);
 }
 
-void TimelineTest::marksAreStepsOfTheDocument() {
+void TimelineTest::markersAreStepsOfTheDocument() {
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(17));
   QVERIFY(showsFrame(17));
   trigger("actionAddMark");
@@ -160,20 +160,20 @@ void TimelineTest::marksAreStepsOfTheDocument() {
   QTest::keyClick(name, Qt::Key_Return);
   QVERIFY(!name->isVisible());
   const auto& project = [this]() -> const Project& { return window_->document().project(); };
-  QCOMPARE(project().marks.size(), std::size_t{1});
-  QVERIFY(project().marks[0] == (ProjectMark{17, "throw"}));
+  QCOMPARE(project().markers.size(), std::size_t{1});
+  QVERIFY(project().markers[0] == (ProjectMarker{17, "throw"}));
   trigger("actionNow");
   QVERIFY(showsFrame(kTracked - 1));
   trigger("actionPreviousMark");
   QVERIFY(showsFrame(17));
   window_->document().undoStack()->undo();
-  QCOMPARE(project().marks[0].name, std::string("Mark 1"));
+  QCOMPARE(project().markers[0].name, std::string("Mark 1"));
   window_->document().undoStack()->undo();
-  QVERIFY(project().marks.empty());
+  QVERIFY(project().markers.empty());
   window_->document().undoStack()->redo();
-  QCOMPARE(timeline_->model().marks.size(), std::size_t{1});
+  QCOMPARE(timeline_->model().markers.size(), std::size_t{1});
   trigger("actionRemoveMark");
-  QVERIFY(project().marks.empty());
+  QVERIFY(project().markers.empty());
 }
 
 void TimelineTest::spansAreSelectedAndZoomedTo() {

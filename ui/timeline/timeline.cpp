@@ -4,7 +4,7 @@
 #include "ui/document/document.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
-#include "ui/timeline/mark_editor.h"
+#include "ui/timeline/marker_editor.h"
 
 #include <QAccessible>
 #include <QHelpEvent>
@@ -28,13 +28,13 @@ constexpr qint64 kRequestTimeoutMs = 1500; ///< for a frame that was requested
 
 Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     : QWidget(parent), selection_(selection), document_(document),
-      marks_(new MarkEditor(*this, document)) {
+      markers_(new MarkerEditor(*this, document)) {
   setObjectName(QStringLiteral("timeline"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   onRetranslate(this, [this] {
     setAccessibleName(tr("Timeline"));
-    marks_->retranslate();
+    markers_->retranslate();
     update();
   });
   connect(&selection_, &Selection::currentFrameChanged, this, [this] {
@@ -42,9 +42,9 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
     update();
   });
   connect(&selection_, &Selection::rangeChanged, this, qOverload<>(&QWidget::update));
-  connect(&document_, &Document::changed, this, &Timeline::takeMarks);
-  connect(&document_, &Document::replaced, this, &Timeline::takeMarks);
-  takeMarks();
+  connect(&document_, &Document::changed, this, &Timeline::updateMarkers);
+  connect(&document_, &Document::replaced, this, &Timeline::updateMarkers);
+  updateMarkers();
 }
 
 void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
@@ -94,9 +94,9 @@ void Timeline::append(const std::vector<FrameRecord>& records, bool restarted) {
 }
 
 void Timeline::clear() {
-  const std::vector<ProjectMark> marks = model_.marks;
+  const std::vector<ProjectMarker> markers = model_.markers;
   model_ = TimelineModel{};
-  model_.marks = marks;
+  model_.markers = markers;
   scale_ = TimelineScale{};
   hovered_ = -1;
   wanted_.reset();
@@ -220,8 +220,8 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     return;
   }
   const qint64 frame = scale_.frameAt(event->position().x());
-  if (const auto mark = markAt(event->position())) {
-    want(model_.marks[*mark].frame);
+  if (const auto marker = markerAt(event->position())) {
+    want(model_.markers[*marker].frame);
     return;
   }
   const bool inAxis = event->position().y() < rows().axis.bottom();
@@ -275,8 +275,8 @@ void Timeline::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (const auto mark = markAt(event->position())) {
-    editName(model_.marks[*mark]);
+  if (const auto marker = markerAt(event->position())) {
+    editName(model_.markers[*marker]);
   } else if (event->position().y() < rows().axis.bottom()) {
     selection_.selectedRange() ? zoomToRange() : zoomOut();
   }
@@ -346,28 +346,28 @@ void Timeline::announceFrame() {
   }
 }
 
-void Timeline::takeMarks() {
-  model_.marks = document_.project().marks;
+void Timeline::updateMarkers() {
+  model_.markers = document_.project().markers;
   update();
 }
 
-std::optional<std::size_t> Timeline::markAt(const QPointF& point) const {
+std::optional<std::size_t> Timeline::markerAt(const QPointF& point) const {
   const QFontMetricsF metrics(font());
-  for (std::size_t k = model_.marks.size(); k-- > 0;) {
-    if (markFlag(model_.marks[k], scale_, rows(), metrics).contains(point)) {
+  for (std::size_t k = model_.markers.size(); k-- > 0;) {
+    if (markerFlag(model_.markers[k], scale_, rows(), metrics).contains(point)) {
       return k;
     }
   }
   return std::nullopt;
 }
 
-void Timeline::stepMark(int direction) {
+void Timeline::stepToMarker(int direction) {
   const qint64 now = reached();
   std::optional<qint64> nearest;
-  for (const ProjectMark& mark : model_.marks) {
-    const bool ahead = direction > 0 ? mark.frame > now : mark.frame < now;
-    if (ahead && (!nearest || std::abs(mark.frame - now) < std::abs(*nearest - now))) {
-      nearest = mark.frame;
+  for (const ProjectMarker& marker : model_.markers) {
+    const bool ahead = direction > 0 ? marker.frame > now : marker.frame < now;
+    if (ahead && (!nearest || std::abs(marker.frame - now) < std::abs(*nearest - now))) {
+      nearest = marker.frame;
     }
   }
   if (nearest) {
@@ -375,24 +375,24 @@ void Timeline::stepMark(int direction) {
   }
 }
 
-void Timeline::addMark() {
+void Timeline::addMarker() {
   const qint64 frame = selection_.currentFrame();
   if (frame < 0) {
     return;
   }
-  marks_->add(frame);
-  const auto added = std::ranges::find(model_.marks, frame, &ProjectMark::frame);
-  if (added != model_.marks.end()) {
+  markers_->add(frame);
+  const auto added = std::ranges::find(model_.markers, frame, &ProjectMarker::frame);
+  if (added != model_.markers.end()) {
     editName(*added);
   }
 }
 
-bool Timeline::removeMark() {
-  return marks_->remove(selection_.currentFrame());
+bool Timeline::removeMarker() {
+  return markers_->remove(selection_.currentFrame());
 }
 
-void Timeline::editName(const ProjectMark& mark) {
-  marks_->editName(mark, markFlag(mark, scale_, rows(), QFontMetricsF(font())));
+void Timeline::editName(const ProjectMarker& marker) {
+  markers_->editName(marker, markerFlag(marker, scale_, rows(), QFontMetricsF(font())));
 }
 
 } // namespace dewpoint::ui

@@ -14,7 +14,7 @@
 namespace dewpoint::ui {
 
 class Document;
-class MarkEditor;
+class MarkerEditor;
 
 /// The run along time: how surely each target was held, which cameras were missing, marks, the
 /// moment shown. Dragging goes through time, dragging in the axis (or with Shift) selects a span,
@@ -32,11 +32,11 @@ public:
   /// Goes by so many frames from the moment shown, or wanted.
   void step(qint64 frames);
   /// To the next (1) or previous (-1) mark.
-  void stepMark(int direction);
+  void stepToMarker(int direction);
   /// Marks the moment shown, as an undoable step, and asks for its name on the spot.
-  void addMark();
+  void addMarker();
   /// Takes away the mark at the moment shown; false when there is none.
-  bool removeMark();
+  bool removeMarker();
   /// Where the pointer is in another view; negative: nowhere.
   void setHovered(qint64 frame);
   void zoomToRange();
@@ -77,9 +77,9 @@ private:
   qint64 reached() const;
   void want(qint64 frame, bool extendsRange = false);
   void selectTo(qint64 frame);
-  std::optional<std::size_t> markAt(const QPointF& point) const;
-  void takeMarks();
-  void editName(const ProjectMark& mark);
+  std::optional<std::size_t> markerAt(const QPointF& point) const;
+  void updateMarkers();
+  void editName(const ProjectMarker& marker);
   void announceFrame();
   void hover(const QPointF& place);
 
@@ -93,7 +93,7 @@ private:
   qint64 anchor_ = -1;           ///< where the span began
   std::optional<qint64> wanted_; ///< asked for, but not shown yet
   QElapsedTimer sinceWanted_;
-  MarkEditor* marks_;
+  MarkerEditor* markers_;
   double gutter_ = 90.0;
   int leastHeight_ = 0; ///< in which all rows can be read
 };

@@ -36,10 +36,10 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
   bench.onTriggered("actionPreviousFrame", timeline, [timeline] { timeline->step(-1); });
   bench.onTriggered("actionNow", timeline, [bench] { bench.selection.requestLiveFrame(); });
   bench.onTriggered("actionRerun", timeline, [bench] { bench.session.rerun(); });
-  bench.onTriggered("actionAddMark", timeline, [timeline] { timeline->addMark(); });
-  bench.onTriggered("actionRemoveMark", timeline, [timeline] { timeline->removeMark(); });
-  bench.onTriggered("actionPreviousMark", timeline, [timeline] { timeline->stepMark(-1); });
-  bench.onTriggered("actionNextMark", timeline, [timeline] { timeline->stepMark(1); });
+  bench.onTriggered("actionAddMark", timeline, [timeline] { timeline->addMarker(); });
+  bench.onTriggered("actionRemoveMark", timeline, [timeline] { timeline->removeMarker(); });
+  bench.onTriggered("actionPreviousMark", timeline, [timeline] { timeline->stepToMarker(-1); });
+  bench.onTriggered("actionNextMark", timeline, [timeline] { timeline->stepToMarker(1); });
   bench.onTriggered("actionZoomToSpan", timeline, [timeline] { timeline->zoomToRange(); });
   bench.needRun({"actionPreviousFrame", "actionRerun", "actionAddMark", "actionRemoveMark",
                  "actionPreviousMark", "actionNextMark", "actionZoomToSpan"});

@@ -16,7 +16,7 @@ struct TimelineModel {
   std::vector<FrameRecord> records; ///< by rising frame; old ones in coarse steps
   QStringList targets;
   QStringList cameras;
-  std::vector<ProjectMark> marks;
+  std::vector<ProjectMarker> markers;
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;

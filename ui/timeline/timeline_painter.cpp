@@ -170,12 +170,12 @@ void paintAxis(QPainter& painter, const TimelineModel& model, const TimelineScal
   }
 }
 
-void paintMarks(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
-                const TimelineRows& rows, const QPalette& palette) {
+void paintMarkers(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                  const TimelineRows& rows, const QPalette& palette) {
   const QFontMetricsF metrics(painter.font());
   const QColor color = palette.color(QPalette::Text);
-  for (const ProjectMark& mark : model.marks) {
-    const QRectF flag = markFlag(mark, scale, rows, metrics);
+  for (const ProjectMarker& marker : model.markers) {
+    const QRectF flag = markerFlag(marker, scale, rows, metrics);
     if (flag.right() < rows.axis.left() || flag.left() > rows.axis.right()) {
       continue;
     }
@@ -192,7 +192,7 @@ void paintMarks(QPainter& painter, const TimelineModel& model, const TimelineSca
     painter.drawPath(path);
     painter.setPen(palette.color(QPalette::ToolTipText));
     painter.drawText(flag.adjusted(4, 0, -6, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                     QString::fromStdString(mark.name));
+                     QString::fromStdString(marker.name));
   }
 }
 
@@ -353,10 +353,10 @@ QRectF TimelineRows::camera(int row) const {
   return {cameras.left(), top, cameras.width(), height};
 }
 
-QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const TimelineRows& rows,
-                const QFontMetricsF& metrics) {
-  const double x = scale.x(static_cast<double>(mark.frame) + 0.5);
-  const double width = metrics.horizontalAdvance(QString::fromStdString(mark.name)) + 14.0;
+QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
+                  const QFontMetricsF& metrics) {
+  const double x = scale.x(static_cast<double>(marker.frame) + 0.5);
+  const double width = metrics.horizontalAdvance(QString::fromStdString(marker.name)) + 14.0;
   return {x, rows.axis.top() + 1.0, width, metrics.height() + 1.0};
 }
 
@@ -388,7 +388,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
   }
   painter.setRenderHint(QPainter::Antialiasing);
   paintSelectedRange(painter, scale, rows, selection, palette);
-  paintMarks(painter, model, scale, rows, palette);
+  paintMarkers(painter, model, scale, rows, palette);
   paintHead(painter, model, scale, rows, selection, palette);
   paintHovered(painter, scale, rows, hovered, palette);
   painter.restore();

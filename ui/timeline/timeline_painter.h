@@ -38,7 +38,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
                    const QPalette& palette);
 
 /// The part of the widget that a mark's flag takes.
-QRectF markFlag(const ProjectMark& mark, const TimelineScale& scale, const TimelineRows& rows,
-                const QFontMetricsF& metrics);
+QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
+                  const QFontMetricsF& metrics);
 
 } // namespace dewpoint::ui

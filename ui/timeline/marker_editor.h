@@ -15,17 +15,17 @@ class Document;
 
 /// Changes the marks of the project, each time as an undoable step, and has them named on the spot
 /// in the timeline.
-class MarkEditor : public QObject {
+class MarkerEditor : public QObject {
   Q_OBJECT
 public:
-  MarkEditor(QWidget& timeline, Document& document);
+  MarkerEditor(QWidget& timeline, Document& document);
 
   /// Adds a mark at a frame that has none.
   void add(qint64 frame);
   /// Takes away the mark at a frame; false when there is none.
   bool remove(qint64 frame);
   /// Asks for the name of a mark where its flag lies in the timeline.
-  void editName(const ProjectMark& mark, const QRectF& flag);
+  void editName(const ProjectMarker& marker, const QRectF& flag);
   void retranslate();
 
 private:
