@@ -6220,7 +6220,7 @@ Effektive Stichprobengröße %8 von %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::WandMoments</name>
+    <name>dewpoint::ui::TouchedInstantList</name>
     <message>
         <source>The ball %1</source>
         <translation>Der Ball %1</translation>

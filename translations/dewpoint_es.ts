@@ -6220,7 +6220,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::WandMoments</name>
+    <name>dewpoint::ui::TouchedInstantList</name>
     <message>
         <source>The ball %1</source>
         <translation>La pelota %1</translation>

@@ -6215,7 +6215,7 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
-    <name>dewpoint::ui::WandMoments</name>
+    <name>dewpoint::ui::TouchedInstantList</name>
     <message>
         <source>The ball %1</source>
         <translation>ボールが%1</translation>

@@ -53,7 +53,7 @@ private Q_SLOTS:
   void refinesInOneStepAsTheCommandLineDoes();
   void cancelKeepsTheCameras();
   void aBadResultIsOneSentence();
-  void momentsAreTakenAndRemoved();
+  void touchedInstantsAreAddedAndRemoved();
   void saysWhatIsMissing();
   void liveCamerasAreCollected();
   void everythingHasAName();
@@ -156,7 +156,7 @@ void WandPageTest::aBadResultIsOneSentence() {
   QVERIFY(QApplication::activeModalWidget() == nullptr);
 }
 
-void WandPageTest::momentsAreTakenAndRemoved() {
+void WandPageTest::touchedInstantsAreAddedAndRemoved() {
   auto* list = find<QListWidget>("wandMomentList");
   press("wandTake");
   QCOMPARE(list->count(), 1);

@@ -13,8 +13,8 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   Project project;
   WandSettings wish;
   std::set<QString> sentences;
-  const auto note = [&](const std::vector<TouchedInstant>& moments = {}) {
-    sentences.insert(validationMessage(wish, moments, project));
+  const auto note = [&](const std::vector<TouchedInstant>& instants = {}) {
+    sentences.insert(validationMessage(wish, instants, project));
   };
   note(); // no camera
   project.cameras.resize(2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/wand/wand_calibration_page.h"
 
+#include "ui/calibration/wand/touched_instant_list.h"
 #include "ui/calibration/wand/wand_calibrator.h"
 #include "ui/calibration/wand/wand_form.h"
-#include "ui/calibration/wand/wand_moments.h"
 #include "ui/calibration/wand/wand_outcome.h"
 #include "ui/calibration/wand/wand_waving.h"
 #include "ui/text/retranslation.h"
@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 WandCalibrationPage::WandCalibrationPage(WandCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator), guide_(new QLabel(this)),
-      momentsTitle_(makePageTitle(this)), wavingTitle_(makePageTitle(this)),
+      instantsTitle_(makePageTitle(this)), wavingTitle_(makePageTitle(this)),
       waving_(new WandWaving(calibrator, this)), outcomeTitle_(makePageTitle(this)) {
   setObjectName(QStringLiteral("wandPage"));
   guide_->setWordWrap(true);
@@ -27,8 +27,8 @@ WandCalibrationPage::WandCalibrationPage(WandCalibrator& calibrator, QWidget* pa
   column->addWidget(new WandForm(calibrator, this));
   column->addWidget(wavingTitle_);
   column->addWidget(waving_);
-  column->addWidget(momentsTitle_);
-  column->addWidget(new WandMoments(calibrator, this));
+  column->addWidget(instantsTitle_);
+  column->addWidget(new TouchedInstantList(calibrator, this));
   column->addWidget(outcomeTitle_);
   column->addWidget(new WandOutcome(calibrator, this));
   column->addStretch(1);
@@ -44,7 +44,7 @@ void WandCalibrationPage::retranslateUi() {
           : tr("Nudge the cameras by hand until they are roughly right. A recording of a ball, or "
                "a "
                "stick with two balls, waved through the whole volume then makes them exact."));
-  momentsTitle_->setText(tr("Where the floor is"));
+  instantsTitle_->setText(tr("Where the floor is"));
   wavingTitle_->setText(tr("Waving"));
   outcomeTitle_->setText(tr("Refine"));
   wavingTitle_->setVisible(calibrator_.isLive());

@@ -23,7 +23,7 @@ private:
 
   WandCalibrator& calibrator_;
   QLabel* guide_;
-  QLabel* momentsTitle_;
+  QLabel* instantsTitle_;
   QLabel* wavingTitle_;
   WandWaving* waving_;
   QLabel* outcomeTitle_;

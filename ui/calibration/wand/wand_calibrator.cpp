@@ -75,25 +75,25 @@ void WandCalibrator::setWish(const WandSettings& wish) {
   }
 }
 
-void WandCalibrator::takeMoment(TouchRole role) {
-  if (!canTakeMoment()) {
+void WandCalibrator::addTouchedInstant(TouchRole role) {
+  if (!canAddTouchedInstant()) {
     return;
   }
   const TouchedInstant taken{shownFrame_, shownSeconds_, role};
-  addInstant(moments_, taken);
+  addInstant(touchedInstants_, taken);
   Q_EMIT changed();
 }
 
-void WandCalibrator::removeMoment(std::size_t index) {
-  if (index < moments_.size()) {
-    moments_.erase(moments_.begin() + static_cast<std::ptrdiff_t>(index));
+void WandCalibrator::removeTouchedInstant(std::size_t index) {
+  if (index < touchedInstants_.size()) {
+    touchedInstants_.erase(touchedInstants_.begin() + static_cast<std::ptrdiff_t>(index));
     Q_EMIT changed();
   }
 }
 
-void WandCalibrator::showMoment(std::size_t index) {
-  if (index < moments_.size()) {
-    around_.selection.requestFrame(moments_[index].frame);
+void WandCalibrator::showTouchedInstant(std::size_t index) {
+  if (index < touchedInstants_.size()) {
+    around_.selection.requestFrame(touchedInstants_[index].frame);
   }
 }
 
@@ -104,7 +104,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (waving_ != nullptr && (around_.session() != waving_ || collector_.use_count() == 1)) {
     letGo();
   }
-  const bool news = live != live_ || shown != canTakeMoment();
+  const bool news = live != live_ || shown != canAddTouchedInstant();
   live_ = live;
   shownFrame_ = shown ? snapshot->frames->index : -1;
   shownSeconds_ = shown ? seconds(snapshot->frames->time) : 0.0;
@@ -115,7 +115,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WandCalibrator::startWaving() {
   Session* session = around_.session();
-  const auto colors = wandColors(project(), toOptions(wish_, moments_, project()));
+  const auto colors = wandColors(project(), toOptions(wish_, touchedInstants_, project()));
   if (session == nullptr) {
     return;
   }
@@ -124,7 +124,7 @@ void WandCalibrator::startWaving() {
     return;
   }
   stopWaving();
-  moments_.clear(); // they belong to what was collected before
+  touchedInstants_.clear(); // they belong to what was collected before
   collector_.reset(new WandCollector(project().cameras.size(), *colors), DetachedDelete());
   waving_ = session;
   session->setFrameTap(
@@ -156,7 +156,7 @@ std::optional<WandCollector::State> WandCalibrator::collected() const {
 }
 
 QString WandCalibrator::missing() const {
-  const QString missing = validationMessage(wish_, moments_, project());
+  const QString missing = validationMessage(wish_, touchedInstants_, project());
   if (!missing.isEmpty()) {
     return missing;
   }
@@ -180,7 +180,7 @@ void WandCalibrator::refine() {
   const auto selected = selectedRange
                             ? std::optional(FrameStretch{selectedRange->first, selectedRange->last})
                             : std::nullopt;
-  const WandOptions options = toOptions(wish_, moments_, project(), selected);
+  const WandOptions options = toOptions(wish_, touchedInstants_, project(), selected);
   refinement_.reset();
   failure_.clear();
   applied_ = false;
@@ -255,7 +255,7 @@ void WandCalibrator::forget() {
   job_->cancel();
   stopWaving();
   collector_.reset();
-  moments_.clear();
+  touchedInstants_.clear();
   wish_ = {};
   refinement_.reset();
   failure_.clear();

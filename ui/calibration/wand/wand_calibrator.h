@@ -42,16 +42,16 @@ public:
   const Project& project() const;
   TargetListModel& targets() const { return around_.targets; }
 
-  // Moments at which the ball was somewhere special.
-  const std::vector<TouchedInstant>& moments() const { return moments_; }
-  /// The moment shown; ends of a distance or a fall take the place of the former ones.
-  void takeMoment(TouchRole role);
-  void removeMoment(std::size_t index);
-  /// Shows its images.
-  void showMoment(std::size_t index);
-  /// Whether there is a moment to take.
-  bool canTakeMoment() const { return shownFrame_ >= 0; }
-  /// Whether a stretch is selected in the timeline.
+  // Frames in which the ball touched the floor or an end of a distance, or fell.
+  const std::vector<TouchedInstant>& touchedInstants() const { return touchedInstants_; }
+  /// Adds the frame shown; ends of a distance or a fall replace the former ones.
+  void addTouchedInstant(TouchRole role);
+  void removeTouchedInstant(std::size_t index);
+  /// Shows the images of that frame.
+  void showTouchedInstant(std::size_t index);
+  /// Whether there is a frame to add.
+  bool canAddTouchedInstant() const { return shownFrame_ >= 0; }
+  /// Whether a range of frames is selected in the timeline.
   bool hasSelectedRange() const { return around_.selection.selectedRange().has_value(); }
 
   // Live cameras.
@@ -100,7 +100,7 @@ private:
 
   Surroundings around_;
   WandSettings wish_;
-  std::vector<TouchedInstant> moments_;
+  std::vector<TouchedInstant> touchedInstants_;
   bool live_ = false;
   qint64 shownFrame_ = -1;
   double shownSeconds_ = 0.0;                ///< its time, as the calibration will know it

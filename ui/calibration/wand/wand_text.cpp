@@ -28,9 +28,9 @@ QString touchWords(TouchRole role) {
   return Words::tr("still falls");
 }
 
-QString validationMessage(const WandSettings& wish, const std::vector<TouchedInstant>& moments,
+QString validationMessage(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
                           const Project& project) {
-  switch (obstacleOf(wish, moments, project)) {
+  switch (obstacleOf(wish, instants, project)) {
   case WandObstacle::None:
     break;
   case WandObstacle::TooFewCameras:

@@ -13,12 +13,12 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// Moments at which the ball touched the floor, an end of a known distance, or fell: taken from the
-/// images shown, listed, removed.
-class WandMoments : public QWidget {
+/// The frames in which the ball touched the floor or an end of a known distance, or fell: adds the
+/// frame shown, lists and removes them.
+class TouchedInstantList : public QWidget {
   Q_OBJECT
 public:
-  explicit WandMoments(WandCalibrator& calibrator, QWidget* parent = nullptr);
+  explicit TouchedInstantList(WandCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
   void retranslateUi();

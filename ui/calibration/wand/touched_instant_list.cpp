@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/calibration/wand/wand_moments.h"
+#include "ui/calibration/wand/touched_instant_list.h"
 
 #include "ui/calibration/wand/wand_calibrator.h"
 #include "ui/text/quantity_text.h"
@@ -14,7 +14,7 @@
 
 namespace dewpoint::ui {
 
-WandMoments::WandMoments(WandCalibrator& calibrator, QWidget* parent)
+TouchedInstantList::TouchedInstantList(WandCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator), role_(new QComboBox(this)),
       take_(new QPushButton(this)), list_(new QListWidget(this)), remove_(new QPushButton(this)) {
   setObjectName(QStringLiteral("wandMoments"));
@@ -31,19 +31,21 @@ WandMoments::WandMoments(WandCalibrator& calibrator, QWidget* parent)
   grid->addWidget(take_, 1, 0);
   grid->addWidget(remove_, 1, 1);
   grid->addWidget(list_, 2, 0, 1, 2);
-  connect(&calibrator_, &WandCalibrator::changed, this, &WandMoments::refresh);
+  connect(&calibrator_, &WandCalibrator::changed, this, &TouchedInstantList::refresh);
   connect(take_, &QPushButton::clicked, this,
-          [this] { calibrator_.takeMoment(static_cast<TouchRole>(role_->currentIndex())); });
-  connect(remove_, &QPushButton::clicked, this,
-          [this] { calibrator_.removeMoment(static_cast<std::size_t>(list_->currentRow())); });
-  connect(list_, &QListWidget::itemActivated, this,
-          [this] { calibrator_.showMoment(static_cast<std::size_t>(list_->currentRow())); });
+          [this] { calibrator_.addTouchedInstant(static_cast<TouchRole>(role_->currentIndex())); });
+  connect(remove_, &QPushButton::clicked, this, [this] {
+    calibrator_.removeTouchedInstant(static_cast<std::size_t>(list_->currentRow()));
+  });
+  connect(list_, &QListWidget::itemActivated, this, [this] {
+    calibrator_.showTouchedInstant(static_cast<std::size_t>(list_->currentRow()));
+  });
   connect(list_, &QListWidget::currentRowChanged, this,
           [this](int row) { remove_->setEnabled(row >= 0 && !calibrator_.isRefining()); });
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void WandMoments::retranslateUi() {
+void TouchedInstantList::retranslateUi() {
   {
     const QSignalBlocker quiet(role_);
     const int chosen = std::max(0, role_->currentIndex());
@@ -66,17 +68,17 @@ void WandMoments::retranslateUi() {
   refresh();
 }
 
-void WandMoments::refresh() {
+void TouchedInstantList::refresh() {
   const int chosen = list_->currentRow();
   {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const TouchedInstant& moment : calibrator_.moments()) {
-      list_->addItem(tr("%1 – %2").arg(secondsText(moment.seconds, 3), touchWords(moment.role)));
+    for (const TouchedInstant& instant : calibrator_.touchedInstants()) {
+      list_->addItem(tr("%1 – %2").arg(secondsText(instant.seconds, 3), touchWords(instant.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }
-  take_->setEnabled(calibrator_.canTakeMoment() && !calibrator_.isRefining());
+  take_->setEnabled(calibrator_.canAddTouchedInstant() && !calibrator_.isRefining());
   remove_->setEnabled(list_->currentRow() >= 0 && !calibrator_.isRefining());
 }
 
