@@ -82,10 +82,10 @@ void BoardPageTest::openWindow(const ProjectOpener& opener, const std::filesyste
 }
 
 void BoardPageTest::setBoard(const BoardGoal& goal) {
-  BoardGuideRequest wish = calibrator().wish();
-  wish.board.board = shown_.board;
-  wish.goal = goal;
-  calibrator().setWish(wish);
+  BoardGuideRequest request = calibrator().request();
+  request.board.board = shown_.board;
+  request.goal = goal;
+  calibrator().setRequest(request);
 }
 
 void BoardPageTest::openRecording() {
@@ -162,10 +162,10 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
   QVERIFY(calibrate());
   auto inputs = dewpoint::app::openProject(std::filesystem::path(file("board.toml").toStdString()));
   QVERIFY(inputs.has_value());
-  const auto& wish = calibrator().wish();
-  const auto seen = findBoards(inputs->project, *inputs->source, wish.board);
+  const auto& request = calibrator().request();
+  const auto seen = findBoards(inputs->project, *inputs->source, request.board);
   QVERIFY(seen.has_value());
-  const auto outcome = calibrateFromBoards(inputs->project, *seen, wish.board, wish.goal);
+  const auto outcome = calibrateFromBoards(inputs->project, *seen, request.board, request.goal);
   QVERIFY(outcome.has_value());
   QVERIFY(outcome->project.cameras == project().cameras);
 }
@@ -190,7 +190,7 @@ void BoardPageTest::aWrongBoardIsSaid() {
   find<QComboBox>(QStringLiteral("boardKind"))->setCurrentIndex(0);
   Q_EMIT find<QComboBox>(QStringLiteral("boardKind"))->activated(0);
   find<QSpinBox>(QStringLiteral("boardColumns"))->setValue(12);
-  QCOMPARE(calibrator().wish().board.board.columns, 11); // inner corners
+  QCOMPARE(calibrator().request().board.board.columns, 11); // inner corners
   QVERIFY(calibrate());
   QVERIFY(!calibrator().isApplied());
   QCOMPARE(history().count(), 0);
@@ -223,16 +223,16 @@ void BoardPageTest::theBoardIsRemembered() {
   openRecording();
   window_.reset();
   openWindow(&openProject, file("board.toml").toStdString());
-  QVERIFY(calibrator().wish().board.board == shown_.board);
+  QVERIFY(calibrator().request().board.board == shown_.board);
 }
 
 void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
-  BoardGuideRequest wish = calibrator().wish();
-  wish.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
-  wish.requestedPosition = 0.05;
-  wish.rig.instantsPerPair = 4;
-  calibrator().setWish(wish);
+  BoardGuideRequest request = calibrator().request();
+  request.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
+  request.requestedPosition = 0.05;
+  request.rig.instantsPerPair = 4;
+  calibrator().setRequest(request);
   const auto before = project().cameras;
   QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);

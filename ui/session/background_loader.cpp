@@ -23,7 +23,7 @@ BackgroundLoader::~BackgroundLoader() = default;
 
 void BackgroundLoader::load(const Project& project) {
   wanted_ = std::make_shared<const Project>(project);
-  ++wish_;
+  ++generation_;
   if (job_->isRunning()) {
     job_->cancel();
   } else {
@@ -33,27 +33,28 @@ void BackgroundLoader::load(const Project& project) {
 
 void BackgroundLoader::forget() {
   wanted_.reset();
-  ++wish_;
+  ++generation_;
 }
 
 void BackgroundLoader::start() {
-  job_->start([this, wish = wish_, project = std::exchange(wanted_, nullptr)](const auto&) {
-    auto rooms = loadEmptyRooms(*project);
-    return std::function<void()>([this, wish, project, rooms = std::move(rooms)] {
-      if (wish != wish_) {
-        return; // of another project, or changed again
-      }
-      if (!rooms) {
-        Q_EMIT failed(errorSentence(rooms.error()));
-        return;
-      }
-      std::vector<std::string> files;
-      for (const ProjectCamera& camera : project->cameras) {
-        files.push_back(camera.emptyRoom);
-      }
-      Q_EMIT loaded(files, *rooms);
-    });
-  });
+  job_->start(
+      [this, generation = generation_, project = std::exchange(wanted_, nullptr)](const auto&) {
+        auto rooms = loadEmptyRooms(*project);
+        return std::function<void()>([this, generation, project, rooms = std::move(rooms)] {
+          if (generation != generation_) {
+            return; // of another project, or changed again
+          }
+          if (!rooms) {
+            Q_EMIT failed(errorSentence(rooms.error()));
+            return;
+          }
+          std::vector<std::string> files;
+          for (const ProjectCamera& camera : project->cameras) {
+            files.push_back(camera.emptyRoom);
+          }
+          Q_EMIT loaded(files, *rooms);
+        });
+      });
 }
 
 } // namespace dewpoint::ui

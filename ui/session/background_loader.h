@@ -42,7 +42,7 @@ private:
 
   BackgroundJob* job_;
   std::shared_ptr<const Project> wanted_; ///< what is to be read next
-  int wish_ = 0;                          ///< counts up; an answer to an earlier one is not given
+  int generation_ = 0;                    ///< counts up; an answer to an earlier one is not given
 };
 
 } // namespace dewpoint::ui

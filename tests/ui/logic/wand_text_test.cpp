@@ -11,25 +11,25 @@ namespace {
 
 TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   Project project;
-  WandSettings wish;
+  WandSettings settings;
   std::set<QString> sentences;
   const auto note = [&](const std::vector<TouchedInstant>& instants = {}) {
-    sentences.insert(validationMessage(wish, instants, project));
+    sentences.insert(validationMessage(settings, instants, project));
   };
   note(); // no camera
   project.cameras.resize(2);
   note(); // no ball
   project.targets.resize(1);
   project.targets[0].name = "ball";
-  EXPECT_TRUE(validationMessage(wish, {}, project).isEmpty());
+  EXPECT_TRUE(validationMessage(settings, {}, project).isEmpty());
   note({{10, 0.4, TouchRole::FallBegins}});
-  wish.size = WandSize::Distance;
+  settings.size = WandSize::Distance;
   note();
-  wish.stick = true;
+  settings.stick = true;
   note(); // one ball
   project.targets.resize(2);
   project.targets[1].name = "second";
-  wish.other = "ball";
+  settings.other = "ball";
   note(); // twice the same
   EXPECT_EQ(sentences.size(), 6U);
   EXPECT_FALSE(sentences.contains(QString()));

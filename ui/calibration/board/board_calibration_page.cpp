@@ -36,7 +36,7 @@ BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& calibrator, QWidget*
   connect(apply_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::apply);
   connect(report_, &QPushButton::clicked, this, &BoardCalibrationPage::askReport);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardCalibrationPage::refresh);
-  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardCalibrationPage::refresh);
+  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardCalibrationPage::refresh);
   connect(&calibrator_, &BoardCalibrator::calibrated, this, [this] {
     QTimer::singleShot(0, this, &BoardCalibrationPage::showResult); // laid out by then
   });

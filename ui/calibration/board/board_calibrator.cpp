@@ -23,7 +23,7 @@ BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* paren
     : QObject(parent), document_(document), open_(std::move(open)),
       looking_(std::make_shared<std::atomic<bool>>(false)), job_(new BackgroundJob(this)),
       writer_(new BackgroundJob(this)), watch_(new BoardWatch(wakeUp())) {
-  wish_.goal = {true, true};
+  request_.goal = {true, true};
   recall();
   connect(job_, &BackgroundJob::progressChanged, this, &BoardCalibrator::progressChanged);
   connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
@@ -49,22 +49,22 @@ QString BoardCalibrator::nameOf(std::size_t camera) const {
   return cameraName(camera < cameras.size() ? cameras[camera].camera.name : std::string(), camera);
 }
 
-void BoardCalibrator::setWish(const BoardGuideRequest& wish) {
-  wish_ = wish;
+void BoardCalibrator::setRequest(const BoardGuideRequest& request) {
+  request_ = request;
   Preferences().setBoard(preferences());
   if (watching_) {
     start(); // what was taken is of another board, or for another lens
   }
-  Q_EMIT wishChanged();
+  Q_EMIT requestChanged();
 }
 
 BoardPreferences BoardCalibrator::preferences() const {
-  return {QString::fromStdString(boardText(wish_.board.board)),
-          static_cast<int>(wish_.board.model),
-          wish_.goal.lenses,
-          wish_.goal.poses,
-          wish_.lenses.requestedProjectionPx,
-          wish_.requestedPosition};
+  return {QString::fromStdString(boardText(request_.board.board)),
+          static_cast<int>(request_.board.model),
+          request_.goal.lenses,
+          request_.goal.poses,
+          request_.lenses.requestedProjectionPx,
+          request_.requestedPosition};
 }
 
 void BoardCalibrator::recall() {
@@ -73,13 +73,13 @@ void BoardCalibrator::recall() {
   atFirst.places = true;
   const BoardPreferences kept = Preferences().board(atFirst);
   if (const auto board = parseBoard(kept.board.toStdString())) {
-    wish_.board.board = *board;
+    request_.board.board = *board;
   }
-  wish_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
-  wish_.goal.lenses = kept.lenses;
-  wish_.goal.poses = kept.places || !wish_.goal.lenses;
-  wish_.lenses.requestedProjectionPx = kept.lensAccuracy;
-  wish_.requestedPosition = kept.placeAccuracy;
+  request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
+  request_.goal.lenses = kept.lenses;
+  request_.goal.poses = kept.places || !request_.goal.lenses;
+  request_.lenses.requestedProjectionPx = kept.lensAccuracy;
+  request_.requestedPosition = kept.placeAccuracy;
 }
 
 void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -134,9 +134,9 @@ void BoardCalibrator::calibrate() {
   }
   *looking_ = true;
   compute(
-      [open = open_, project = project(), wish = wish_](const CalibrationProgress& progress) {
+      [open = open_, project = project(), request = request_](const CalibrationProgress& progress) {
         return open(project).and_then([&](const SessionInputs& inputs) {
-          return calibrateFromBoards(inputs.project, *inputs.source, wish.board, wish.goal,
+          return calibrateFromBoards(inputs.project, *inputs.source, request.board, request.goal,
                                      progress);
         });
       },
@@ -152,7 +152,7 @@ void BoardCalibrator::start() {
   failure_.clear();
   shownToWatch_.reset();
   setWatching(true);
-  watch_->begin(project(), wish_);
+  watch_->begin(project(), request_);
   Q_EMIT playWanted();
   Q_EMIT changed();
   Q_EMIT guideChanged();
@@ -184,9 +184,9 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->seen, wish = requestForTaken(wish_, *state),
-       goal = wish_.goal](const CalibrationProgress& progress) {
-        return calibrateFromBoards(project, *seen, wish, goal, progress);
+      [project = project(), seen = state->seen, request = requestForTaken(request_, *state),
+       goal = request_.goal](const CalibrationProgress& progress) {
+        return calibrateFromBoards(project, *seen, request, goal, progress);
       },
       false);
 }
@@ -251,7 +251,7 @@ void BoardCalibrator::saveReport(const QString& file) {
 
 void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
   write(
-      [board = wish_.board.board, name = paper.toStdString(), path = file.toStdString()] {
+      [board = request_.board.board, name = paper.toStdString(), path = file.toStdString()] {
         return paperNamed(name).and_then([&](const Paper& sheet) {
           return dewpoint::calibration::printBoard(board, sheet, path);
         });
@@ -265,8 +265,8 @@ void BoardCalibrator::forget() {
   setWatching(false);
   outcome_.reset();
   failure_.clear();
-  wish_.board.worldFrame.reset();
-  Q_EMIT wishChanged();
+  request_.board.worldFrame.reset();
+  Q_EMIT requestChanged();
   Q_EMIT changed();
 }
 

@@ -29,8 +29,8 @@ public:
   ~BoardCalibrator() override;
 
   /// Remembered for the next time, besides the frame of the floor.
-  const BoardGuideRequest& wish() const { return wish_; }
-  void setWish(const BoardGuideRequest& wish);
+  const BoardGuideRequest& request() const { return request_; }
+  void setRequest(const BoardGuideRequest& request);
   const Project& project() const;
   /// "camera 2" where it has no name.
   QString nameOf(std::size_t camera) const;
@@ -76,7 +76,7 @@ public:
   void printBoard(const QString& paper, const QString& file);
 
 Q_SIGNALS:
-  void wishChanged();
+  void requestChanged();
   void changed(); ///< of everything else
   void guideChanged();
   void progressChanged(double part); ///< 0 to 1; less: unknown
@@ -99,7 +99,7 @@ private:
 
   Document& document_;
   Opener open_;
-  BoardGuideRequest wish_;
+  BoardGuideRequest request_;
   bool live_ = false;
   bool watching_ = false;
   qint64 shownFrame_ = -1;

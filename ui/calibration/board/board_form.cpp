@@ -127,7 +127,7 @@ double BoardForm::metersPerUnit() const {
 
 void BoardForm::connectFields() {
   using Board = BoardDescription;
-  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardForm::refresh);
   connect(kind_, &QComboBox::activated, this, [this](int index) {
     edit([index](Board& board) { board = withKind(board, static_cast<Board::Kind>(index)); });
   });
@@ -159,13 +159,13 @@ void BoardForm::connectFields() {
 }
 
 void BoardForm::edit(const std::function<void(BoardDescription&)>& change) {
-  BoardGuideRequest wish = calibrator_.wish();
-  BoardDescription board = wish.board.board;
+  BoardGuideRequest request = calibrator_.request();
+  BoardDescription board = request.board.board;
   change(board);
   const Status checked = checkBoard(board);
   if (checked) {
-    wish.board.board = board;
-    calibrator_.setWish(wish);
+    request.board.board = board;
+    calibrator_.setRequest(request);
   }
   refresh(); // also when it was refused
   if (!checked) {
@@ -219,7 +219,7 @@ void BoardForm::retranslateUi() {
 }
 
 void BoardForm::refresh() {
-  const BoardDescription& board = calibrator_.wish().board.board;
+  const BoardDescription& board = calibrator_.request().board.board;
   const bool markers = board.kind == BoardDescription::Kind::Charuco;
   const auto count = [](QSpinBox* box, int value) {
     const QSignalBlocker quiet(box);

@@ -79,40 +79,44 @@ void BoardGoalForm::build() {
 }
 
 void BoardGoalForm::edit(const std::function<void(BoardGuideRequest&)>& change) {
-  BoardGuideRequest wish = calibrator_.wish();
-  change(wish);
-  calibrator_.setWish(wish);
+  BoardGuideRequest request = calibrator_.request();
+  change(request);
+  calibrator_.setRequest(request);
 }
 
 void BoardGoalForm::connectFields() {
-  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardGoalForm::refresh);
+  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardGoalForm::refresh);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardGoalForm::refresh);
   connect(goal_, &QComboBox::activated, this, [this](int index) {
-    edit([index](BoardGuideRequest& wish) {
-      wish.goal = kGoals.at(static_cast<std::size_t>(index));
+    edit([index](BoardGuideRequest& request) {
+      request.goal = kGoals.at(static_cast<std::size_t>(index));
     });
   });
   connect(model_, &QComboBox::activated, this, [this](int index) {
-    edit([index](BoardGuideRequest& wish) {
-      wish.board.model = static_cast<IntrinsicsModel>(index);
+    edit([index](BoardGuideRequest& request) {
+      request.board.model = static_cast<IntrinsicsModel>(index);
     });
   });
   connect(floor_, &QCheckBox::clicked, this, [this](bool on) {
-    edit([&](BoardGuideRequest& wish) {
-      wish.board.worldFrame = on ? std::optional<std::int64_t>(floorFrame_->value()) : std::nullopt;
+    edit([&](BoardGuideRequest& request) {
+      request.board.worldFrame =
+          on ? std::optional<std::int64_t>(floorFrame_->value()) : std::nullopt;
     });
   });
   connect(floorFrame_, &QSpinBox::valueChanged, this, [this](int frame) {
-    edit([frame](BoardGuideRequest& wish) { wish.board.worldFrame = frame; });
+    edit([frame](BoardGuideRequest& request) { request.board.worldFrame = frame; });
   });
   connect(floorHere_, &QPushButton::clicked, this, [this] {
-    edit([this](BoardGuideRequest& wish) { wish.board.worldFrame = calibrator_.shownFrame(); });
+    edit([this](BoardGuideRequest& request) {
+      request.board.worldFrame = calibrator_.shownFrame();
+    });
   });
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
-    edit([pixels](BoardGuideRequest& wish) { wish.lenses.requestedProjectionPx = pixels; });
+    edit([pixels](BoardGuideRequest& request) { request.lenses.requestedProjectionPx = pixels; });
   });
   connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
-    edit([=](BoardGuideRequest& wish) { wish.requestedPosition = kMillimeter * millimeters; });
+    edit(
+        [=](BoardGuideRequest& request) { request.requestedPosition = kMillimeter * millimeters; });
   });
 }
 
@@ -153,31 +157,31 @@ void BoardGoalForm::retranslateUi() {
 }
 
 void BoardGoalForm::refresh() {
-  const BoardGuideRequest& wish = calibrator_.wish();
+  const BoardGuideRequest& request = calibrator_.request();
   for (std::size_t k = 0; k < kGoals.size(); ++k) {
-    if (kGoals.at(k) == wish.goal) {
+    if (kGoals.at(k) == request.goal) {
       goal_->setCurrentIndex(static_cast<int>(k));
     }
   }
-  model_->setCurrentIndex(static_cast<int>(wish.board.model));
-  modelLabel_->setVisible(wish.goal.lenses);
-  model_->setVisible(wish.goal.lenses);
+  model_->setCurrentIndex(static_cast<int>(request.board.model));
+  modelLabel_->setVisible(request.goal.lenses);
+  model_->setVisible(request.goal.lenses);
   const bool live = calibrator_.isLive();
-  const bool onFloor = wish.board.worldFrame.has_value();
+  const bool onFloor = request.board.worldFrame.has_value();
   floor_->setChecked(onFloor);
-  floor_->setVisible(!live && wish.goal.poses);
+  floor_->setVisible(!live && request.goal.poses);
   floorFrame_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setEnabled(calibrator_.shownFrame() >= 0);
   {
     const QSignalBlocker quiet(floorFrame_);
-    floorFrame_->setValue(static_cast<int>(wish.board.worldFrame.value_or(0)));
+    floorFrame_->setValue(static_cast<int>(request.board.worldFrame.value_or(0)));
   }
   accuracyLabel_->setVisible(live);
-  lensAccuracy_->setVisible(live && wish.goal.lenses);
-  placeAccuracy_->setVisible(live && wish.goal.poses);
-  showValue(*lensAccuracy_, wish.lenses.requestedProjectionPx);
-  showValue(*placeAccuracy_, wish.requestedPosition / kMillimeter);
+  lensAccuracy_->setVisible(live && request.goal.lenses);
+  placeAccuracy_->setVisible(live && request.goal.poses);
+  showValue(*lensAccuracy_, request.lenses.requestedProjectionPx);
+  showValue(*placeAccuracy_, request.requestedPosition / kMillimeter);
 }
 
 } // namespace dewpoint::ui

@@ -32,7 +32,7 @@ BoardLive::BoardLive(BoardCalibrator& calibrator, QWidget* parent)
   connect(next_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::goOn);
   connect(finish_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::finish);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardLive::refresh);
-  connect(&calibrator_, &BoardCalibrator::wishChanged, this, &BoardLive::refresh);
+  connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardLive::refresh);
   connect(&calibrator_, &BoardCalibrator::guideChanged, this, &BoardLive::refresh);
   onRetranslate(this, [this] { retranslateUi(); });
 }
@@ -110,12 +110,12 @@ void BoardLive::makeRows(std::size_t count) {
 void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_t camera) {
   const auto& of = state.cameras[camera];
   const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
-                    (!calibrator_.wish().goal.poses && calibrator_.wish().goal.lenses);
+                    (!calibrator_.request().goal.poses && calibrator_.request().goal.lenses);
   row.map->show(of, lens);
   row.name->setText(calibrator_.nameOf(camera));
   row.advice->setText(lens ? adviceWords(of) : seenWords(of));
-  row.accuracy->setText(lens ? accuracyWords(of, calibrator_.wish().lenses) : placeWords(of));
-  row.sharpness->setText(sharpnessWords(of, calibrator_.wish().lenses));
+  row.accuracy->setText(lens ? accuracyWords(of, calibrator_.request().lenses) : placeWords(of));
+  row.sharpness->setText(sharpnessWords(of, calibrator_.request().lenses));
   const double held = lens ? of.lens.held : of.seen ? state.rig.held : 0.0;
   row.held->setValue(static_cast<int>(kHeldSteps * held));
   row.held->setAccessibleName(
@@ -147,9 +147,9 @@ void BoardLive::refresh() {
   start_->setToolTip(tr("Look for the board in the live images, and be told what to show"));
   start_->setEnabled(!calibrator_.isComputing());
   capture_->setEnabled(watching);
-  floor_->setVisible(calibrator_.wish().goal.poses);
+  floor_->setVisible(calibrator_.request().goal.poses);
   floor_->setEnabled(watching && places);
-  next_->setVisible(calibrator_.wish().goal.poses && calibrator_.wish().goal.lenses);
+  next_->setVisible(calibrator_.request().goal.poses && calibrator_.request().goal.lenses);
   next_->setEnabled(watching && !places);
   finish_->setEnabled(calibrator_.hasViews() && !calibrator_.isComputing() &&
                       !calibrator_.outcome());

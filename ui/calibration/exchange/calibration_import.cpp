@@ -150,36 +150,37 @@ void CalibrationImportDialog::retranslateFields() {
   }
 }
 
-ImportRequest CalibrationImportDialog::wish() const {
-  ImportRequest wish;
-  wish.path = file().toStdString();
-  wish.hints.format = format_->currentData().toString().toStdString();
+ImportRequest CalibrationImportDialog::request() const {
+  ImportRequest request;
+  request.path = file().toStdString();
+  request.hints.format = format_->currentData().toString().toStdString();
   const int listed = unit_->findText(unit_->currentText());
   const QString unit = listed >= 0 ? unit_->itemData(listed).toString() : unit_->currentText();
-  wish.hints.unit = metersOfUnit(unit.trimmed().toStdString());
+  request.hints.unit = metersOfUnit(unit.trimmed().toStdString());
   const QString lens = lens_->currentData().toString();
   if (!lens.isEmpty()) {
-    wish.hints.lens = lens == QLatin1String("fisheye") ? LensModel::Fisheye : LensModel::Pinhole;
+    request.hints.lens = lens == QLatin1String("fisheye") ? LensModel::Fisheye : LensModel::Pinhole;
   }
   static const QRegularExpression kSize(
       QStringLiteral("^\\s*(\\d{1,6})\\s*[x×*]\\s*(\\d{1,6})\\s*$"));
   if (const auto size = kSize.match(size_->text()); size.hasMatch()) {
-    wish.hints.size = {size.captured(1).toInt(), size.captured(2).toInt()};
+    request.hints.size = {size.captured(1).toInt(), size.captured(2).toInt()};
   }
   const QString poses = poses_->currentData().toString();
   if (!poses.isEmpty()) {
-    wish.hints.posesAreWorldFromCamera = poses == QLatin1String("yes");
+    request.hints.posesAreWorldFromCamera = poses == QLatin1String("yes");
   }
   if (const QVariant camera = camera_->currentData(); camera.isValid()) {
-    wish.camera = static_cast<std::size_t>(camera.toInt());
+    request.camera = static_cast<std::size_t>(camera.toInt());
   }
-  return wish;
+  return request;
 }
 
 ExchangeDialog::Preview CalibrationImportDialog::preview() {
   made_.reset();
-  return [this, project = document_.project(), wish = wish()] {
-    const auto made = std::make_shared<Result<CalibrationImport>>(importCalibration(project, wish));
+  return [this, project = document_.project(), request = request()] {
+    const auto made =
+        std::make_shared<Result<CalibrationImport>>(importCalibration(project, request));
     return [this, made] { applyResult(*made); };
   };
 }

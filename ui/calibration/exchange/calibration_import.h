@@ -30,7 +30,7 @@ protected:
   void retranslateFields() override;
 
 private:
-  ImportRequest wish() const;
+  ImportRequest request() const;
   void applyResult(const Result<CalibrationImport>& made);
   void applyError(const Error& error);
   void mark(ImportQuestion question);

@@ -68,9 +68,9 @@ const Project& WandCalibrator::project() const {
   return around_.document.project();
 }
 
-void WandCalibrator::setWish(const WandSettings& wish) {
-  if (!(wish == wish_)) {
-    wish_ = wish;
+void WandCalibrator::setSettings(const WandSettings& settings) {
+  if (!(settings == settings_)) {
+    settings_ = settings;
     Q_EMIT changed();
   }
 }
@@ -102,7 +102,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const bool live = shown && !snapshot->frameCount;
   // Another session opens its cameras anew, and has no tap.
   if (waving_ != nullptr && (around_.session() != waving_ || collector_.use_count() == 1)) {
-    letGo();
+    detachFromSession();
   }
   const bool news = live != live_ || shown != canAddTouchedInstant();
   live_ = live;
@@ -115,7 +115,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WandCalibrator::startWaving() {
   Session* session = around_.session();
-  const auto colors = wandColors(project(), toOptions(wish_, touchedInstants_, project()));
+  const auto colors = wandColors(project(), toOptions(settings_, touchedInstants_, project()));
   if (session == nullptr) {
     return;
   }
@@ -139,10 +139,10 @@ void WandCalibrator::stopWaving() {
   if (waving_ != nullptr && around_.session() == waving_) {
     waving_->setFrameTap({});
   }
-  letGo();
+  detachFromSession();
 }
 
-void WandCalibrator::letGo() {
+void WandCalibrator::detachFromSession() {
   if (waving_ != nullptr) {
     waving_ = nullptr;
     tick_.stop();
@@ -156,7 +156,7 @@ std::optional<WandCollector::State> WandCalibrator::collected() const {
 }
 
 QString WandCalibrator::missing() const {
-  const QString missing = validationMessage(wish_, touchedInstants_, project());
+  const QString missing = validationMessage(settings_, touchedInstants_, project());
   if (!missing.isEmpty()) {
     return missing;
   }
@@ -180,7 +180,7 @@ void WandCalibrator::refine() {
   const auto selected = selectedRange
                             ? std::optional(FrameStretch{selectedRange->first, selectedRange->last})
                             : std::nullopt;
-  const WandOptions options = toOptions(wish_, touchedInstants_, project(), selected);
+  const WandOptions options = toOptions(settings_, touchedInstants_, project(), selected);
   refinement_.reset();
   failure_.clear();
   applied_ = false;
@@ -221,8 +221,8 @@ void WandCalibrator::apply() {
   }
   around_.hand.takeAsBefore();
   const auto edited =
-      around_.document.edit(wish_.stick ? tr("Refine cameras with a waved stick")
-                                        : tr("Refine cameras with a waved ball"),
+      around_.document.edit(settings_.stick ? tr("Refine cameras with a waved stick")
+                                            : tr("Refine cameras with a waved ball"),
                             [this](Project& project) {
                               const WandResult& found = refinement_->result;
                               project = withCameras(std::move(project), found.cameras);
@@ -256,7 +256,7 @@ void WandCalibrator::forget() {
   stopWaving();
   collector_.reset();
   touchedInstants_.clear();
-  wish_ = {};
+  settings_ = {};
   refinement_.reset();
   failure_.clear();
   applied_ = false;

@@ -37,8 +37,8 @@ public:
   explicit WandCalibrator(Surroundings around, QObject* parent = nullptr);
   ~WandCalibrator() override;
 
-  const WandSettings& wish() const { return wish_; }
-  void setWish(const WandSettings& wish);
+  const WandSettings& settings() const { return settings_; }
+  void setSettings(const WandSettings& settings);
   const Project& project() const;
   TargetListModel& targets() const { return around_.targets; }
 
@@ -96,10 +96,10 @@ Q_SIGNALS:
 private:
   void applyResult(Result<WandRefinement> outcome);
   void forget();
-  void letGo();
+  void detachFromSession();
 
   Surroundings around_;
-  WandSettings wish_;
+  WandSettings settings_;
   std::vector<TouchedInstant> touchedInstants_;
   bool live_ = false;
   qint64 shownFrame_ = -1;

@@ -111,31 +111,33 @@ void WandForm::build() {
 
 void WandForm::connectFields() {
   connect(&calibrator_, &WandCalibrator::changed, this, &WandForm::refresh);
-  connect(kind_, &QComboBox::activated, this,
-          [this](int index) { edit([=](WandSettings& wish) { wish.stick = index == 1; }); });
+  connect(kind_, &QComboBox::activated, this, [this](int index) {
+    edit([=](WandSettings& settings) { settings.stick = index == 1; });
+  });
   connect(ball_, &QComboBox::activated, this, [this] {
-    edit([this](WandSettings& wish) { wish.ball = ball_->currentText().toStdString(); });
+    edit([this](WandSettings& settings) { settings.ball = ball_->currentText().toStdString(); });
   });
   connect(other_, &QComboBox::activated, this, [this] {
-    edit([this](WandSettings& wish) { wish.other = other_->currentText().toStdString(); });
+    edit([this](WandSettings& settings) { settings.other = other_->currentText().toStdString(); });
   });
-  connect(length_, &QDoubleSpinBox::valueChanged, this,
-          [this](double value) { edit([=](WandSettings& wish) { wish.length = value / 100.0; }); });
+  connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    edit([=](WandSettings& settings) { settings.length = value / 100.0; });
+  });
   connect(size_, &QComboBox::activated, this, [this](int index) {
-    edit([=](WandSettings& wish) { wish.size = static_cast<WandSize>(index); });
+    edit([=](WandSettings& settings) { settings.size = static_cast<WandSize>(index); });
   });
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.distance = value / 100.0; });
+    edit([=](WandSettings& settings) { settings.distance = value / 100.0; });
   });
   connect(initialPositionError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.initialPositionError = value / 100.0; });
+    edit([=](WandSettings& settings) { settings.initialPositionError = value / 100.0; });
   });
   connect(initialTurnError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& wish) { wish.initialTurnError = value * base::kDegree; });
+    edit([=](WandSettings& settings) { settings.initialTurnError = value * base::kDegree; });
   });
   const auto check = [this](QCheckBox* box, bool WandSettings::*field) {
     connect(box, &QCheckBox::clicked, this, [this, field](bool checked) {
-      edit([=](WandSettings& wish) { wish.*field = checked; });
+      edit([=](WandSettings& settings) { settings.*field = checked; });
     });
   };
   check(offsets_, &WandSettings::findOffsets);
@@ -145,13 +147,13 @@ void WandForm::connectFields() {
 }
 
 void WandForm::edit(const std::function<void(WandSettings&)>& change) {
-  WandSettings wish = calibrator_.wish();
-  change(wish);
-  calibrator_.setWish(wish);
+  WandSettings settings = calibrator_.settings();
+  change(settings);
+  calibrator_.setSettings(settings);
 }
 
 void WandForm::chooseBalls() {
-  WandSettings both = calibrator_.wish();
+  WandSettings both = calibrator_.settings();
   both.stick = true;
   const auto balls = selectedTargets(both, calibrator_.project());
   for (QComboBox* box : {ball_, other_}) {
@@ -163,7 +165,7 @@ void WandForm::chooseBalls() {
 
 void WandForm::fillSizes() {
   const auto& targets = calibrator_.project().targets;
-  const auto balls = selectedTargets(calibrator_.wish(), calibrator_.project());
+  const auto balls = selectedTargets(calibrator_.settings(), calibrator_.project());
   const auto ball =
       balls.empty() ? targets.end() : std::ranges::find(targets, balls.front(), &Target::name);
   const QString diameter =
@@ -174,27 +176,27 @@ void WandForm::fillSizes() {
 }
 
 void WandForm::refresh() {
-  const WandSettings& wish = calibrator_.wish();
+  const WandSettings& settings = calibrator_.settings();
   chooseBalls();
   fillSizes();
-  ::dewpoint::ui::show(*kind_, wish.stick ? 1 : 0);
-  ::dewpoint::ui::show(*size_, static_cast<int>(wish.size));
-  showValue(*length_, 100.0 * wish.length);
-  showValue(*distance_, 100.0 * wish.distance);
-  showValue(*initialPositionError_, 100.0 * wish.initialPositionError);
-  showValue(*initialTurnError_, wish.initialTurnError / base::kDegree);
-  offsets_->setChecked(wish.findOffsets);
-  focal_->setChecked(wish.findFocal);
-  distortion_->setChecked(wish.findDistortion);
-  onlyRange_->setChecked(wish.onlySpan && calibrator_.hasSelectedRange());
+  ::dewpoint::ui::show(*kind_, settings.stick ? 1 : 0);
+  ::dewpoint::ui::show(*size_, static_cast<int>(settings.size));
+  showValue(*length_, 100.0 * settings.length);
+  showValue(*distance_, 100.0 * settings.distance);
+  showValue(*initialPositionError_, 100.0 * settings.initialPositionError);
+  showValue(*initialTurnError_, settings.initialTurnError / base::kDegree);
+  offsets_->setChecked(settings.findOffsets);
+  focal_->setChecked(settings.findFocal);
+  distortion_->setChecked(settings.findDistortion);
+  onlyRange_->setChecked(settings.onlySpan && calibrator_.hasSelectedRange());
   onlyRange_->setEnabled(calibrator_.hasSelectedRange());
   for (QWidget* field :
        std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {
-    field->setVisible(wish.stick);
+    field->setVisible(settings.stick);
   }
-  sizeLabel_->setVisible(!wish.stick);
-  size_->setVisible(!wish.stick);
-  const bool distance = !wish.stick && wish.size == WandSize::Distance;
+  sizeLabel_->setVisible(!settings.stick);
+  size_->setVisible(!settings.stick);
+  const bool distance = !settings.stick && settings.size == WandSize::Distance;
   distanceLabel_->setVisible(distance);
   distance_->setVisible(distance);
   onlyRange_->setVisible(!calibrator_.isLive());

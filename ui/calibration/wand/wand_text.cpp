@@ -28,9 +28,9 @@ QString touchWords(TouchRole role) {
   return Words::tr("still falls");
 }
 
-QString validationMessage(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
+QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                           const Project& project) {
-  switch (obstacleOf(wish, instants, project)) {
+  switch (obstacleOf(settings, instants, project)) {
   case WandObstacle::None:
     break;
   case WandObstacle::TooFewCameras:

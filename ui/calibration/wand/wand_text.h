@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 QString touchWords(TouchRole role);
 
 /// What keeps the wish from being fulfilled (obstacleOf()), as a sentence; empty when nothing does.
-QString validationMessage(const WandSettings& wish, const std::vector<TouchedInstant>& instants,
+QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                           const Project& project);
 
 } // namespace dewpoint::ui
