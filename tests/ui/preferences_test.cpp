@@ -122,15 +122,15 @@ void PreferencesTest::recentProjectsAreTheNewestThatAreThere() {
   QCOMPARE(preferences.recentProjects().front(), newestFirst.at(4));
   QCOMPARE(preferences.recentProjects().size(), 10);
   RecentProjects offered;
-  offered.look();
+  offered.checkFiles();
   QCOMPARE(offered.files(), preferences.recentProjects());
   QVERIFY(QFile::remove(newestFirst.at(4)));
-  offered.look();
+  offered.checkFiles();
   QVERIFY(QTest::qWaitFor([&] { return !offered.files().contains(newestFirst.at(4)); },
                           DEWPOINT_PATIENCE_MS));
   QCOMPARE(offered.files().size(), 9);
   QVERIFY(QFile(newestFirst.at(4)).open(QIODevice::WriteOnly)); // it is back
-  offered.look();
+  offered.checkFiles();
   QVERIFY(QTest::qWaitFor([&] { return offered.files() == preferences.recentProjects(); },
                           DEWPOINT_PATIENCE_MS));
   preferences.clearRecentProjects();

@@ -33,7 +33,7 @@ constexpr int kSoonDoneMs = 500;              ///< less needs no button to stop 
 } // namespace
 
 ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent)
-    : QDialog(parent), trajectorySource_(std::move(trajectory)), worker_(new ExportWorker(this)),
+    : QDialog(parent), trajectorySource_(std::move(trajectory)), jobs_(new ExportJobs(this)),
       soon_(new QTimer(this)), follow_(new QTimer(this)), long_(new QTimer(this)) {
   setObjectName(QStringLiteral("exportDialog"));
   soon_->setSingleShot(true);
@@ -140,7 +140,7 @@ void ExportDialog::connectFields() {
   connect(soon_, &QTimer::timeout, this, [this] {
     previewing_ = true;
     long_->start();
-    worker_->preview(trajectory_, form_->options(), file());
+    jobs_->preview(trajectory_, form_->options(), file());
   });
   connect(long_, &QTimer::timeout, cancel_, &QWidget::show);
   connect(form_, &ExportForm::formatChanged, this, &ExportDialog::formatChanged);
@@ -151,21 +151,21 @@ void ExportDialog::connectFields() {
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(figure_, &QPushButton::clicked, this, &ExportDialog::startFigure);
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::stop);
-  connect(worker_, &ExportWorker::previewing, this, [this](int percent) {
+  connect(jobs_, &ExportJobs::previewing, this, [this](int percent) {
     if (previewing_) {
       size_->setText(tr("Working on the preview: %1 %").arg(percent));
     }
   });
-  connect(worker_, &ExportWorker::previewReady, this, &ExportDialog::showPreview);
-  connect(worker_, &ExportWorker::previewFailed, this, [this](const QString& sentence) {
+  connect(jobs_, &ExportJobs::previewReady, this, &ExportDialog::showPreview);
+  connect(jobs_, &ExportJobs::previewFailed, this, [this](const QString& sentence) {
     endPreview();
     units_->clear();
     size_->setText(sentence);
     preview_->clear();
   });
-  connect(worker_, &ExportWorker::progressChanged, progress_, &QProgressBar::setValue);
-  connect(worker_, &ExportWorker::finished, this, &ExportDialog::showFinished);
-  connect(worker_, &ExportWorker::failed, this, [this](const QString& sentence) {
+  connect(jobs_, &ExportJobs::progressChanged, progress_, &QProgressBar::setValue);
+  connect(jobs_, &ExportJobs::finished, this, &ExportDialog::showFinished);
+  connect(jobs_, &ExportJobs::failed, this, [this](const QString& sentence) {
     setRunning(false);
     Q_EMIT failed(sentence);
   });
@@ -201,7 +201,7 @@ void ExportDialog::hideEvent(QHideEvent* event) {
   soon_->stop(); // nobody looks at it; an export goes on
   follow_->stop();
   forgetQuestion();
-  worker_->stopPreview();
+  jobs_->stopPreview();
   endPreview();
 }
 
@@ -213,10 +213,10 @@ void ExportDialog::endPreview() {
 
 void ExportDialog::stop() {
   if (running_) {
-    worker_->cancel();
+    jobs_->cancel();
     return;
   }
-  worker_->stopPreview();
+  jobs_->stopPreview();
   endPreview();
   units_->clear();
   preview_->clear();
@@ -265,7 +265,7 @@ void ExportDialog::askFile() {
   if (!chosen.isEmpty()) {
     file_->setText(chosen);
     // The question was asked there, if there was one to ask; until that is known it is open.
-    worker_->find(chosen.toStdString(), [this, asked = questions_](bool exists) {
+    jobs_->find(chosen.toStdString(), [this, asked = questions_](bool exists) {
       mayReplace_ = mayReplace_ || (exists && asked == questions_);
     });
   }
@@ -312,7 +312,7 @@ void ExportDialog::start() {
   form_->setTargetsOf(*trajectory_);
   soon_->stop();
   setRunning(true);
-  worker_->run(trajectory_, chosen, file());
+  jobs_->run(trajectory_, chosen, file());
 }
 
 void ExportDialog::startFigure() {
@@ -327,7 +327,7 @@ void ExportDialog::startFigure() {
   const FigureTexts texts{figureTitle(trajectory_->header.entries), tr("time (s)").toStdString(),
                           tr("from above").toStdString()};
   const std::filesystem::path figure = chosen.toStdString();
-  worker_->run(
+  jobs_->run(
       [trajectory = trajectory_, options = form_->options(), texts, figure]() -> Status {
         const auto table = makeExportTable(*trajectory, options, {});
         return table ? writeTrajectoryFigure(*table, texts, figure)

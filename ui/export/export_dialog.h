@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/export/export_worker.h"
+#include "ui/export/export_jobs.h"
 
 #include <QDialog>
 
@@ -73,8 +73,8 @@ private:
   std::filesystem::path file() const;
 
   std::function<Trajectory()> trajectorySource_;
-  ExportWorker::TrajectoryPtr trajectory_;
-  ExportWorker* worker_;
+  ExportJobs::TrajectoryPtr trajectory_;
+  ExportJobs* jobs_;
   QTimer* soon_; ///< several changes in a row make one preview
   QTimer* follow_;
   QTimer* long_; ///< a preview that takes long gets a button to stop it

@@ -132,7 +132,7 @@ void ProjectController::connectRun() {
     }
   });
   connect(run, &SessionController::openFailed, &bench_.messages, &MessageBar::showError);
-  connect(run, &SessionController::openFailed, recent_, &RecentProjects::look);
+  connect(run, &SessionController::openFailed, recent_, &RecentProjects::checkFiles);
 }
 
 void ProjectController::open(const std::filesystem::path& file) {

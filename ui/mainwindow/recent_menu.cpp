@@ -24,7 +24,7 @@ RecentMenu::RecentMenu(RecentProjects& recent, QObject* parent) : QObject(parent
 void RecentMenu::fill(QMenu* menu) {
   menu_ = menu;
   list();
-  recent_.look();
+  recent_.checkFiles();
 }
 
 void RecentMenu::list() {

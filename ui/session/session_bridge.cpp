@@ -10,7 +10,7 @@
 namespace dewpoint::ui {
 
 SessionBridge::SessionBridge(SessionInputs inputs, QObject* parent)
-    : QObject(parent), lateImages_(std::make_unique<LiveFrameFiller>()),
+    : QObject(parent), frameFiller_(std::make_unique<LiveFrameFiller>()),
       session_(std::make_unique<Session>(std::move(inputs))) {
   session_->onSnapshot([this] {
     if (!pending_.exchange(true)) {
@@ -24,7 +24,7 @@ SessionBridge::~SessionBridge() {
 }
 
 TrackSnapshotPtr SessionBridge::asSeen(const TrackSnapshotPtr& snapshot) {
-  return lateImages_->filled(snapshot);
+  return frameFiller_->filled(snapshot);
 }
 
 std::unique_ptr<Session> SessionBridge::release() {

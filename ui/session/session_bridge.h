@@ -40,7 +40,7 @@ private:
   void deliverNewest();
 
   std::atomic<bool> pending_ = false;
-  std::unique_ptr<LiveFrameFiller> lateImages_;
+  std::unique_ptr<LiveFrameFiller> frameFiller_;
   std::unique_ptr<Session> session_; // last: destroyed first, before what its thread calls
 };
 

@@ -168,7 +168,7 @@ void SessionController::endRun() {
   }
 }
 
-TrackSnapshotPtr SessionController::withLateImages(const TrackSnapshotPtr& snapshot) {
+TrackSnapshotPtr SessionController::withFilledFrames(const TrackSnapshotPtr& snapshot) {
   if (bridge_ == nullptr || snapshot == nullptr) {
     return snapshot;
   }

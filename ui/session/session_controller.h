@@ -52,7 +52,7 @@ public:
   const TrackSnapshotPtr& shown() const { return shown_; }
   bool isPlaying() const;
   /// A snapshot as camera views show it: with the last images of live cameras that are late.
-  TrackSnapshotPtr withLateImages(const TrackSnapshotPtr& snapshot);
+  TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
 
   /// Plays or pauses; at the end, plays from the beginning.
   void togglePlay();

@@ -27,23 +27,23 @@ void RecentProjects::clear() {
   Q_EMIT changed();
 }
 
-void RecentProjects::look() {
+void RecentProjects::checkFiles() {
   const QStringList files = Preferences().recentProjects();
   if (files.isEmpty()) {
     return;
   }
-  look_.start([this, files, exists = exists_](const BackgroundJob::Progress&) {
+  checking_.start([this, files, exists = exists_](const BackgroundJob::Progress&) {
     QSet<QString> missing;
     for (const QString& file : files) {
       if (!exists(file)) {
         missing.insert(file);
       }
     }
-    return [this, missing] { adopt(missing); };
+    return [this, missing] { applyResult(missing); };
   });
 }
 
-void RecentProjects::adopt(const QSet<QString>& missing) {
+void RecentProjects::applyResult(const QSet<QString>& missing) {
   if (missing != missing_) {
     missing_ = missing;
     Q_EMIT changed();

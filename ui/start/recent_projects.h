@@ -29,18 +29,19 @@ public:
   /// This one was opened or saved just now.
   void add(const QString& file);
   void clear();
-  /// Asks which files are there; changed() follows when others are missing than before.
-  void look();
+  /// Finds out in a thread which files are there; changed() follows when others are missing than
+  /// before.
+  void checkFiles();
 
 Q_SIGNALS:
   void changed();
 
 private:
-  void adopt(const QSet<QString>& missing);
+  void applyResult(const QSet<QString>& missing);
 
   Exists exists_;
   QSet<QString> missing_;
-  LatestJob look_{LatestJob::Overtaken::Kept}; ///< a dead disk holds one thread up and no more
+  LatestJob checking_{LatestJob::Overtaken::Kept}; ///< a dead disk holds one thread up and no more
 };
 
 } // namespace dewpoint::ui

@@ -111,7 +111,7 @@ void StartPage::retranslateUi() {
 
 void StartPage::refresh() {
   list();
-  projects_.look();
+  projects_.checkFiles();
 }
 
 void StartPage::list() {

@@ -22,7 +22,7 @@ void showForMethod(const Workbench& bench, ViewDock* dock) {
   }
   dock->setVisible(showsRoom && !dock->isHiddenByUser());
   if (bench.document.project().layout.empty()) { // else it is as the person wanted it
-    bench.docks.shareSpaceSoon();
+    bench.docks.distributeDockSizesSoon();
   }
 }
 

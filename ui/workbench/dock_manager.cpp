@@ -122,7 +122,7 @@ void DockManager::arrange() {
   showViews(session_.isRunning());
   inspector.front()->raise();
   below.front()->raise();
-  shareSpaceSoon();
+  distributeDockSizesSoon();
 }
 
 void DockManager::arrangeCameras(ViewDock* scene) {
@@ -145,7 +145,7 @@ void DockManager::arrangeCameras(ViewDock* scene) {
   }
 }
 
-void DockManager::shareSpaceSoon() {
+void DockManager::distributeDockSizesSoon() {
   // The sizes can be given only once the layout has settled.
   QMetaObject::invokeMethod(this, &DockManager::distributeDockSizes, Qt::QueuedConnection);
 }

@@ -39,7 +39,7 @@ public:
   /// Forgets the document's arrangement, and what was put away of the cameras.
   void reset();
   /// Gives the views the sizes that the window begins with, once the layout has settled.
-  void shareSpaceSoon();
+  void distributeDockSizesSoon();
   /// Puts the layout into the document: that of all views, also while one fills the window or a
   /// page takes their place.
   void storeLayout();

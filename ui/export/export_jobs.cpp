@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/export/export_worker.h"
+#include "ui/export/export_jobs.h"
 
 #include "ui/text/error_sentence.h"
 
@@ -16,7 +16,7 @@ int percentOf(double part) {
 
 } // namespace
 
-ExportWorker::ExportWorker(QObject* parent)
+ExportJobs::ExportJobs(QObject* parent)
     : QObject(parent), cancelled_(std::make_shared<std::atomic<bool>>(false)) {
   connect(&preview_, &LatestJob::progressChanged, this,
           [this](double part) { Q_EMIT previewing(percentOf(part)); });
@@ -24,8 +24,8 @@ ExportWorker::ExportWorker(QObject* parent)
           [this](double part) { Q_EMIT progressChanged(percentOf(part)); });
 }
 
-void ExportWorker::preview(TrajectoryPtr trajectory, const ExportOptions& options,
-                           const std::filesystem::path& file) {
+void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
+                         const std::filesystem::path& file) {
   preview_.start([this, trajectory = std::move(trajectory), options,
                   file](const BackgroundJob::Progress& progress) -> std::function<void()> {
     constexpr std::size_t kLines = 40;
@@ -37,8 +37,7 @@ void ExportWorker::preview(TrajectoryPtr trajectory, const ExportOptions& option
   });
 }
 
-void ExportWorker::find(const std::filesystem::path& file,
-                        std::function<void(bool exists)> report) {
+void ExportJobs::find(const std::filesystem::path& file, std::function<void(bool exists)> report) {
   finding_.start([file, report = std::move(report)](const BackgroundJob::Progress&) {
     std::error_code ignored;
     const bool exists = std::filesystem::exists(file, ignored);
@@ -46,8 +45,8 @@ void ExportWorker::find(const std::filesystem::path& file,
   });
 }
 
-void ExportWorker::run(TrajectoryPtr trajectory, const ExportOptions& options,
-                       const std::filesystem::path& file) {
+void ExportJobs::run(TrajectoryPtr trajectory, const ExportOptions& options,
+                     const std::filesystem::path& file) {
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   stopPreview(); // it makes room
   export_.start([this, trajectory = std::move(trajectory), options, file,
@@ -73,7 +72,7 @@ void ExportWorker::run(TrajectoryPtr trajectory, const ExportOptions& options,
   });
 }
 
-void ExportWorker::run(std::function<Status()> task, const std::filesystem::path& file) {
+void ExportJobs::run(std::function<Status()> task, const std::filesystem::path& file) {
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   export_.start([this, task = std::move(task), file](const BackgroundJob::Progress&) {
     const Status status = task();

@@ -15,12 +15,12 @@
 
 namespace dewpoint::ui {
 
-/// Previews and exports beside the window. Of several previews that were asked for only the last
-/// one is made; an export ends the preview under way.
-class ExportWorker : public QObject {
+/// Previews and exports in threads. Of several previews that were requested only the last one is
+/// made; an export ends the preview under way.
+class ExportJobs : public QObject {
   Q_OBJECT
 public:
-  explicit ExportWorker(QObject* parent = nullptr);
+  explicit ExportJobs(QObject* parent = nullptr);
 
   using TrajectoryPtr = std::shared_ptr<const Trajectory>;
   void preview(TrajectoryPtr trajectory, const ExportOptions& options,
@@ -29,10 +29,10 @@ public:
            const std::filesystem::path& file);
   /// Something else that takes long, such as drawing a figure; reported as finished or failed.
   void run(std::function<Status()> task, const std::filesystem::path& file);
-  /// Reports whether there is such a file; of several that were asked for only the last one is.
+  /// Reports whether there is such a file; of several requests only the last one is answered.
   void find(const std::filesystem::path& file, std::function<void(bool exists)> report);
   void cancel() { *cancelled_ = true; }
-  /// A preview that is asked for or under way is not wanted any more.
+  /// Drops a preview that is requested or under way.
   void stopPreview() { preview_.cancel(); }
 
 Q_SIGNALS:
