@@ -263,9 +263,9 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
     action("actionUndo")->trigger();
   }
   QVERIFY(window_->document().project().targets.empty());
-  // The verdict was of that target.
+  // The assessment was of that target.
   const auto* learner = window_->findChild<ColorLearner*>();
-  QVERIFY(waitFor([&] { return !learner->isBusy(); })); // a judgement may be under way
+  QVERIFY(waitFor([&] { return !learner->isBusy(); })); // another may be under way
   QVERIFY(!find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
 
   // The same place by keys: the cross begins in the middle, Ctrl and an arrow move it by a pixel.

@@ -7,9 +7,9 @@
 #include "core/session/run/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
+#include "ui/text/color_assessment_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/language.h"
-#include "ui/text/verdict_text.h"
 #include "ui/trajectory/gap_list.h"
 
 #include <QAbstractButton>
@@ -87,7 +87,7 @@ private Q_SLOTS:
   void methodsAreCalledTheSameEverywhere();
   void numbersFollowTheLanguage();
   void whatIsOpenFollowsToo();
-  void aVerdictSaysWhatItsScoreIsMadeOf();
+  void anAssessmentSaysWhatItsScoreIsMadeOf();
   void titlesOfTheGapsAreWhole();
   void anErrorIsTranslatedButNotItsFileAndField();
   void cleanup() { window_.reset(); }
@@ -229,20 +229,20 @@ void TranslationTest::whatIsOpenFollowsToo() {
   QTRY_COMPARE_WITH_TIMEOUT(note->text(), english, kPatienceMs);
 }
 
-void TranslationTest::aVerdictSaysWhatItsScoreIsMadeOf() {
+void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
   useLanguage(QStringLiteral("en"));
-  ColorAssessment verdict;
-  verdict.separability = 0.04;
-  verdict.targetShare = 0.02;
-  verdict.backgroundShare = 0.0;
-  verdict.backgroundShareOfWhole = 0.015;
-  const QString missed = verdictText(verdict, {});
+  ColorAssessment assessment;
+  assessment.separability = 0.04;
+  assessment.targetShare = 0.02;
+  assessment.backgroundShare = 0.0;
+  assessment.backgroundShareOfWhole = 0.015;
+  const QString missed = colorAssessmentText(assessment, {});
   QVERIFY2(missed.contains(QStringLiteral("Only 2 % of the target and 0.00 % of the background")) &&
                missed.contains(QStringLiteral("would match 1.50 % of the background")),
            qPrintable(missed));
-  verdict.targetShare = 0.9;
-  verdict.backgroundShareOfWhole.reset();
-  const QString hit = verdictText(verdict, {});
+  assessment.targetShare = 0.9;
+  assessment.backgroundShareOfWhole.reset();
+  const QString hit = colorAssessmentText(assessment, {});
   QVERIFY2(hit.contains(QStringLiteral("0.00 % of the background matches too")), qPrintable(hit));
 }
 

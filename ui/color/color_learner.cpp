@@ -36,7 +36,7 @@ void ColorLearner::start(Work work) {
   Q_EMIT busyChanged(true);
 }
 
-void ColorLearner::point(int camera, const QRectF& region, SampleAction lesson) {
+void ColorLearner::point(int camera, const QRectF& region, SampleAction action) {
   const auto shown = images();
   const auto index = static_cast<std::size_t>(camera);
   if (index >= shown.size() || shown[index].empty()) {
@@ -46,22 +46,22 @@ void ColorLearner::point(int camera, const QRectF& region, SampleAction lesson) 
   const Project& project = document_.project();
   const bool isNew = target_ < 0 || target_ >= static_cast<int>(project.targets.size());
   std::vector<ColorSample> samples;
-  if (!isNew && lesson != SampleAction::Replace) {
+  if (!isNew && action != SampleAction::Replace) {
     samples = project.targets[static_cast<std::size_t>(target_)].samples;
   }
-  if (lesson == SampleAction::Exclude && samples.empty()) {
+  if (action == SampleAction::Exclude && samples.empty()) {
     Q_EMIT failed(tr("Click the target first; then exclude what is not it."));
     return;
   }
   const int target = isNew ? -1 : target_;
   const std::int64_t frame = snapshot_->frame;
-  const QString step = lesson == SampleAction::Exclude ? tr("Exclude color")
-                       : lesson == SampleAction::Add   ? tr("Add color sample")
+  const QString step = action == SampleAction::Exclude ? tr("Exclude color")
+                       : action == SampleAction::Add   ? tr("Add color sample")
                                                        : tr("Learn color");
-  start([this, shown, rooms = emptyRooms(), camera, frame, region, lesson, samples, target, step,
+  start([this, shown, rooms = emptyRooms(), camera, frame, region, action, samples, target, step,
          index]() mutable -> std::function<void()> {
     ColorSample place;
-    place.excluded = lesson == SampleAction::Exclude;
+    place.excluded = action == SampleAction::Exclude;
     place.camera = camera;
     place.frame = frame;
     place.x = region.x();
@@ -117,41 +117,41 @@ void ColorLearner::removeSample(int index) {
 
 void ColorLearner::applyResult(int target, const std::vector<ColorSample>& samples,
                                const LearnedColor& color, const QString& step) {
-  int taught = target;
+  int learnedTarget = target;
   const auto edited = document_.edit(step, [&](Project& project) {
     if (target < 0 || target >= static_cast<int>(project.targets.size())) {
       Target added;
       added.name = freshTargetName(project);
       project.targets.push_back(added);
-      taught = static_cast<int>(project.targets.size()) - 1;
+      learnedTarget = static_cast<int>(project.targets.size()) - 1;
     }
-    Target& learner = project.targets[static_cast<std::size_t>(taught)];
-    learner.color = color.range;
-    learner.samples = samples;
+    Target& changed = project.targets[static_cast<std::size_t>(learnedTarget)];
+    changed.color = color.range;
+    changed.samples = samples;
   });
   if (!edited) {
     Q_EMIT failed(errorSentence(edited.error()));
     return;
   }
-  setTarget(taught);
-  Q_EMIT learned(taught, taught != target);
+  setTarget(learnedTarget);
+  Q_EMIT learned(learnedTarget, learnedTarget != target);
   if (color.assessment.targetKnown) {
-    Q_EMIT judged(color.assessment);
+    Q_EMIT assessed(color.assessment);
   } else {
-    judge();
+    assess();
   }
 }
 
-void ColorLearner::judge() {
+void ColorLearner::assess() {
   const Project& project = document_.project();
   if (target_ < 0 || target_ >= static_cast<int>(project.targets.size())) {
     return;
   }
   const Target target = project.targets[static_cast<std::size_t>(target_)];
   start([this, target, shown = images(), rooms = emptyRooms()]() -> std::function<void()> {
-    const ColorAssessment verdict =
+    const ColorAssessment assessment =
         assessColorWithBackground(target.color, target.samples, shown, rooms);
-    return [this, verdict] { Q_EMIT judged(verdict); };
+    return [this, assessment] { Q_EMIT assessed(assessment); };
   });
 }
 

@@ -16,8 +16,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Learns a target's color from where a person points, and judges it. The work is done in a thread;
-/// what comes out is an undoable step of the document.
+/// Learns a target's color from clicks and boxes in the images, and assesses it. The work is done
+/// in a thread; the result is an undoable step of the document.
 class ColorLearner : public QObject {
   Q_OBJECT
 public:
@@ -25,22 +25,22 @@ public:
 
   /// The images to learn from: those shown.
   void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
-  /// Index of the target that is taught; -1: a new one.
+  /// Index of the target whose color is learned; -1: a new one.
   void setTarget(int target) { target_ = target; }
 
   enum class SampleAction { Replace, Add, Exclude };
   /// A click (an empty size) or a box in the image of a camera, pixels.
-  void point(int camera, const QRectF& region, SampleAction lesson);
+  void point(int camera, const QRectF& region, SampleAction action);
   /// Takes a sample away and learns from the rest; the last one keeps the color as it is.
   void removeSample(int index);
   bool isBusy() const { return learning_.isRunning(); }
-  /// Judges the color of the target as it is in the images shown.
-  void judge();
+  /// Assesses the color of the target in the images shown.
+  void assess();
 
 Q_SIGNALS:
   /// A color was learned; `isNew`: of a target that was not there before.
   void learned(int target, bool isNew);
-  void judged(const dewpoint::color::ColorAssessment& verdict);
+  void assessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);
   void busyChanged(bool busy);
 

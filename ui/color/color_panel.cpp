@@ -13,9 +13,9 @@
 #include "ui/document/method_presentation.h"
 #include "ui/style/theme.h"
 #include "ui/text/camera_names.h"
+#include "ui/text/color_assessment_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
-#include "ui/text/verdict_text.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -36,7 +36,7 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr qint64 kSurveyMs = 1000;
-constexpr int kJudgeMs = 200;                ///< after the last change
+constexpr int kAssessMs = 200;               ///< after the last change
 constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over a running video
 
 } // namespace
@@ -44,17 +44,17 @@ constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over 
 ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     : QWidget(parent), document_(document), pick_(pick), learner_(new ColorLearner(document, this)),
       boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), learn_(new QToolButton(this)),
-      picker_(new ColorPicker(this)), verdict_(new QLabel(this)),
-      samples_(new ColorSampleList(this)), judgeSoon_(new QTimer(this)) {
+      picker_(new ColorPicker(this)), assessmentText_(new QLabel(this)),
+      samples_(new ColorSampleList(this)), assessSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   learn_->setObjectName(QStringLiteral("colorLearn"));
   learn_->setCheckable(true);
   learn_->setFocusPolicy(Qt::StrongFocus);
-  verdict_->setObjectName(QStringLiteral("colorVerdict"));
-  verdict_->setWordWrap(true);
-  verdict_->setTextFormat(Qt::PlainText);
-  verdict_->setAlignment(Qt::AlignTop);
-  verdict_->setMinimumHeight(4 * fontMetrics().lineSpacing()); // the ring stays where it is
+  assessmentText_->setObjectName(QStringLiteral("colorVerdict"));
+  assessmentText_->setWordWrap(true);
+  assessmentText_->setTextFormat(Qt::PlainText);
+  assessmentText_->setAlignment(Qt::AlignTop);
+  assessmentText_->setMinimumHeight(4 * fontMetrics().lineSpacing()); // the ring stays where it is
   QFont bold = name_->font();
   bold.setWeight(QFont::DemiBold);
   name_->setFont(bold);
@@ -66,14 +66,14 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
   column->addLayout(head);
-  column->addWidget(verdict_);
+  column->addWidget(assessmentText_);
   column->addWidget(picker_, 1);
   column->addWidget(samples_);
   connect(learn_, &QToolButton::toggled, this, &ColorPanel::setPicking);
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
   connect(picker_, &ColorPicker::editingFinished, this, [this] {
     document_.endMerging();
-    learner_->judge();
+    learner_->assess();
   });
   connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
   connect(&pick_, &ImagePickTool::attached, this, [this] { setPicking(picking_); });
@@ -99,14 +99,14 @@ void ColorPanel::connectLearner() {
   connect(learner_, &ColorLearner::learned, this, showLearned);
   connect(boxes_, &BoxPicker::learned, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
-  connect(learner_, &ColorLearner::judged, this, &ColorPanel::showVerdict);
-  judgeSoon_->setSingleShot(true);
-  judgeSoon_->setInterval(kJudgeMs);
-  connect(judgeSoon_, &QTimer::timeout, this, &ColorPanel::judgeNow);
+  connect(learner_, &ColorLearner::assessed, this, &ColorPanel::showAssessment);
+  assessSoon_->setSingleShot(true);
+  assessSoon_->setInterval(kAssessMs);
+  connect(assessSoon_, &QTimer::timeout, this, &ColorPanel::assessNow);
   connect(learner_, &ColorLearner::failed, this, &ColorPanel::failed);
   connect(learner_, &ColorLearner::busyChanged, this, [this](bool busy) {
-    if (busy && !judged_) {
-      verdict_->setText(tr("Looking at the images…"));
+    if (busy && !assessed_) {
+      assessmentText_->setText(tr("Looking at the images…"));
     }
   });
 }
@@ -167,7 +167,7 @@ void ColorPanel::setPicking(bool picking) {
 
 void ColorPanel::setTarget(int target) {
   target_ = target;
-  judged_ = false;
+  assessed_ = false;
   refresh();
 }
 
@@ -184,23 +184,23 @@ void ColorPanel::refresh() {
   }
   picker_->setEnabled(any);
   if (!any) {
-    judged_ = false; // it was of a target that is no more
+    assessed_ = false; // it was of a target that is no more
   } else {
     const Target& target = targets[static_cast<std::size_t>(target_)];
     if (!(target.color == picker_->range())) {
-      judged_ = false;
+      assessed_ = false;
     }
     picker_->setRange(target.color);
   }
   samples_->setSamples(document_.project(), target_);
-  if (judged_) {
-    updateVerdict();
+  if (assessed_) {
+    updateAssessment();
   } else {
-    verdict_->setText(any ? tr("Drag ring and bars, or press Learn and click the target.")
-                          : tr("Click the thing to follow in any camera image."));
+    assessmentText_->setText(any ? tr("Drag ring and bars, or press Learn and click the target.")
+                                 : tr("Click the thing to follow in any camera image."));
     clearRegions();
     if (any) {
-      judgeSoon_->start();
+      assessSoon_->start();
     }
   }
   setPicking(picking_);
@@ -211,27 +211,27 @@ void ColorPanel::clearRegions() {
   pick_.clearRegions();
 }
 
-void ColorPanel::judgeNow() {
+void ColorPanel::assessNow() {
   if (inFront_ && snapshot_ && snapshot_->frames && !learner_->isBusy() && !takesBoxes()) {
     learner_->setTarget(target_);
-    learner_->judge();
+    learner_->assess();
   }
 }
 
-/// A verdict is about one moment: its outlines go when another one is shown, and it is made anew
-/// where a person stays.
-void ColorPanel::keepVerdictCurrent() {
+/// An assessment is about one frame: its outlines go when another one is shown, and where playback
+/// stops, the color is assessed again.
+void ColorPanel::keepAssessmentCurrent() {
   if (!snapshot_->frames || learner_->isBusy() || takesBoxes()) {
     return;
   }
-  const bool moved = std::abs(snapshot_->frame - judgedFrame_) > kOutlinedFrames;
+  const bool moved = std::abs(snapshot_->frame - assessedFrame_) > kOutlinedFrames;
   if (outlined_ && moved) {
     clearRegions();
   }
   const bool stays = snapshot_->state != PlayState::Playing && !snapshot_->preview &&
-                     snapshot_->frame != judgedFrame_;
-  if ((!judged_ || stays) && !judgeSoon_->isActive() && picker_->isEnabled()) {
-    judgeSoon_->start();
+                     snapshot_->frame != assessedFrame_;
+  if ((!assessed_ || stays) && !assessSoon_->isActive() && picker_->isEnabled()) {
+    assessSoon_->start();
   }
 }
 
@@ -252,31 +252,31 @@ void ColorPanel::setInFront(bool inFront) {
   inFront_ = inFront;
   if (!inFront) {
     clearRegions();
-    judgedFrame_ = -1;
+    assessedFrame_ = -1;
   } else if (snapshot_) {
-    keepVerdictCurrent();
+    keepAssessmentCurrent();
   }
 }
 
-void ColorPanel::updateVerdict() {
+void ColorPanel::updateAssessment() {
   std::vector<QString> cameras;
   for (const auto& camera : document_.project().cameras) {
     cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
-  verdict_->setText(verdictText(said_, cameras));
+  assessmentText_->setText(colorAssessmentText(assessment_, cameras));
 }
 
-void ColorPanel::showVerdict(const ColorAssessment& verdict) {
+void ColorPanel::showAssessment(const ColorAssessment& assessment) {
   if (!picker_->isEnabled()) {
     return; // its target has gone meanwhile
   }
-  judged_ = true;
-  judgedFrame_ = snapshot_ ? snapshot_->frame : -1;
+  assessed_ = true;
+  assessedFrame_ = snapshot_ ? snapshot_->frame : -1;
   outlined_ = true;
-  said_ = verdict;
-  updateVerdict();
+  assessment_ = assessment;
+  updateAssessment();
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
-  for (const DistractorRegion& region : verdict.distractors) {
+  for (const DistractorRegion& region : assessment.distractors) {
     QPolygonF outline;
     for (const cv::Point& point : region.outline) {
       outline << QPointF(point.x, point.y);
@@ -293,7 +293,7 @@ void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
   learner_->setSnapshot(snapshot);
   if (inFront_ && snapshot_) {
-    keepVerdictCurrent();
+    keepAssessmentCurrent();
   }
   if (isVisible() && (!sinceSurvey_.isValid() || sinceSurvey_.elapsed() > kSurveyMs)) {
     sinceSurvey_.start();
@@ -330,14 +330,14 @@ void ColorPanel::showBox() {
   const Project& project = document_.project();
   const auto index = static_cast<std::size_t>(std::max(0, target_));
   const bool has = target_ >= 0 && index < project.targets.size() && project.targets[index].box;
-  judged_ = false;
+  assessed_ = false;
   picker_->setEnabled(false);
   samples_->hide();
   clearRegions();
   if (has) {
     const TargetBox& box = *project.targets[index].box;
     const auto camera = static_cast<std::size_t>(box.camera);
-    verdict_->setText(
+    assessmentText_->setText(
         tr("Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press "
            "Box and click the thing for another box.")
             .arg(cameraName(camera < project.cameras.size() ? project.cameras[camera].camera.name
@@ -347,7 +347,7 @@ void ColorPanel::showBox() {
             .arg(numberText(box.box.width, 0))
             .arg(pixelText(box.box.height, 0)));
   } else {
-    verdict_->setText(tr("Click the thing or drag a box around it in any camera view."));
+    assessmentText_->setText(tr("Click the thing or drag a box around it in any camera view."));
   }
   setPicking(picking_);
 }

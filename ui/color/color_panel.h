@@ -38,9 +38,9 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// The target whose color is shown; -1: the next click makes a new one.
   void setTarget(int target);
-  /// Whether a plain click in a view teaches the color.
+  /// Whether the color is learned from a plain click in a view.
   void setPicking(bool picking);
-  /// Whether the panel can be seen: only then colors are judged.
+  /// Whether the panel can be seen: only then colors are assessed.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
   /// Whether a click gives the target a box in place of a color.
@@ -61,10 +61,10 @@ private:
   void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
-  void updateVerdict();
-  void showVerdict(const ColorAssessment& verdict);
-  void judgeNow();
-  void keepVerdictCurrent();
+  void updateAssessment();
+  void showAssessment(const ColorAssessment& assessment);
+  void assessNow();
+  void keepAssessmentCurrent();
   void clearRegions();
   void surveyImages();
   void removeSample(int sample);
@@ -76,17 +76,17 @@ private:
   QLabel* name_;
   QToolButton* learn_;
   ColorPicker* picker_;
-  QLabel* verdict_;
+  QLabel* assessmentText_;
   ColorSampleList* samples_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
-  ColorAssessment said_;
-  bool inFront_ = false;          ///< the panel is seen, not behind another tab
-  bool judged_ = false;           ///< the quality is of the range shown
-  std::int64_t judgedFrame_ = -1; ///< and about this frame
-  bool outlined_ = false;         ///< distractors are outlined in the views
-  QTimer* judgeSoon_;
+  ColorAssessment assessment_;
+  bool inFront_ = false;            ///< the panel is seen, not behind another tab
+  bool assessed_ = false;           ///< the quality is of the range shown
+  std::int64_t assessedFrame_ = -1; ///< and about this frame
+  bool outlined_ = false;           ///< distractors are outlined in the views
+  QTimer* assessSoon_;
   QElapsedTimer sinceSurvey_;
   BackgroundJob survey_;
 };

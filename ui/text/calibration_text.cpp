@@ -51,17 +51,17 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
 
 } // namespace
 
-QString verdictWords(const CalibrationAccuracy& verdict) {
+QString accuracyText(const CalibrationAccuracy& accuracy) {
   QString text = Words::tr("In this volume ±%1 (95 %)")
-                     .arg(lengthText(verdict.position95, LengthForm::TwoDigits));
-  text += verdict.scale95 ? Words::tr(", scale ±%1 %").arg(percentAccuracyText(*verdict.scale95))
-                          : Words::tr(", scale unknown");
-  text += verdict.up95 ? Words::tr(", up ±%1").arg(angleAccuracyText(*verdict.up95))
-                       : Words::tr(", up not measured");
+                     .arg(lengthText(accuracy.position95, LengthForm::TwoDigits));
+  text += accuracy.scale95 ? Words::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
+                           : Words::tr(", scale unknown");
+  text += accuracy.up95 ? Words::tr(", up ±%1").arg(angleAccuracyText(*accuracy.up95))
+                        : Words::tr(", up not measured");
   return text + QStringLiteral(".");
 }
 
-QString faultWords(const NamedFault& fault, const QStringList& cameraNames) {
+QString faultText(const NamedFault& fault, const QStringList& cameraNames) {
   const auto name = [&](std::size_t k) {
     return k < fault.cameras.size() ? cameraNames.value(static_cast<qsizetype>(fault.cameras[k]))
                                     : Words::tr("all cameras");

@@ -14,9 +14,9 @@ struct NamedFault;
 namespace dewpoint::ui {
 
 /// "In this volume ±3.1 mm (95 %), scale ±0.10 %, up ±0.20°." in the language of the window.
-QString verdictWords(const CalibrationAccuracy& verdict);
+QString accuracyText(const CalibrationAccuracy& accuracy);
 
 /// Likely cause of a fault and what to do, in the language of the window.
-QString faultWords(const NamedFault& fault, const QStringList& cameraNames);
+QString faultText(const NamedFault& fault, const QStringList& cameraNames);
 
 } // namespace dewpoint::ui

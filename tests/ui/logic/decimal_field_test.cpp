@@ -12,13 +12,13 @@ const QLocale kEnglish(QLocale::English, QLocale::UnitedStates);
 const QLocale kGerman(QLocale::German, QLocale::Germany);
 
 /// What a field makes of a text.
-struct Judged {
+struct Checked {
   QValidator::State state = QValidator::Invalid;
   QString text; ///< as it is shown from then on
 };
 
-Judged judged(const DecimalField& field, const QString& typed) {
-  Judged result;
+Checked checked(const DecimalField& field, const QString& typed) {
+  Checked result;
   result.text = typed;
   int position = static_cast<int>(typed.size());
   result.state = field.validate(result.text, position);
@@ -34,10 +34,10 @@ protected:
     field_.setRange(1.0, 10.0);
   }
   QValidator::State stateOf(const char* typed) const {
-    return judged(field_, QString::fromLatin1(typed)).state;
+    return checked(field_, QString::fromLatin1(typed)).state;
   }
   QString shownFor(const char* typed) const {
-    return judged(field_, QString::fromLatin1(typed)).text;
+    return checked(field_, QString::fromLatin1(typed)).text;
   }
 
   DecimalField field_;

@@ -38,7 +38,7 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
 TEST(WandText, EveryMomentHasItsWords) {
   std::set<QString> words;
   for (int role = 0; role < kTouchRoles; ++role) {
-    words.insert(touchWords(static_cast<TouchRole>(role)));
+    words.insert(touchText(static_cast<TouchRole>(role)));
   }
   EXPECT_EQ(words.size(), static_cast<std::size_t>(kTouchRoles));
 }

@@ -186,7 +186,7 @@ QString outcomeWords(const BoardCalibrator& calibrator, const BoardOutcome& outc
   if (outcome.extrinsics) {
     addPlaces(calibrator, *outcome.extrinsics, lines);
     lines << (outcome.accuracy
-                  ? verdictWords(*outcome.accuracy)
+                  ? accuracyText(*outcome.accuracy)
                   : Words::tr("How good it is cannot be said: too few places were seen "
                               "by two cameras."));
     QStringList names;
@@ -194,7 +194,7 @@ QString outcomeWords(const BoardCalibrator& calibrator, const BoardOutcome& outc
       names << calibrator.nameOf(k);
     }
     for (const NamedFault& fault : outcome.extrinsics->faults) {
-      lines << QStringLiteral("⚠ ") + faultWords(fault, names);
+      lines << QStringLiteral("⚠ ") + faultText(fault, names);
     }
   }
   return lines.join(QLatin1Char('\n'));

@@ -59,7 +59,7 @@ bool PointCalibrator::edit(const QString& step, const std::function<void(Project
 }
 
 void PointCalibrator::forgetSolution() {
-  verdict_.clear();
+  resultText_.clear();
   worst_.reset();
   proposal_.reset();
 }
@@ -184,7 +184,7 @@ void PointCalibrator::applyResult(const PointSolution& solution) {
   if (worst_ && solution.anySolved()) {
     lines << worstPointSentence(solution);
   }
-  verdict_ = lines.join(QLatin1Char('\n'));
+  resultText_ = lines.join(QLatin1Char('\n'));
 }
 
 QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {

@@ -52,7 +52,7 @@ public:
   bool isSolving() const { return job_.isRunning(); }
   void solve(bool alsoFocal);
   /// What the last solution reports, a sentence per line; empty before there was one.
-  const QString& verdict() const { return verdict_; }
+  const QString& resultText() const { return resultText_; }
   /// The point that the last solution called worst, while it holds.
   std::optional<int> worst() const { return worst_; }
   /// A camera whose pictures lie otherwise, if the last solution found one and it can be set.
@@ -77,7 +77,7 @@ private:
   int chosen_ = -1;
   bool clicking_ = false;
   bool applying_ = false; ///< the change that comes is the solution itself
-  QString verdict_;
+  QString resultText_;
   std::optional<int> worst_;
   struct Proposal {
     int camera;

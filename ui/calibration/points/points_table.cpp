@@ -61,11 +61,11 @@ void PointsTable::build() {
   focal_ = new QCheckBox(this);
   focal_->setObjectName(QStringLiteral("pointFocal"));
   solve_ = makeButton("pointSolve", this);
-  verdict_ = new QLabel(this);
-  verdict_->setObjectName(QStringLiteral("pointVerdict"));
-  verdict_->setWordWrap(true);
-  verdict_->setProperty(kRevealed, true);
-  verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  resultText_ = new QLabel(this);
+  resultText_->setObjectName(QStringLiteral("pointVerdict"));
+  resultText_->setWordWrap(true);
+  resultText_->setProperty(kRevealed, true);
+  resultText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   accept_ = makeButton("pointAccept", this);
   auto* buttons = new QGridLayout;
   buttons->setSpacing(6);
@@ -80,7 +80,7 @@ void PointsTable::build() {
   column->addLayout(buttons);
   column->addWidget(focal_);
   column->addWidget(solve_);
-  column->addWidget(verdict_);
+  column->addWidget(resultText_);
   column->addWidget(accept_);
 }
 
@@ -190,8 +190,8 @@ void PointsTable::refresh() {
   forget_->setEnabled(any && clickIn(points_.points()[static_cast<std::size_t>(points_.chosen())],
                                      hand_.camera()) != nullptr);
   solve_->setEnabled(count > 0 && !points_.isSolving());
-  verdict_->setText(points_.verdict());
-  verdict_->setVisible(!points_.verdict().isEmpty());
+  resultText_->setText(points_.resultText());
+  resultText_->setVisible(!points_.resultText().isEmpty());
   const auto proposed = points_.proposedCamera();
   accept_->setVisible(proposed.has_value());
   if (proposed) {

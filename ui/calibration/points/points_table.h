@@ -42,7 +42,7 @@ private:
   QPushButton* forget_;
   QCheckBox* focal_;
   QPushButton* solve_;
-  QLabel* verdict_;
+  QLabel* resultText_;
   QPushButton* accept_;
   bool filling_ = false;
 };

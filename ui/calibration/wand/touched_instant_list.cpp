@@ -51,7 +51,7 @@ void TouchedInstantList::retranslateUi() {
     const int chosen = std::max(0, role_->currentIndex());
     role_->clear();
     for (int role = 0; role < kTouchRoles; ++role) {
-      role_->addItem(tr("The ball %1").arg(touchWords(static_cast<TouchRole>(role))));
+      role_->addItem(tr("The ball %1").arg(touchText(static_cast<TouchRole>(role))));
     }
     role_->setCurrentIndex(chosen);
   }
@@ -74,7 +74,7 @@ void TouchedInstantList::refresh() {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const TouchedInstant& instant : calibrator_.touchedInstants()) {
-      list_->addItem(tr("%1 – %2").arg(secondsText(instant.seconds, 3), touchWords(instant.role)));
+      list_->addItem(tr("%1 – %2").arg(secondsText(instant.seconds, 3), touchText(instant.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }

@@ -50,11 +50,11 @@ void WandOutcome::build() {
   progress_ = new QProgressBar(this);
   progress_->setObjectName(QStringLiteral("wandProgress"));
   cancel_ = makeButton("wandCancel", this);
-  verdict_ = makeText("wandVerdict", this);
-  QFont bold = verdict_->font();
+  accuracy_ = makeText("wandVerdict", this);
+  QFont bold = accuracy_->font();
   bold.setBold(true);
-  verdict_->setFont(bold);
-  verdict_->setProperty(kRevealed, true);
+  accuracy_->setFont(bold);
+  accuracy_->setProperty(kRevealed, true);
   notes_ = makeText("wandNotes", this);
   table_ = new QTableWidget(0, ColumnCount, this);
   table_->setObjectName(QStringLiteral("wandCameras"));
@@ -84,7 +84,7 @@ void WandOutcome::build() {
     column->addWidget(part);
   }
   column->addLayout(work);
-  for (QWidget* part : std::initializer_list<QWidget*>{verdict_, notes_, apply_, table_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{accuracy_, notes_, apply_, table_}) {
     column->addWidget(part);
   }
   column->addLayout(buttons);
@@ -158,19 +158,19 @@ void WandOutcome::showOutcome() {
   const auto found = calibrator_.refinement();
   const bool over = !calibrator_.isRefining();
   QStringList notes;
-  QString verdict;
+  QString accuracy;
   if (!calibrator_.failure().isEmpty()) {
-    verdict = QStringLiteral("⚠ ") + calibrator_.failure();
+    accuracy = QStringLiteral("⚠ ") + calibrator_.failure();
     notes << tr("The cameras are as they were.");
   }
   if (found) {
-    verdict = found->accuracy ? verdictWords(*found->accuracy)
-                              : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
+    accuracy = found->accuracy ? accuracyText(*found->accuracy)
+                               : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
     if (calibrator_.isStale()) {
       notes << tr("The cameras were changed since; this is about how they were refined.");
     }
     for (const NamedFault& fault : found->result.faults) {
-      notes << QStringLiteral("⚠ ") + faultWords(fault, cameraNames(found->before));
+      notes << QStringLiteral("⚠ ") + faultText(fault, cameraNames(found->before));
     }
     if (saysTooLittle(*found)) {
       notes << QStringLiteral("⚠ ") +
@@ -196,8 +196,8 @@ void WandOutcome::showOutcome() {
                   "now on.");
     }
   }
-  verdict_->setText(verdict);
-  verdict_->setVisible(over && !verdict.isEmpty());
+  accuracy_->setText(accuracy);
+  accuracy_->setVisible(over && !accuracy.isEmpty());
   notes_->setText(notes.join(QStringLiteral("\n")));
   notes_->setVisible(over && !notes.isEmpty());
   const bool shown = over && found != nullptr;

@@ -35,7 +35,7 @@ private:
   QPushButton* refine_;
   QProgressBar* progress_;
   QPushButton* cancel_;
-  QLabel* verdict_;
+  QLabel* accuracy_;
   QLabel* notes_;
   QTableWidget* table_;
   QPushButton* flip_;

@@ -12,7 +12,7 @@ class Words {
 
 } // namespace
 
-QString touchWords(TouchRole role) {
+QString touchText(TouchRole role) {
   switch (role) {
   case TouchRole::Floor:
     return Words::tr("touches the floor");

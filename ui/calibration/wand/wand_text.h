@@ -10,7 +10,7 @@
 namespace dewpoint::ui {
 
 /// In a person's words: "touches the floor".
-QString touchWords(TouchRole role);
+QString touchText(TouchRole role);
 
 /// What keeps the wish from being fulfilled (obstacleOf()), as a sentence; empty when nothing does.
 QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,

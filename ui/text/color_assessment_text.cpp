@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/text/verdict_text.h"
+#include "ui/text/color_assessment_text.h"
 
 #include "ui/text/quantity_text.h"
 
@@ -62,15 +62,15 @@ QString suggestionSentence(Suggestion suggestion) {
 }
 
 /// What the score is made of: the target that does not match, the background that does.
-QString sharesSentence(const ColorAssessment& verdict) {
-  const QString background = percentText(verdict.backgroundShare, 2);
-  if (!verdict.missesTarget()) {
+QString sharesSentence(const ColorAssessment& assessment) {
+  const QString background = percentText(assessment.backgroundShare, 2);
+  if (!assessment.missesTarget()) {
     return Words::tr("%1 % of the background matches too.").arg(background);
   }
   const QString few = Words::tr("Only %1 % of the target and %2 % of the background match.")
-                          .arg(percentText(verdict.targetShare, 0), background);
-  const double whole = verdict.backgroundShareOfWhole.value_or(0.0);
-  return whole > verdict.backgroundShare
+                          .arg(percentText(assessment.targetShare, 0), background);
+  const double whole = assessment.backgroundShareOfWhole.value_or(0.0);
+  return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
                    Words::tr("A range for all of the target would match %1 % of the background.")
                        .arg(percentText(whole, 2))
@@ -90,24 +90,25 @@ QString colorName(ColorWord color) {
   return Words::tr(kNames[static_cast<int>(color)]);
 }
 
-QString verdictText(const ColorAssessment& verdict, const std::vector<QString>& cameras) {
-  if (!verdict.targetKnown) {
+QString colorAssessmentText(const ColorAssessment& assessment,
+                            const std::vector<QString>& cameras) {
+  if (!assessment.targetKnown) {
     return Words::tr(
                "%1 % of the images match. Shift-click the target to learn how well it stands out.")
-        .arg(percentText(verdict.backgroundShare, 2));
+        .arg(percentText(assessment.backgroundShare, 2));
   }
-  QStringList sentences{separationSentence(verdict.score()), sharesSentence(verdict)};
-  if (verdict.sampleLeftOut) {
+  QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
+  if (assessment.sampleLeftOut) {
     sentences << Words::tr("One sample does not go with the others: no single range holds both.");
   }
-  if (!verdict.distractors.empty()) {
-    const DistractorRegion& region = verdict.distractors.front();
+  if (!assessment.distractors.empty()) {
+    const DistractorRegion& region = assessment.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
     sentences << Words::tr("Something %1 %2 of %3 matches too.")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
                           camera < cameras.size() ? cameras[camera] : QString());
   }
-  if (const QString suggestion = suggestionSentence(verdict.suggestion); !suggestion.isEmpty()) {
+  if (const QString suggestion = suggestionSentence(assessment.suggestion); !suggestion.isEmpty()) {
     sentences << suggestion;
   }
   return sentences.join(QLatin1Char(' '));

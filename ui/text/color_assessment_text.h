@@ -10,7 +10,7 @@
 namespace dewpoint::ui {
 
 /// The quality of a color range in sentences; `cameras` are the names of the cameras.
-QString verdictText(const ColorAssessment& verdict, const std::vector<QString>& cameras);
+QString colorAssessmentText(const ColorAssessment& assessment, const std::vector<QString>& cameras);
 
 /// "red", "turquoise", ...
 QString colorName(ColorWord color);
