@@ -748,7 +748,7 @@
     </message>
 </context>
 <context>
-    <name>Bump</name>
+    <name>CameraMotion</name>
     <message>
         <source>turned by %1</source>
         <translation>%1 回転</translation>

@@ -147,9 +147,9 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   const auto title = [&](int k) {
     return find<QLabel>(QStringLiteral("cameraDock%1TitleReason").arg(k))->text();
   };
-  QCOMPARE(title(kBumped), bumpText(bumpOf(*window_->shown(), kBumped)));
+  QCOMPARE(title(kBumped), cameraMotionText(cameraMotionOf(*window_->shown(), kBumped)));
   QVERIFY(!title(kBumped).isEmpty());
-  QVERIFY(bumpOf(*window_->shown(), 0) == nullptr);
+  QVERIFY(cameraMotionOf(*window_->shown(), 0) == nullptr);
   // Some more of the target's sightings, then the click.
   const auto frame = window_->shown()->frame;
   QVERIFY(waitFor([&] { return window_->shown()->frame > frame + 30; }));

@@ -114,10 +114,10 @@ void CameraDocks::explain() {
     const bool known =
         target != nullptr && k < target->reasons.size() &&
         (target->box() == nullptr || target->reasons[k].status != CameraStatus::Hidden);
-    const QString bump = bumpText(bumpOf(*snapshot, static_cast<int>(k)));
-    docks_[k]->title().setReason(!bump.isEmpty() ? bump
-                                 : known         ? troubleText(target->reasons[k])
-                                                 : QString());
+    const QString motion = cameraMotionText(cameraMotionOf(*snapshot, static_cast<int>(k)));
+    docks_[k]->title().setReason(!motion.isEmpty() ? motion
+                                 : known           ? cameraReasonText(target->reasons[k])
+                                                   : QString());
   }
 }
 

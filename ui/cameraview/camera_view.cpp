@@ -3,7 +3,7 @@
 
 #include "core/session/camera_overlay.h"
 #include "core/session/run/snapshot.h"
-#include "ui/cameraview/camera_motion_mark.h"
+#include "ui/cameraview/camera_motion_marker.h"
 #include "ui/cameraview/evidence_painter.h"
 #include "ui/cameraview/overlay_painter.h"
 #include "ui/cameraview/people_painter.h"
@@ -225,7 +225,8 @@ void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
     paintOverlay(painter, overlay, placement_,
                  targetColor(shown_->targets[i].target.name, static_cast<int>(i)));
   }
-  paintBumpMark(painter, picture, bumpText(bumpOf(*shown_, camera_)), palette());
+  paintCameraMotionMarker(painter, picture, cameraMotionText(cameraMotionOf(*shown_, camera_)),
+                          palette());
 }
 
 } // namespace dewpoint::ui

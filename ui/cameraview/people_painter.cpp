@@ -83,7 +83,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
 
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                         const QRectF& room) {
-  QString text = peopleTrouble(snapshot, camera);
+  QString text = peopleObstacleText(snapshot, camera);
   if (text.isEmpty()) {
     return;
   }

@@ -43,7 +43,7 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
                                    const QString& name) {
   const int camera = static_cast<int>(report.event.camera);
   const QString what = tr("%1 was %2 (frame %3).")
-                           .arg(name, bumpText(&report))
+                           .arg(name, cameraMotionText(&report))
                            .arg(static_cast<qlonglong>(report.event.frame));
   switch (stage) {
   case CameraMotionStage::Waiting:

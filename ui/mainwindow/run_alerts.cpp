@@ -19,11 +19,11 @@ namespace dewpoint::ui {
 
 RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& hand)
     : QObject(&bench.window), bench_(bench), hand_(hand) {
-  auto* bumps = new CameraMotionAlerts(bench_.messages, this);
+  auto* alerts = new CameraMotionAlerts(bench_.messages, this);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
-  bench_.connectView(bumps);
-  connect(bumps, &CameraMotionAlerts::newPoseWanted, this, &RunAlerts::applyNewPose);
-  connect(bumps, &CameraMotionAlerts::calibrateWanted, this, [this](int camera) {
+  bench_.connectView(alerts);
+  connect(alerts, &CameraMotionAlerts::newPoseWanted, this, &RunAlerts::applyNewPose);
+  connect(alerts, &CameraMotionAlerts::calibrateWanted, this, [this](int camera) {
     bench_.action("actionCalibrateByHand")->setChecked(true);
     hand_.selectCamera(camera);
   });
@@ -49,7 +49,7 @@ void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {
 void RunAlerts::applyFirstNewPose() {
   const TrackSnapshotPtr& shown = bench_.session.shown();
   for (int k = 0; k < hand_.cameraCount(); ++k) {
-    if (shown && bumpOf(*shown, k) != nullptr) {
+    if (shown && cameraMotionOf(*shown, k) != nullptr) {
       applyNewPose(k);
       return;
     }
@@ -59,7 +59,7 @@ void RunAlerts::applyFirstNewPose() {
 
 void RunAlerts::applyNewPose(int camera) {
   const TrackSnapshotPtr& shown = bench_.session.shown();
-  const CameraMotionReport* report = shown ? bumpOf(*shown, camera) : nullptr;
+  const CameraMotionReport* report = shown ? cameraMotionOf(*shown, camera) : nullptr;
   const QString name = hand_.nameOf(camera);
   if (report == nullptr || !report->newPose) {
     bench_.messages.showNotice(tr("%1 cannot be solved again now.").arg(name));

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-const CameraMotionReport* bumpOf(const TrackSnapshot& snapshot, int camera) {
+const CameraMotionReport* cameraMotionOf(const TrackSnapshot& snapshot, int camera) {
   const CameraMotionReport* found = nullptr;
   for (const CameraMotionReport& report : snapshot.cameraMotions) {
     if (static_cast<int>(report.event.camera) == camera && !report.back) {
@@ -17,11 +17,11 @@ const CameraMotionReport* bumpOf(const TrackSnapshot& snapshot, int camera) {
   return found;
 }
 
-QString bumpText(const CameraMotionReport* report) {
+QString cameraMotionText(const CameraMotionReport* report) {
   if (report == nullptr) {
     return {};
   }
-  return QCoreApplication::translate("Bump", "turned by %1")
+  return QCoreApplication::translate("CameraMotion", "turned by %1")
       .arg(angleText(report->event.turn.turn.norm(), 2));
 }
 

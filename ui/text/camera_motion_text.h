@@ -8,8 +8,8 @@
 namespace dewpoint::ui {
 
 /// The newest report of a camera that does not stand as it was calibrated; null when it does.
-const CameraMotionReport* bumpOf(const TrackSnapshot& snapshot, int camera);
+const CameraMotionReport* cameraMotionOf(const TrackSnapshot& snapshot, int camera);
 /// "turned by 0.31°"; empty for null.
-QString bumpText(const CameraMotionReport* report);
+QString cameraMotionText(const CameraMotionReport* report);
 
 } // namespace dewpoint::ui

@@ -34,7 +34,7 @@ QString shortLearningText(double share) {
   return QCoreApplication::translate("People", "learning: %1 %").arg(percentText(share));
 }
 
-QString peopleTrouble(const TrackSnapshot& snapshot, int camera) {
+QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
   if (const auto share = learningOf(snapshot, camera)) {
     return learningText(*share);
   }

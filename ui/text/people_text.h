@@ -16,7 +16,7 @@ QString learningText(double share);
 /// The same where there is little room: "learning: 60 %".
 QString shortLearningText(double share);
 /// What keeps a camera from looking for people: learning, or too much moves; empty: nothing.
-QString peopleTrouble(const TrackSnapshot& snapshot, int camera);
+QString peopleObstacleText(const TrackSnapshot& snapshot, int camera);
 /// People who are there at the moment shown.
 int peopleThere(const TrackSnapshot& snapshot);
 

@@ -19,7 +19,7 @@ class Reason {
 
 } // namespace
 
-QString troubleText(const CameraReport& report) {
+QString cameraReasonText(const CameraReport& report) {
   const QString distance = pixelText(std::max(1.0, std::round(report.pixels)), 0);
   switch (report.status) {
   case CameraStatus::None:
@@ -52,7 +52,7 @@ QString troubleText(const CameraReport& report) {
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames) {
   QStringList parts;
   for (std::size_t k = 0; k < reports.size(); ++k) {
-    const QString trouble = troubleText(reports[k]);
+    const QString trouble = cameraReasonText(reports[k]);
     if (!trouble.isEmpty()) {
       parts.append(QStringLiteral("%1: %2").arg(cameraNames.value(static_cast<int>(k)), trouble));
     }

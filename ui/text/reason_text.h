@@ -9,7 +9,7 @@
 namespace dewpoint::ui {
 
 /// Why one camera does not confirm a target, in a few words ("hidden"); empty when it does.
-QString troubleText(const CameraReport& report);
+QString cameraReasonText(const CameraReport& report);
 /// All cameras in one sentence: "left: hidden · right: 3 px beside a look-alike"; empty when none
 /// has any trouble.
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames);

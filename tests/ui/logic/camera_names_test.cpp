@@ -46,7 +46,7 @@ TEST(CameraNames, WhereSomethingElseMatchesIsNamedToo) {
   region.camera = 1;
   region.color = ColorWord::Red;
   assessment.distractors.push_back(region);
-  Q_EMIT learner->judged(assessment);
+  Q_EMIT learner->assessed(assessment);
   const QString text = panel.findChild<QLabel*>(QStringLiteral("colorVerdict"))->text();
   EXPECT_TRUE(text.contains(QStringLiteral("of camera 2 matches too."))) << qPrintable(text);
 }

@@ -11,10 +11,10 @@ namespace dewpoint::tests {
 namespace {
 
 std::string text(CameraStatus trouble, double pixels = 0.0) {
-  return troubleText({trouble, pixels}).toStdString();
+  return cameraReasonText({trouble, pixels}).toStdString();
 }
 
-TEST(ReasonText, EveryTroubleHasItsWords) {
+TEST(ReasonText, EveryTroubleHasItsText) {
   std::set<std::string> all;
   for (int k = static_cast<int>(CameraStatus::None) + 1;
        k <= static_cast<int>(CameraStatus::Unclear); ++k) {

@@ -35,7 +35,7 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   EXPECT_FALSE(sentences.contains(QString()));
 }
 
-TEST(WandText, EveryMomentHasItsWords) {
+TEST(WandText, EveryTouchHasItsText) {
   std::set<QString> words;
   for (int role = 0; role < kTouchRoles; ++role) {
     words.insert(touchText(static_cast<TouchRole>(role)));

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 
 /// Marks the image of a camera that does not stand as it was calibrated: a dashed frame, and what
 /// happened in its upper left corner. Nothing for an empty text.
-void paintBumpMark(QPainter& painter, const QRectF& image, const QString& text,
-                   const QPalette& palette);
+void paintCameraMotionMarker(QPainter& painter, const QRectF& image, const QString& text,
+                             const QPalette& palette);
 
 } // namespace dewpoint::ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/cameraview/camera_motion_mark.h"
+#include "ui/cameraview/camera_motion_marker.h"
 
 #include "ui/style/halo.h"
 #include "ui/style/theme.h"
@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-void paintBumpMark(QPainter& painter, const QRectF& image, const QString& text,
-                   const QPalette& palette) {
+void paintCameraMotionMarker(QPainter& painter, const QRectF& image, const QString& text,
+                             const QPalette& palette) {
   if (text.isEmpty()) {
     return;
   }
@@ -19,15 +19,15 @@ void paintBumpMark(QPainter& painter, const QRectF& image, const QString& text,
   const QRectF frame = image.adjusted(2.0, 2.0, -2.0, -2.0);
   withHalo(
       painter, color, 2.0, [&] { painter.drawRect(frame); }, Qt::DashLine, edgeHalo(150, 2.0));
-  const QString mark = QStringLiteral("▲ ") + text;
+  const QString marker = QStringLiteral("▲ ") + text;
   const QFontMetricsF metrics(painter.font());
   const QRectF label(frame.topLeft() + QPointF(6.0, 6.0),
-                     QSizeF(metrics.horizontalAdvance(mark) + 12.0, metrics.height() + 6.0));
+                     QSizeF(metrics.horizontalAdvance(marker) + 12.0, metrics.height() + 6.0));
   QColor ground = palette.color(QPalette::Base);
   ground.setAlphaF(0.9F);
   painter.fillRect(label, ground);
   painter.setPen(color);
-  painter.drawText(label, Qt::AlignCenter, mark);
+  painter.drawText(label, Qt::AlignCenter, marker);
   painter.restore();
 }
 
