@@ -119,7 +119,7 @@ void PlotsTest::everyPlotCanBeShown() {
   action("actionPlotDuration")->trigger();
   QCOMPARE(plots().visiblePlots(),
            (QStringList{"spread", "sampleSize", "likelihood", "existence", "error", "duration"}));
-  const QString words = plots().valuesInWords();
+  const QString words = plots().valuesText();
   QVERIFY2(words.contains(QStringLiteral("mm")) && words.contains(QStringLiteral("µs")),
            qPrintable(words));
   action("actionPlotExistence")->trigger();
@@ -158,10 +158,10 @@ void PlotsTest::pointerShowsOneMomentInAllViews() {
   QVERIFY(waitFor([&] { return !hovered.isEmpty(); }));
   const qint64 frame = hovered.last().first().toLongLong();
   QVERIFY(frame > 0 && frame < kFrames - 1);
-  QVERIFY(plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 1)));
+  QVERIFY(plots().cursorText().contains(QStringLiteral("frame %1,").arg(frame + 1)));
   // Left and right: one frame each.
   QTest::keyClick(canvas(), Qt::Key_Right);
-  QVERIFY(plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 2)));
+  QVERIFY(plots().cursorText().contains(QStringLiteral("frame %1,").arg(frame + 2)));
   // The timeline shows it as well, and the other way round.
   auto* timeline = window_->findChild<Timeline*>(QStringLiteral("timeline"));
   const QImage with = timeline->grab().toImage();
@@ -176,14 +176,14 @@ void PlotsTest::pointerShowsOneMomentInAllViews() {
   }
   QVERIFY(changed > 0);
   openTrajectory();
-  QVERIFY(trajectory().plots().placeInWords().contains(QStringLiteral("frame %1,").arg(frame + 2)));
+  QVERIFY(trajectory().plots().cursorText().contains(QStringLiteral("frame %1,").arg(frame + 2)));
   QMouseEvent over(QEvent::MouseMove, timeline->positionOf(7), timeline->positionOf(7),
                    Qt::NoButton, Qt::NoButton, Qt::NoModifier);
   QApplication::sendEvent(timeline, &over);
-  QVERIFY(trajectory().plots().placeInWords().contains(QStringLiteral("frame 8,")));
+  QVERIFY(trajectory().plots().cursorText().contains(QStringLiteral("frame 8,")));
   QEvent leaving(QEvent::Leave);
   QApplication::sendEvent(timeline, &leaving);
-  QVERIFY(!trajectory().plots().placeInWords().contains(QStringLiteral("frame 8,")));
+  QVERIFY(!trajectory().plots().cursorText().contains(QStringLiteral("frame 8,")));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
 

@@ -101,7 +101,7 @@ void TrajectoryPanelTest::follow(const std::vector<TrajectorySample>& samples) {
 void TrajectoryPanelTest::speedHeightAndGaps() {
   follow(circle(100));
   panel_->plots().setHovered(20);
-  const QString words = panel_->plots().valuesInWords();
+  const QString words = panel_->plots().valuesText();
   // 2 rad/s on 1 m; the straight line over five frames of an arc is 0.25 % short: 1.99498 m/s.
   QVERIFY2(words.contains(QStringLiteral("1.99 m/s")), qPrintable(words));
   QVERIFY2(words.contains(QStringLiteral("1.000 m")), qPrintable(words));

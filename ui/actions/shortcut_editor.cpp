@@ -80,8 +80,8 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
     close_->setText(tr("Close"));
     close_->setToolTip(tr("Close; changed shortcuts are kept already"));
     fill();
-    if (noteWords_) {
-      note_->setText(noteWords_());
+    if (noteText_) {
+      note_->setText(noteText_());
     }
   });
   showHint(
@@ -103,9 +103,9 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
   resize(680, 560);
 }
 
-void ShortcutEditor::showHint(std::function<QString()> words) {
-  noteWords_ = std::move(words);
-  note_->setText(noteWords_());
+void ShortcutEditor::showHint(std::function<QString()> text) {
+  noteText_ = std::move(text);
+  note_->setText(noteText_());
 }
 
 void ShortcutEditor::fill() {

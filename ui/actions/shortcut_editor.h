@@ -32,7 +32,7 @@ private:
   void showCurrent();
   void assign();
   /// Writes below what `words` returns, and again in every other language.
-  void showHint(std::function<QString()> words);
+  void showHint(std::function<QString()> text);
 
   ActionRegistry& registry_;
   QLineEdit* search_;
@@ -42,7 +42,7 @@ private:
   QPushButton* resetAll_;
   QPushButton* close_;
   QLabel* note_;
-  std::function<QString()> noteWords_;
+  std::function<QString()> noteText_;
 };
 
 } // namespace dewpoint::ui

@@ -132,8 +132,8 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   place->setObjectName(QStringLiteral("plotPlace"));
   row->addWidget(place);
   connect(stack_, &PlotStack::cursorMoved, place, [this, place] {
-    place->setText(stack_->placeInWords());
-    stack_->focusProxy()->setAccessibleDescription(stack_->valuesInWords());
+    place->setText(stack_->cursorText());
+    stack_->focusProxy()->setAccessibleDescription(stack_->valuesText());
   });
   const auto button = [&](const char* name) {
     auto* made = new QToolButton(tools);

@@ -109,7 +109,7 @@ void PlotReadout::setWidth(int width) {
   setMaximumSize(width, QWIDGETSIZE_MAX);
 }
 
-QString PlotReadout::inWords() const {
+QString PlotReadout::asText() const {
   QStringList parts;
   for (std::size_t curve = 0; curve < declaration_.curves.size(); ++curve) {
     const double value =

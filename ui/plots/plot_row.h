@@ -23,7 +23,7 @@ public:
   void setWidth(int width);
   void setValues(std::vector<double> values) { values_ = std::move(values); }
   /// "x 12 mm, y 9 mm": what is written, as a sentence.
-  QString inWords() const;
+  QString asText() const;
 
 protected:
   void draw(QCPPainter* painter) override;

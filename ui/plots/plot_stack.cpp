@@ -323,7 +323,7 @@ std::string PlotStack::csv() const {
                             : plotCsv(rows_, PlotSeries(), axis(), {});
 }
 
-QString PlotStack::placeInWords() const {
+QString PlotStack::cursorText() const {
   const auto row = cursorRow();
   if (!row) {
     return {};
@@ -335,13 +335,13 @@ QString PlotStack::placeInWords() const {
       .arg(secondsText(at.time, 2));
 }
 
-QString PlotStack::valuesInWords() const {
+QString PlotStack::valuesText() const {
   QStringList parts;
-  if (const QString place = placeInWords(); !place.isEmpty()) {
+  if (const QString place = cursorText(); !place.isEmpty()) {
     parts << place;
   }
   for (const auto& row : rows_) {
-    parts << QStringLiteral("%1: %2").arg(row->declaration().title, row->readout()->inWords());
+    parts << QStringLiteral("%1: %2").arg(row->declaration().title, row->readout()->asText());
   }
   return parts.join(QStringLiteral("; "));
 }

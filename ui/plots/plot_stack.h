@@ -73,9 +73,9 @@ public:
   /// The plots as a figure for paper: a drawing (SVG), or pixels.
   PlotPicture picture(bool asDrawing);
   /// All values at the cursor, in words and with units.
-  QString valuesInWords() const;
+  QString valuesText() const;
   /// "frame 132, iteration 660, 4.40 s"; empty before the first.
-  QString placeInWords() const;
+  QString cursorText() const;
   /// What the last drawing took, milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
   /// Whether no drawing is still to come of what was given last.

@@ -132,14 +132,14 @@ void BoardCalibrationPage::refresh() {
       outcome != nullptr && outcome->extrinsics && !outcome->extrinsics->faults.empty();
   apply_->setText(doubted ? tr("Use it anyway") : tr("Apply"));
   report_->setVisible(outcome != nullptr);
-  QString words = outcome ? outcomeWords(calibrator_, *outcome) : QString();
+  QString text = outcome ? outcomeText(calibrator_, *outcome) : QString();
   if (!calibrator_.failure().isEmpty()) {
-    words = QStringLiteral("⚠ ") + calibrator_.failure();
+    text = QStringLiteral("⚠ ") + calibrator_.failure();
   } else if (calibrator_.isApplied()) {
-    words = tr("✓ The cameras are calibrated (Ctrl+Z takes it back).") + QLatin1Char('\n') + words;
+    text = tr("✓ The cameras are calibrated (Ctrl+Z takes it back).") + QLatin1Char('\n') + text;
   }
-  result_->setText(words);
-  result_->setVisible(!words.isEmpty());
+  result_->setText(text);
+  result_->setVisible(!text.isEmpty());
   if (computing) {
     showProgress(calibrator_.isLooking() ? 0.0 : -1.0);
   }

@@ -91,17 +91,17 @@ void BoardLive::makeRows(std::size_t count) {
     QFont bold = row.name->font();
     bold.setBold(true);
     row.name->setFont(bold);
-    auto* words = new QVBoxLayout;
-    words->setSpacing(3);
+    auto* text = new QVBoxLayout;
+    text->setSpacing(3);
     for (QWidget* part : std::initializer_list<QWidget*>{row.name, row.advice, row.held,
                                                          row.accuracy, row.sharpness}) {
-      words->addWidget(part);
+      text->addWidget(part);
     }
-    words->addStretch(1);
+    text->addStretch(1);
     auto* line = new QHBoxLayout(frame);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(row.map, 0, Qt::AlignTop);
-    line->addLayout(words, 1);
+    line->addLayout(text, 1);
     grid_->addWidget(frame, static_cast<int>(k), 0, 1, 2);
     rows_.push_back(row);
   }
@@ -113,9 +113,10 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
                     (!calibrator_.request().goal.poses && calibrator_.request().goal.lenses);
   row.map->show(of, lens);
   row.name->setText(calibrator_.nameOf(camera));
-  row.advice->setText(lens ? adviceWords(of) : seenWords(of));
-  row.accuracy->setText(lens ? accuracyWords(of, calibrator_.request().lenses) : placeWords(of));
-  row.sharpness->setText(sharpnessWords(of, calibrator_.request().lenses));
+  row.advice->setText(lens ? adviceText(of) : visibilityText(of));
+  row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.request().lenses)
+                             : positionAccuracyText(of));
+  row.sharpness->setText(sharpnessText(of, calibrator_.request().lenses));
   const double held = lens ? of.lens.held : of.seen ? state.rig.held : 0.0;
   row.held->setValue(static_cast<int>(kHeldSteps * held));
   row.held->setAccessibleName(
@@ -169,7 +170,7 @@ void BoardLive::followGuide() {
   overall_->setText(
       state->frame < 0 ? tr("Waiting for images: are the cameras playing?")
       : state->phase == BoardGuideState::Phase::Poses
-          ? pairWords(calibrator_, state->rig)
+          ? pairText(calibrator_, state->rig)
           : tr("Show the board to one camera after the other, as each of them asks."));
 }
 

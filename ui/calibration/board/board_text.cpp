@@ -82,7 +82,7 @@ void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places
 
 } // namespace
 
-QString regionWords(int region) {
+QString regionText(int region) {
   const int column = region % BoardCoverage::kColumns / 2;    // left, middle, right
   const int row = (region / BoardCoverage::kColumns + 1) / 2; // top, middle, bottom
   const QString names[3][3] = {
@@ -92,7 +92,7 @@ QString regionWords(int region) {
   return names[std::clamp(row, 0, 2)][std::clamp(column, 0, 2)];
 }
 
-QString tiltWords(BoardTilt tilt) {
+QString tiltText(BoardTilt tilt) {
   switch (tilt) {
   case BoardTilt::LeftNear:
     return Words::tr("its left side nearer");
@@ -108,7 +108,7 @@ QString tiltWords(BoardTilt tilt) {
   return Words::tr("facing the camera");
 }
 
-QString adviceWords(const BoardGuideState::PerCamera& camera) {
+QString adviceText(const BoardGuideState::PerCamera& camera) {
   if (camera.width == 0) {
     return Words::tr("No image yet");
   }
@@ -116,9 +116,9 @@ QString adviceWords(const BoardGuideState::PerCamera& camera) {
   case GuidanceAdvice::ShowBoard:
     return Words::tr("Show it the whole board");
   case GuidanceAdvice::MoveTo:
-    return Words::tr("Move the board to: %1").arg(regionWords(camera.lens.region));
+    return Words::tr("Move the board to: %1").arg(regionText(camera.lens.region));
   case GuidanceAdvice::TiltTo:
-    return Words::tr("Tilt it, %1").arg(tiltWords(camera.lens.tilt));
+    return Words::tr("Tilt it, %1").arg(tiltText(camera.lens.tilt));
   case GuidanceAdvice::ComeNearer:
     return Words::tr("Come nearer with the board");
   case GuidanceAdvice::HoldStill:
@@ -131,7 +131,7 @@ QString adviceWords(const BoardGuideState::PerCamera& camera) {
   return Words::tr("✓ Done");
 }
 
-QString pairWords(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
+QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.showTo < 0 || state.andTo < 0) {
     return Words::tr("✓ All cameras have seen enough together");
   }
@@ -140,7 +140,7 @@ QString pairWords(const BoardCalibrator& calibrator, const RigGuidance::State& s
            calibrator.nameOf(static_cast<std::size_t>(state.andTo)));
 }
 
-QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
+QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
   if (!camera.seen) {
     return Words::tr("no board in sight");
   }
@@ -150,7 +150,8 @@ QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceS
              : Words::tr("sharp, edges of %1").arg(edges);
 }
 
-QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
+QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
+                         const GuidanceSettings& settings) {
   if (!camera.lens.projectionPx) {
     return Words::tr("%1 of at least %2 views")
         .arg(QString::number(camera.lens.views), QString::number(settings.leastViews));
@@ -160,13 +161,13 @@ QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSe
            pixelText(settings.requestedProjectionPx, 2));
 }
 
-QString seenWords(const BoardGuideState::PerCamera& camera) {
+QString visibilityText(const BoardGuideState::PerCamera& camera) {
   return camera.width == 0 ? Words::tr("No image yet")
          : camera.seen     ? Words::tr("● sees the board")
                            : Words::tr("○ does not see the board");
 }
 
-QString placeWords(const BoardGuideState::PerCamera& camera) {
+QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {
   const QString views = QString::number(camera.pairViews);
   return camera.positionSigma
              ? Words::tr("%1 views, place known to %2")
@@ -174,7 +175,7 @@ QString placeWords(const BoardGuideState::PerCamera& camera) {
              : Words::tr("%1 views with others").arg(views);
 }
 
-QString outcomeWords(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
+QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
   QStringList lines;
   if (outcome.lenses) {
     addLenses(calibrator, *outcome.lenses, lines);

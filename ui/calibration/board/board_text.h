@@ -10,25 +10,26 @@ namespace dewpoint::ui {
 class BoardCalibrator;
 
 /// "upper left": a region of BoardCoverage.
-QString regionWords(int region);
+QString regionText(int region);
 /// "its left side nearer".
-QString tiltWords(BoardTilt tilt);
+QString tiltText(BoardTilt tilt);
 
 /// What to show to one camera next, in one line.
-QString adviceWords(const BoardGuideState::PerCamera& camera);
+QString adviceText(const BoardGuideState::PerCamera& camera);
 /// What to show next for the positions of the cameras.
-QString pairWords(const BoardCalibrator& calibrator, const RigGuidance::State& state);
+QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state);
 /// "sharp" or "soft", with the width of edges.
-QString sharpnessWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
+QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
 /// How well its lens is known so far, and how well it is to be.
-QString accuracyWords(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
+QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
+                         const GuidanceSettings& settings);
 
 /// In the phase of positions: whether it sees the board.
-QString seenWords(const BoardGuideState::PerCamera& camera);
+QString visibilityText(const BoardGuideState::PerCamera& camera);
 /// How often it was seen together with other cameras, and how well its position is known so far.
-QString placeWords(const BoardGuideState::PerCamera& camera);
+QString positionAccuracyText(const BoardGuideState::PerCamera& camera);
 
 /// The result in sentences: what was found, camera by camera, quality and remarks.
-QString outcomeWords(const BoardCalibrator& calibrator, const BoardOutcome& outcome);
+QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome);
 
 } // namespace dewpoint::ui

@@ -334,7 +334,7 @@ void GridLayer::drawMagnifier(QPainter& painter) {
   painter.restore();
 }
 
-void GridLayer::drawWords(QPainter& painter) {
+void GridLayer::drawLabel(QPainter& painter) {
   if (!hand_.isFlipped()) {
     return;
   }
@@ -369,7 +369,7 @@ void GridLayer::paintEvent(QPaintEvent*) {
   }
   drawPoints(painter);
   drawMagnifier(painter);
-  drawWords(painter);
+  drawLabel(painter);
   if (hand_.camera() == camera_) {
     painter.setClipping(false);
     painter.setPen(QPen(palette().color(QPalette::Highlight), hasFocus() ? 3 : 1));

@@ -57,7 +57,7 @@ private:
   void drawEdges(QPainter& painter);
   void drawPoints(QPainter& painter);
   void drawMagnifier(QPainter& painter);
-  void drawWords(QPainter& painter);
+  void drawLabel(QPainter& painter);
   FramePtr frame() const;
   Eigen::Vector2d pixelAt(QPointF position) const;
   bool isInside(const Eigen::Vector2d& pixel) const;
