@@ -111,7 +111,7 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
   const auto& of = state.cameras[camera];
   const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
                     (!calibrator_.request().goal.poses && calibrator_.request().goal.lenses);
-  row.map->show(of, lens);
+  row.map->setCamera(of, lens);
   row.name->setText(calibrator_.nameOf(camera));
   row.advice->setText(lens ? adviceText(of) : visibilityText(of));
   row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.request().lenses)

@@ -52,7 +52,7 @@ BoardMap::BoardMap(QWidget* parent) : QWidget(parent) {
   connect(&dim_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
-void BoardMap::show(const BoardGuideState::PerCamera& camera, bool lens) {
+void BoardMap::setCamera(const BoardGuideState::PerCamera& camera, bool lens) {
   if (camera.taken.size() > camera_.taken.size()) {
     sinceTaken_.start();
     dim_.start();

@@ -18,8 +18,7 @@ public:
   explicit BoardMap(QWidget* parent = nullptr);
 
   /// `lens`: regions and tilts count, besides the outlines.
-  void show(const BoardGuideState::PerCamera& camera, bool lens);
-  using QWidget::show;
+  void setCamera(const BoardGuideState::PerCamera& camera, bool lens);
 
   QSize sizeHint() const override { return {148, 140}; }
   QSize minimumSizeHint() const override { return {112, 108}; }

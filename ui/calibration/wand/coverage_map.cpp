@@ -12,7 +12,7 @@ CoverageMap::CoverageMap(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void CoverageMap::show(const QString& camera, const CameraSightings& seen, double shape) {
+void CoverageMap::setCamera(const QString& camera, const CameraSightings& seen, double shape) {
   seen_ = seen;
   shape_ = shape;
   const auto& regions = seen.coverage.corners;

@@ -14,7 +14,7 @@ public:
   explicit CoverageMap(QWidget* parent = nullptr);
 
   /// `shape`: width over height of the image.
-  void show(const QString& camera, const CameraSightings& seen, double shape);
+  void setCamera(const QString& camera, const CameraSightings& seen, double shape);
   QSize sizeHint() const override { return {112, 84}; }
   QSize minimumSizeHint() const override { return {72, 54}; }
 

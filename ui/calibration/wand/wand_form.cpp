@@ -43,7 +43,7 @@ void setTexts(QComboBox& box, const QStringList& texts) {
   box.setCurrentIndex(chosen);
 }
 
-void show(QComboBox& box, int index) {
+void showChoice(QComboBox& box, int index) {
   const QSignalBlocker quiet(box);
   box.setCurrentIndex(index);
 }
@@ -179,8 +179,8 @@ void WandForm::refresh() {
   const WandSettings& settings = calibrator_.settings();
   chooseBalls();
   fillSizes();
-  ::dewpoint::ui::show(*kind_, settings.stick ? 1 : 0);
-  ::dewpoint::ui::show(*size_, static_cast<int>(settings.size));
+  showChoice(*kind_, settings.stick ? 1 : 0);
+  showChoice(*size_, static_cast<int>(settings.size));
   showValue(*length_, 100.0 * settings.length);
   showValue(*distance_, 100.0 * settings.distance);
   showValue(*initialPositionError_, 100.0 * settings.initialPositionError);

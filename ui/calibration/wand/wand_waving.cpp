@@ -94,8 +94,8 @@ void WandWaving::showCameras() {
     const bool good = sawEnough(seen);
     enough = enough && good;
     const Intrinsics image = k < rig.size() ? rig[k].intrinsics : Intrinsics();
-    cameras_[k].map->show(cameraName(rig, k), seen,
-                          image.height > 0 ? double(image.width) / image.height : 4.0 / 3.0);
+    cameras_[k].map->setCamera(cameraName(rig, k), seen,
+                               image.height > 0 ? double(image.width) / image.height : 4.0 / 3.0);
     cameras_[k].text->setText(
         QStringLiteral("%1 %2 %3")
             .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
