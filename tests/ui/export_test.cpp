@@ -41,7 +41,7 @@ private Q_SLOTS:
   void asksBeforeAFileIsReplaced();
   void whoCancelsIsNotAsked();
   void asksBeforeOneOfSeveralFilesIsReplaced();
-  void theSpanIsTheSelectedOne();
+  void theRangeIsTheSelectedOne();
   void itsKeyWorksWhileAFieldHasTheFocus();
   void aLongPreviewCanBeStopped();
   void theNextProjectIsExportedAnew();
@@ -243,7 +243,7 @@ void ExportTest::asksBeforeOneOfSeveralFilesIsReplaced() {
   chooseFormat("csv");
 }
 
-void ExportTest::theSpanIsTheSelectedOne() {
+void ExportTest::theRangeIsTheSelectedOne() {
   auto* from = field<QDoubleSpinBox>("exportFrom");
   auto* to = field<QDoubleSpinBox>("exportTo");
   const auto open = [this] {

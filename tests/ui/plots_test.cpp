@@ -35,11 +35,11 @@ private Q_SLOTS:
   void curvesHaveTheRun();
   void everyPlotCanBeShown();
   void ticksAreWrittenAsTheyAre();
-  void pointerShowsOneMomentInAllViews();
+  void pointerShowsOneFrameInAllViews();
   void wheelDragAndKeysMoveAlongTheAxis();
-  void spanOfThePlotsIsSelectedInTheTable();
-  void rowsOfTheTableAreASpanInThePlotsAndTheRoom();
-  void placeOfTheTailIsAMoment();
+  void rangeOfThePlotsIsSelectedInTheTable();
+  void rowsOfTheTableAreARangeInThePlotsAndTheRoom();
+  void positionOfTheTailIsAFrame();
   void csvIsWhatIsShown();
   void trajectoryCsvIsWhatIsSelected();
   void picturesCanBeRead();
@@ -151,7 +151,7 @@ void PlotsTest::ticksAreWrittenAsTheyAre() {
   QVERIFY(labels(12.6).contains(QStringLiteral("2.5")));
 }
 
-void PlotsTest::pointerShowsOneMomentInAllViews() {
+void PlotsTest::pointerShowsOneFrameInAllViews() {
   QSignalSpy hovered(&plots(), &PlotStack::hovered);
   point(at(0.1));
   point(at(0.3));
@@ -213,7 +213,7 @@ void PlotsTest::wheelDragAndKeysMoveAlongTheAxis() {
   QVERIFY(plots().showsAll());
 }
 
-void PlotsTest::spanOfThePlotsIsSelectedInTheTable() {
+void PlotsTest::rangeOfThePlotsIsSelectedInTheTable() {
   openTrajectory();
   QSignalSpy highlighted(&trajectory(), &TrajectoryPanel::highlightChanged);
   auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("plotDock"));
@@ -236,7 +236,7 @@ void PlotsTest::spanOfThePlotsIsSelectedInTheTable() {
   QVERIFY(!table().selectionModel()->hasSelection());
 }
 
-void PlotsTest::rowsOfTheTableAreASpanInThePlotsAndTheRoom() {
+void PlotsTest::rowsOfTheTableAreARangeInThePlotsAndTheRoom() {
   openTrajectory();
   QVERIFY(
       waitFor([this] { return !window_->findChild<BirdsEyeView*>()->currentPicture().isNull(); }));
@@ -254,7 +254,7 @@ void PlotsTest::rowsOfTheTableAreASpanInThePlotsAndTheRoom() {
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
 
-void PlotsTest::placeOfTheTailIsAMoment() {
+void PlotsTest::positionOfTheTailIsAFrame() {
   openTrajectory();
   auto* view = window_->findChild<BirdsEyeView*>();
   QVERIFY(waitFor([&] { return !view->currentPicture().isNull(); }));

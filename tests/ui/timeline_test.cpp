@@ -28,12 +28,12 @@ class TimelineTest : public QObject, private test::WindowFixture {
 private Q_SLOTS:
   void init();
   void cleanup() { window_.reset(); }
-  void scrubbingShowsThatMomentInAllViews();
+  void scrubbingShowsThatFrameInAllViews();
   void keysGoByFramesSecondsAndToTheEnds();
-  void playGoesOnFromTheMomentShown();
+  void playGoesOnFromTheFrameShown();
   void trackingAgainReplacesWhatFollows();
   void markersAreStepsOfTheDocument();
-  void spansAreSelectedAndZoomedTo();
+  void rangesAreSelectedAndZoomedTo();
   void titleSaysWhy();
 
 private:
@@ -65,7 +65,7 @@ void TimelineTest::init() {
   QVERIFY(waitFor([this] { return shown().history.head == kTracked - 1; }));
 }
 
-void TimelineTest::scrubbingShowsThatMomentInAllViews() {
+void TimelineTest::scrubbingShowsThatFrameInAllViews() {
   QVERIFY(showsFrame(kTracked - 1));
   const QImage now = picture("cameraView0");
   QTest::mousePress(timeline_, Qt::LeftButton, {}, timeline_->positionOf(30));
@@ -117,7 +117,7 @@ void TimelineTest::keysGoByFramesSecondsAndToTheEnds() {
   QVERIFY(showsFrame(kTracked - 2));
 }
 
-void TimelineTest::playGoesOnFromTheMomentShown() {
+void TimelineTest::playGoesOnFromTheFrameShown() {
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(35));
   QVERIFY(showsFrame(35));
   QTest::keyClick(window_.get(), Qt::Key_Space);
@@ -176,7 +176,7 @@ void TimelineTest::markersAreStepsOfTheDocument() {
   QVERIFY(project().markers.empty());
 }
 
-void TimelineTest::spansAreSelectedAndZoomedTo() {
+void TimelineTest::rangesAreSelectedAndZoomedTo() {
   QSignalSpy ranges(&window_->selection(), &Selection::rangeChanged);
   const int axis = 5;
   const QPoint begin(timeline_->positionOf(5).x(), axis);

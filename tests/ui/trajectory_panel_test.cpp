@@ -47,7 +47,7 @@ private Q_SLOTS:
   void init();
   void cleanup();
   void speedHeightAndGaps();
-  void chosenGapIsTheSpan();
+  void chosenGapIsTheRange();
   void tableFollowsAndGoesBack();
   void longRunsAreBounded();
   void drawingKeepsTheExtremes();
@@ -113,7 +113,7 @@ void TrajectoryPanelTest::speedHeightAndGaps() {
   QVERIFY(gaps->item(0, 2)->text().startsWith(QStringLiteral("0.37 s")));
 }
 
-void TrajectoryPanelTest::chosenGapIsTheSpan() {
+void TrajectoryPanelTest::chosenGapIsTheRange() {
   follow(circle(100));
   QSignalSpy chosen(&selection_, &Selection::rangeChanged);
   panel_->findChild<GapList*>()->selectRow(0);

@@ -26,8 +26,8 @@ namespace dewpoint::tests {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr int kBumped = 1;
-constexpr std::int64_t kBumpFrame = 40;
+constexpr int kMoved = 1;
+constexpr std::int64_t kMotionFrame = 40;
 
 Scene stillScene() {
   Scene scene = *sceneNamed("demo");
@@ -36,22 +36,22 @@ Scene stillScene() {
   return scene;
 }
 
-Camera bumpedCamera() {
-  return rotatedCamera(stillScene().cameras[kBumped], Eigen::Vector3d(0.2, -0.4, 0.1) * kDegree);
+Camera movedCamera() {
+  return rotatedCamera(stillScene().cameras[kMoved], Eigen::Vector3d(0.2, -0.4, 0.1) * kDegree);
 }
 
-/// The same scene after the bump.
-Scene bumpedScene() {
+/// The same scene after the camera was moved.
+Scene movedScene() {
   Scene scene = stillScene();
-  scene.cameras[kBumped] = bumpedCamera();
+  scene.cameras[kMoved] = movedCamera();
   return scene;
 }
 
-/// The demo, whose second camera is turned from kBumpFrame on.
-Result<SessionInputs> openBumped(const SessionRequest&) {
+/// The demo, whose second camera is turned from kMotionFrame on.
+Result<SessionInputs> openMoved(const SessionRequest&) {
   const Scene scene = stillScene();
   const auto still = std::make_shared<const SceneRenderer>(scene);
-  const auto rotated = std::make_shared<const SceneRenderer>(bumpedScene());
+  const auto rotated = std::make_shared<const SceneRenderer>(movedScene());
   std::vector<RecordedCamera> cameras;
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
     RecordedCamera camera;
@@ -60,7 +60,7 @@ Result<SessionInputs> openBumped(const SessionRequest&) {
     camera.width = scene.cameras[k].intrinsics.width;
     camera.height = scene.cameras[k].intrinsics.height;
     camera.generate = [still, rotated, k](std::int64_t frame) {
-      return (frame < kBumpFrame ? still : rotated)->render(static_cast<int>(k), frame);
+      return (frame < kMotionFrame ? still : rotated)->render(static_cast<int>(k), frame);
     };
     camera.generatedFrames = scene.frameCount;
     cameras.push_back(std::move(camera));
@@ -98,7 +98,7 @@ public:
 private:
   std::shared_ptr<const std::atomic<bool>> turned_;
   SceneRenderer still_{stillScene()};
-  SceneRenderer rotated_{bumpedScene()};
+  SceneRenderer rotated_{movedScene()};
   std::int64_t index_ = 0;
 };
 
@@ -110,7 +110,7 @@ double degreesBetween(const Camera& a, const Camera& b) {
 
 } // namespace
 
-class BumpMessageTest : public QObject, private test::WindowFixture {
+class CameraMotionMessageTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -124,21 +124,21 @@ private:
     const auto before = shown().frame;
     return waitFor([&] { return shown().frame >= before + frames; });
   }
-  const Camera& camera() { return window_->document().project().cameras[kBumped].camera; }
+  const Camera& camera() { return window_->document().project().cameras[kMoved].camera; }
   QPushButton* answer() {
     auto* button = window_->findChild<QPushButton*>("messageAnswer0");
     return button != nullptr && button->isVisible() ? button : nullptr;
   }
 };
 
-void BumpMessageTest::aClickSolvesTheCameraAgain() {
-  makeWindow({.opener = &openBumped, .size = {1400, 900}, .theme = Theme::Light});
+void CameraMotionMessageTest::aClickSolvesTheCameraAgain() {
+  makeWindow({.opener = &openMoved, .size = {1400, 900}, .theme = Theme::Light});
   open();
   const Camera before = camera();
-  const double error = degreesBetween(before, bumpedCamera()); // 0.46 degrees
+  const double error = degreesBetween(before, movedCamera()); // 0.46 degrees
   QVERIFY(error > 0.4);
   QVERIFY(waitFor([&] { return answer() != nullptr; }));
-  QVERIFY(window_->shown()->frame > kBumpFrame);
+  QVERIFY(window_->shown()->frame > kMotionFrame);
   const QString said = find<MessageBar>("messageBar")->text();
   const QString name = QString::fromStdString(before.name);
   QVERIFY2(said.contains(name), qPrintable(said));
@@ -147,15 +147,15 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   const auto title = [&](int k) {
     return find<QLabel>(QStringLiteral("cameraDock%1TitleReason").arg(k))->text();
   };
-  QCOMPARE(title(kBumped), cameraMotionText(cameraMotionOf(*window_->shown(), kBumped)));
-  QVERIFY(!title(kBumped).isEmpty());
+  QCOMPARE(title(kMoved), cameraMotionText(cameraMotionOf(*window_->shown(), kMoved)));
+  QVERIFY(!title(kMoved).isEmpty());
   QVERIFY(cameraMotionOf(*window_->shown(), 0) == nullptr);
   // Some more of the target's sightings, then the click.
   const auto frame = window_->shown()->frame;
   QVERIFY(waitFor([&] { return window_->shown()->frame > frame + 30; }));
   QVERIFY(answer() != nullptr);
   answer()->click();
-  QVERIFY(degreesBetween(camera(), bumpedCamera()) < 0.15 * error);
+  QVERIFY(degreesBetween(camera(), movedCamera()) < 0.15 * error);
   QUndoStack& history = *window_->document().undoStack();
   QCOMPARE(history.count(), 1);
   QVERIFY(history.undoText().contains(name));
@@ -163,7 +163,7 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
   const auto& cameras = window_->document().project().cameras;
   QVERIFY(cameras[0].camera == stillScene().cameras[0]);
   QVERIFY(waitFor([&] {
-    return window_->shown()->cameraMotions.empty() && (*window_->shown()->rig)[kBumped] == camera();
+    return window_->shown()->cameraMotions.empty() && (*window_->shown()->rig)[kMoved] == camera();
   }));
   QVERIFY(answer() == nullptr);
   history.undo();
@@ -172,7 +172,7 @@ void BumpMessageTest::aClickSolvesTheCameraAgain() {
 
 // What a waved board does to the images, a turned camera does as well, and that is noticed for sure
 // when somebody looks: within two seconds (camera_motion_detector_test.cpp).
-void BumpMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
+void CameraMotionMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
   constexpr std::int64_t kLongEnough = 40; // frames: 4 s
   const auto turned = std::make_shared<std::atomic<bool>>(false);
   makeWindow({.opener = [turned](const SessionRequest&) -> Result<SessionInputs> {
@@ -201,13 +201,14 @@ void BumpMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
   // Now that no board is shown, the same turn is one.
   *turned = false;
   QVERIFY(waitFor([&] { return !shown().cameraMotions.empty(); }));
-  QCOMPARE(shown().cameraMotions.front().event.camera, std::size_t{kBumped});
+  QCOMPARE(shown().cameraMotions.front().event.camera, std::size_t{kMoved});
 }
 
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return dewpoint::tests::test::runWindowTest<dewpoint::tests::BumpMessageTest>(argc, argv, "bump");
+  using dewpoint::tests::CameraMotionMessageTest;
+  return dewpoint::tests::test::runWindowTest<CameraMotionMessageTest>(argc, argv, "camera_motion");
 }
 
-#include "bump_message_test.moc"
+#include "camera_motion_message_test.moc"

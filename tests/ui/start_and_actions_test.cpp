@@ -28,7 +28,7 @@
 
 namespace dewpoint::tests {
 
-class DeskTest : public QObject, private test::WindowFixture {
+class StartAndActionsTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -48,7 +48,7 @@ private Q_SLOTS:
   void thePickerIsDraggedByHandAndByKeys();
 };
 
-void DeskTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
+void StartAndActionsTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
   QVERIFY(find<QWidget>("startPage")->isVisible());
   QVERIFY(!action("actionPlay")->isEnabled());
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isVisible());
@@ -61,7 +61,7 @@ void DeskTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
   openDemo(); // and again
 }
 
-void DeskTest::droppedFilesAreOpened() {
+void StartAndActionsTest::droppedFilesAreOpened() {
   const auto project = resolveProject("demo");
   QVERIFY(saveProject(*project, file("demo.toml").toStdString()));
   drop({file("demo.toml")});
@@ -69,7 +69,7 @@ void DeskTest::droppedFilesAreOpened() {
   QCOMPARE(window_->document().project().file.filename().string(), std::string("demo.toml"));
 }
 
-void DeskTest::aSavedProjectIsRecent() {
+void StartAndActionsTest::aSavedProjectIsRecent() {
   openDemo();
   QVERIFY(Preferences().recentProjects().isEmpty()); // the demo is no file
   const auto project = resolveProject("demo");
@@ -86,7 +86,7 @@ void DeskTest::aSavedProjectIsRecent() {
   QVERIFY(isOpen(2));
 }
 
-void DeskTest::everyActionHasAShortcutOfItsOwn() {
+void StartAndActionsTest::everyActionHasAShortcutOfItsOwn() {
   std::map<QString, QString> holders;
   for (QAction* one : window_->findChild<ActionRegistry*>()->all()) {
     const QString keys = one->shortcut().toString();
@@ -97,7 +97,7 @@ void DeskTest::everyActionHasAShortcutOfItsOwn() {
   }
 }
 
-void DeskTest::thePaletteFindsAnActionByKeyboardAlone() {
+void StartAndActionsTest::thePaletteFindsAnActionByKeyboardAlone() {
   openDemo();
   QVERIFY(!action("actionShowMask")->isChecked());
   QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
@@ -109,7 +109,7 @@ void DeskTest::thePaletteFindsAnActionByKeyboardAlone() {
   QVERIFY(!search->isVisible());
 }
 
-void DeskTest::aShortcutCanBeChangedTakenAndReset() {
+void StartAndActionsTest::aShortcutCanBeChangedTakenAndReset() {
   action("actionShortcuts")->trigger();
   auto* tree = find<QTreeWidget>("shortcutTree");
   auto* keys = find<QKeySequenceEdit>("shortcutKeys");
@@ -140,7 +140,7 @@ void DeskTest::aShortcutCanBeChangedTakenAndReset() {
   QCOMPARE(action("actionShowMask")->shortcut(), QKeySequence(Qt::Key_M));
 }
 
-void DeskTest::theLayoutBelongsToTheProject() {
+void StartAndActionsTest::theLayoutBelongsToTheProject() {
   const auto project = resolveProject("demo");
   const auto place = file("layout.toml").toStdString();
   QVERIFY(saveProject(*project, place));
@@ -159,7 +159,7 @@ void DeskTest::theLayoutBelongsToTheProject() {
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isFloating());
 }
 
-void DeskTest::namesAndSizesAreUndoable() {
+void StartAndActionsTest::namesAndSizesAreUndoable() {
   openDemo();
   auto* name = find<QLineEdit>("targetName");
   find<QDockWidget>("targetDock")->raise();
@@ -178,7 +178,7 @@ void DeskTest::namesAndSizesAreUndoable() {
   QVERIFY(waitFor([this] { return window_->shown()->targets.size() == 1; }));
 }
 
-void DeskTest::theStatusIsThatOfTheChosenTarget() {
+void StartAndActionsTest::theStatusIsThatOfTheChosenTarget() {
   window_->setPlayOnOpen(false); // a run that rests: nothing new comes by itself
   openDemo();
   QVERIFY(window_->document().edit(QStringLiteral("Add target"), [](Project& project) {
@@ -196,7 +196,7 @@ void DeskTest::theStatusIsThatOfTheChosenTarget() {
   QVERIFY2(held->text().startsWith(QStringLiteral("pink ball")), qPrintable(held->text()));
 }
 
-void DeskTest::workLeftBehindIsOffered() {
+void StartAndActionsTest::workLeftBehindIsOffered() {
   // What an earlier window left: a copy, and where the project was loaded from.
   const auto recovery = std::filesystem::path(folder_.path().toStdString()) / "recovery";
   std::filesystem::create_directories(recovery);
@@ -213,7 +213,7 @@ void DeskTest::workLeftBehindIsOffered() {
   QVERIFY(waitFor([&] { return !std::filesystem::exists(recovery / "0123.toml"); }));
 }
 
-void DeskTest::oneClickLearnsAColorAndTracksIt() {
+void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   QVERIFY(recordDemo(folder_.path().toStdString()));
   drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
   auto* create = find<QPushButton>("newCreate");
@@ -282,7 +282,7 @@ void DeskTest::oneClickLearnsAColorAndTracksIt() {
   QVERIFY(waitFor([this] { return window_->document().project().targets.size() == 1; }));
 }
 
-void DeskTest::thePickerIsDraggedByHandAndByKeys() {
+void StartAndActionsTest::thePickerIsDraggedByHandAndByKeys() {
   openDemo();
   find<QDockWidget>("colorDock")->raise();
   auto* ring = find<HueRing>("hueRing");
@@ -319,7 +319,8 @@ void DeskTest::thePickerIsDraggedByHandAndByKeys() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return dewpoint::tests::test::runWindowTest<dewpoint::tests::DeskTest>(argc, argv, "desk");
+  using dewpoint::tests::StartAndActionsTest;
+  return dewpoint::tests::test::runWindowTest<StartAndActionsTest>(argc, argv, "start_and_actions");
 }
 
-#include "desk_test.moc"
+#include "start_and_actions_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bump sentinel on simulated scenes: how soon a turned camera is reported, how often one that
-// stands still, and what a check costs. Usage: bump_bench [bumps] [quiet minutes] [image width]
+// The detector of camera motion on simulated scenes: how soon a rotated camera is reported, how
+// often one that stands still, and what a check costs. Usage: camera_motion_bench [motions] [quiet
+// minutes] [image width]
 #include "core/base/random.h"
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/camera_motion/camera_motion_detector.h"
@@ -77,18 +78,18 @@ void watch(CameraMotionDetector& sentinel, const FrameSetPtr& frames, Cost& cost
   ++cost.frames;
 }
 
-Eigen::Vector3d direction(const RandomStream& random, int bump) {
-  const auto normal = random.normal4(std::uint32_t(bump));
+Eigen::Vector3d direction(const RandomStream& random, int motion) {
+  const auto normal = random.normal4(std::uint32_t(motion));
   return Eigen::Vector3d(normal[0], normal[1], normal[2]).normalized();
 }
 
 /// Seconds until a turn of the first camera is reported; negative: before it, infinite: never.
-double delayOf(int bump, double degrees, int width, Cost& cost, double& error) {
+double delayOf(int motion, double degrees, int width, Cost& cost, double& error) {
   const RandomStream random(11, 0, 0, RandomPurpose::Simulation);
-  const Eigen::Vector3d turn = degrees * kDegree * direction(random, bump);
-  const double at = 3.0 + 5.0 * random.uniform(std::uint32_t(bump), 9);
-  const SceneRenderer before(sceneOf(bump, 20.0, Eigen::Vector3d::Zero(), width));
-  const SceneRenderer after(sceneOf(bump, 20.0, turn, width));
+  const Eigen::Vector3d turn = degrees * kDegree * direction(random, motion);
+  const double at = 3.0 + 5.0 * random.uniform(std::uint32_t(motion), 9);
+  const SceneRenderer before(sceneOf(motion, 20.0, Eigen::Vector3d::Zero(), width));
+  const SceneRenderer after(sceneOf(motion, 20.0, turn, width));
   CameraMotionDetector sentinel({before.scene().cameras[0]});
   double delay = std::numeric_limits<double>::infinity();
   for (std::int64_t k = 0; k < std::int64_t((at + 4.0) * kRate); ++k) {
@@ -102,13 +103,13 @@ double delayOf(int bump, double degrees, int width, Cost& cost, double& error) {
   return delay;
 }
 
-void measureBumps(int count, double degrees, int width) {
+void measureMotions(int count, double degrees, int width) {
   Cost cost;
   std::vector<double> delays, errors;
   int early = 0, missed = 0, late = 0;
-  for (int bump = 0; bump < count; ++bump) {
+  for (int motion = 0; motion < count; ++motion) {
     double error = 0.0;
-    const double delay = delayOf(bump, degrees, width, cost, error);
+    const double delay = delayOf(motion, degrees, width, cost, error);
     early += delay < 0.0;
     missed += !std::isfinite(delay);
     late += std::isfinite(delay) && delay > 2.0;
@@ -118,7 +119,7 @@ void measureBumps(int count, double degrees, int width) {
   std::ranges::sort(delays);
   std::ranges::sort(errors);
   fmt::print(
-      "{:.2f} degrees: {} bumps, {} missed, {} later than 2 s, {} before; delay median {:.2f} "
+      "{:.2f} degrees: {} motions, {} missed, {} later than 2 s, {} before; delay median {:.2f} "
       "s, longest {:.2f} s; turn known to {:.4f} degrees (median), {:.4f} (worst)\n",
       degrees, count, missed, late, early, delays[delays.size() / 2], delays.back(),
       errors[errors.size() / 2], errors.back());
@@ -165,11 +166,11 @@ void measureQuiet(double minutes, int width) {
 } // namespace dewpoint::bench
 
 int main(int argc, char** argv) {
-  const int bumps = argc > 1 ? std::atoi(argv[1]) : 20;
+  const int motions = argc > 1 ? std::atoi(argv[1]) : 20;
   const double minutes = argc > 2 ? std::atof(argv[2]) : 4.0;
   const int width = argc > 3 ? std::atoi(argv[3]) : 0;
   for (const double degrees : {0.1, 0.5, 3.0}) {
-    dewpoint::bench::measureBumps(bumps, degrees, width);
+    dewpoint::bench::measureMotions(motions, degrees, width);
   }
   dewpoint::bench::measureQuiet(minutes, width);
   return 0;

@@ -27,7 +27,7 @@
 
 namespace dewpoint::tests {
 
-class ReachTest : public QObject, private test::WindowFixture {
+class KeyboardFocusTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
@@ -36,11 +36,11 @@ private Q_SLOTS:
   void tabStaysOutOfWhatLiesBehindAnotherTab();
   void thePaletteFindsViewsAndLanguages();
   void aNoticeMovesNothingAndGoes();
-  void anotherProjectOpensWhileASpanIsSelected();
+  void anotherProjectOpensWhileARangeIsSelected();
   void aRaisedViewComesToTheFrontBelowTheMessage();
 };
 
-void ReachTest::tabStaysOutOfWhatLiesBehindAnotherTab() {
+void KeyboardFocusTest::tabStaysOutOfWhatLiesBehindAnotherTab() {
   openDemo();
   auto* front = find<QDockWidget>("parameterDock");
   front->raise();
@@ -63,7 +63,7 @@ void ReachTest::tabStaysOutOfWhatLiesBehindAnotherTab() {
   QVERIFY(wasInFront);
 }
 
-void ReachTest::aRaisedViewComesToTheFrontBelowTheMessage() {
+void KeyboardFocusTest::aRaisedViewComesToTheFrontBelowTheMessage() {
   openDemo();
   auto* messages = window_->findChild<MessageBar*>();
   messages->showNotice(QStringLiteral("something to say"));
@@ -76,7 +76,7 @@ void ReachTest::aRaisedViewComesToTheFrontBelowTheMessage() {
 }
 
 /// The table asked the run that was gone already for the selected span.
-void ReachTest::anotherProjectOpensWhileASpanIsSelected() {
+void KeyboardFocusTest::anotherProjectOpensWhileARangeIsSelected() {
   openDemo();
   QVERIFY(waitFor([this] { return window_->shown()->frame >= 10; }));
   window_->selection().selectRange(SelectedRange{2, 5});
@@ -85,7 +85,7 @@ void ReachTest::anotherProjectOpensWhileASpanIsSelected() {
   QVERIFY(isOpen(2));
 }
 
-void ReachTest::thePaletteFindsViewsAndLanguages() {
+void KeyboardFocusTest::thePaletteFindsViewsAndLanguages() {
   openDemo();
   auto* history = find<QDockWidget>("historyDock");
   QVERIFY(!history->isVisible());
@@ -107,7 +107,7 @@ void ReachTest::thePaletteFindsViewsAndLanguages() {
   window_->setLanguage(QStringLiteral("en"));
 }
 
-void ReachTest::aNoticeMovesNothingAndGoes() {
+void KeyboardFocusTest::aNoticeMovesNothingAndGoes() {
   openDemo();
   Project project = window_->document().project();
   QVERIFY(saveProject(project, file("kept.toml").toStdString()));
@@ -129,7 +129,8 @@ void ReachTest::aNoticeMovesNothingAndGoes() {
 } // namespace dewpoint::tests
 
 int main(int argc, char** argv) {
-  return dewpoint::tests::test::runWindowTest<dewpoint::tests::ReachTest>(argc, argv, "reach");
+  using dewpoint::tests::KeyboardFocusTest;
+  return dewpoint::tests::test::runWindowTest<KeyboardFocusTest>(argc, argv, "keyboard_focus");
 }
 
-#include "reach_test.moc"
+#include "keyboard_focus_test.moc"
