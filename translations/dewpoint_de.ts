@@ -573,7 +573,7 @@
     </message>
 </context>
 <context>
-    <name>BoardWords</name>
+    <name>BoardText</name>
     <message>
         <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
         <translation>%1: rms %2, Brennweite %3, %4 Bilder; auf %5 bekannt</translation>
@@ -755,7 +755,7 @@
     </message>
 </context>
 <context>
-    <name>CalibrationWords</name>
+    <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
         <translation>Alles passt, wenn %1 und %2 vertauscht werden: wahrscheinlich sind ihre Videos verwechselt. Tauschen Sie die beiden Dateien.</translation>
@@ -2017,7 +2017,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
 </context>
 <context>
-    <name>Verdict</name>
+    <name>ColorText</name>
     <message>
         <source>at the top left</source>
         <translation>oben links</translation>

@@ -573,7 +573,7 @@
     </message>
 </context>
 <context>
-    <name>BoardWords</name>
+    <name>BoardText</name>
     <message>
         <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
         <translation>%1: rms %2, distancia focal %3, %4 imágenes; conocido con %5</translation>
@@ -755,7 +755,7 @@
     </message>
 </context>
 <context>
-    <name>CalibrationWords</name>
+    <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
         <translation>Todo encaja al intercambiar %1 y %2: probablemente sus vídeos están cambiados. Intercambie los dos archivos.</translation>
@@ -2017,7 +2017,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
 </context>
 <context>
-    <name>Verdict</name>
+    <name>ColorText</name>
     <message>
         <source>at the top left</source>
         <translation>arriba a la izquierda</translation>

@@ -573,7 +573,7 @@
     </message>
 </context>
 <context>
-    <name>BoardWords</name>
+    <name>BoardText</name>
     <message>
         <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
         <translation>%1: rms %2、焦点距離 %3、画像 %4 枚、精度 %5</translation>
@@ -755,7 +755,7 @@
     </message>
 </context>
 <context>
-    <name>CalibrationWords</name>
+    <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
         <translation>%1 と %2 を入れ替えるとすべて合います。動画が逆になっているようです。2つのファイルを入れ替えてください。</translation>
@@ -2017,7 +2017,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
 </context>
 <context>
-    <name>Verdict</name>
+    <name>ColorText</name>
     <message>
         <source>at the top left</source>
         <translation>左上</translation>

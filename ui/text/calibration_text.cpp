@@ -13,38 +13,45 @@
 namespace dewpoint::ui {
 namespace {
 
-class Words {
-  Q_DECLARE_TR_FUNCTIONS(CalibrationWords)
+class CalibrationText {
+  Q_DECLARE_TR_FUNCTIONS(CalibrationText)
 };
 
 QString cameraFault(const NamedFault& fault, const QString& first, const QString& second) {
   switch (fault.fault) {
   case CalibrationFault::CamerasSwapped:
-    return Words::tr("Everything fits when %1 and %2 are exchanged: their videos are likely "
-                     "swapped. Exchange the two files.")
+    return CalibrationText::tr(
+               "Everything fits when %1 and %2 are exchanged: their videos are likely "
+               "swapped. Exchange the two files.")
         .arg(first, second);
   case CalibrationFault::CameraLate:
     return (fault.value > 0.0
-                ? Words::tr("%1 fits when its video is shifted: it likely shows everything %2 "
-                            "frames late. Synchronize the videos, or let time offsets be found.")
-                : Words::tr("%1 fits when its video is shifted: it likely shows everything %2 "
-                            "frames early. Synchronize the videos, or let time offsets be found."))
+                ? CalibrationText::tr(
+                      "%1 fits when its video is shifted: it likely shows everything %2 "
+                      "frames late. Synchronize the videos, or let time offsets be found.")
+                : CalibrationText::tr(
+                      "%1 fits when its video is shifted: it likely shows everything %2 "
+                      "frames early. Synchronize the videos, or let time offsets be found."))
         .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
-    return Words::tr("%1 fits one place before %2 and another after: it was likely moved or "
-                     "bumped then. Calibrate with the part after it.")
+    return CalibrationText::tr(
+               "%1 fits one place before %2 and another after: it was likely moved or "
+               "bumped then. Calibrate with the part after it.")
         .arg(first, secondsText(fault.value, 1));
   case CalibrationFault::VideoFlipped:
-    return Words::tr("%1 fits only with flipped images: its video is likely mirrored or upside "
-                     "down. Set how its images are turned and mirrored.")
+    return CalibrationText::tr(
+               "%1 fits only with flipped images: its video is likely mirrored or upside "
+               "down. Set how its images are turned and mirrored.")
         .arg(first);
   case CalibrationFault::ZoomChanged:
-    return Words::tr("%1 fits with a focal length %2 times the given one: its zoom (or a crop) "
-                     "was likely changed. Calibrate its lens again.")
+    return CalibrationText::tr(
+               "%1 fits with a focal length %2 times the given one: its zoom (or a crop) "
+               "was likely changed. Calibrate its lens again.")
         .arg(first, ratioText(fault.value));
   default:
-    return Words::tr("The lens data of %1 are likely for another resolution: its images are %2 "
-                     "times as large. Convert them, or record at the calibrated size.")
+    return CalibrationText::tr(
+               "The lens data of %1 are likely for another resolution: its images are %2 "
+               "times as large. Convert them, or record at the calibrated size.")
         .arg(first, ratioText(fault.value));
   }
 }
@@ -52,44 +59,51 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
 } // namespace
 
 QString accuracyText(const CalibrationAccuracy& accuracy) {
-  QString text = Words::tr("In this volume ±%1 (95 %)")
+  QString text = CalibrationText::tr("In this volume ±%1 (95 %)")
                      .arg(lengthText(accuracy.position95, LengthForm::TwoDigits));
-  text += accuracy.scale95 ? Words::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
-                           : Words::tr(", scale unknown");
-  text += accuracy.up95 ? Words::tr(", up ±%1").arg(angleAccuracyText(*accuracy.up95))
-                        : Words::tr(", up not measured");
+  text += accuracy.scale95
+              ? CalibrationText::tr(", scale ±%1 %").arg(percentAccuracyText(*accuracy.scale95))
+              : CalibrationText::tr(", scale unknown");
+  text += accuracy.up95 ? CalibrationText::tr(", up ±%1").arg(angleAccuracyText(*accuracy.up95))
+                        : CalibrationText::tr(", up not measured");
   return text + QStringLiteral(".");
 }
 
 QString faultText(const NamedFault& fault, const QStringList& cameraNames) {
   const auto name = [&](std::size_t k) {
     return k < fault.cameras.size() ? cameraNames.value(static_cast<qsizetype>(fault.cameras[k]))
-                                    : Words::tr("all cameras");
+                                    : CalibrationText::tr("all cameras");
   };
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
-    return Words::tr("The cameras would all look at the back of the board or floor: its points "
-                     "are likely mirrored. Check the direction of its axes, and that the print is "
-                     "not reversed.");
+    return CalibrationText::tr(
+        "The cameras would all look at the back of the board or floor: its points "
+        "are likely mirrored. Check the direction of its axes, and that the print is "
+        "not reversed.");
   case CalibrationFault::MillimetersMixed:
-    return Words::tr("The given length is %1 times what the cameras see: millimeters and meters "
-                     "are likely mixed up.")
+    return CalibrationText::tr(
+               "The given length is %1 times what the cameras see: millimeters and meters "
+               "are likely mixed up.")
         .arg(ratioText(fault.value));
   case CalibrationFault::InchesMixed:
-    return Words::tr("The given length is %1 times what the cameras see: it is likely in inches "
-                     "(1 inch = 2.54 cm).")
+    return CalibrationText::tr(
+               "The given length is %1 times what the cameras see: it is likely in inches "
+               "(1 inch = 2.54 cm).")
         .arg(ratioText(fault.value));
   case CalibrationFault::WrongSquareCount:
-    return Words::tr("The corners form a board with %1 in a row: the number of squares is likely "
-                     "wrong. Count them and correct the board.")
+    return CalibrationText::tr(
+               "The corners form a board with %1 in a row: the number of squares is likely "
+               "wrong. Count them and correct the board.")
         .arg(numberText(fault.value, 0));
   case CalibrationFault::WrongSquareSize:
-    return Words::tr("The board's squares are given %1 times as large as the cameras see them: "
-                     "measure a row with a ruler (prints are often rescaled).")
+    return CalibrationText::tr(
+               "The board's squares are given %1 times as large as the cameras see them: "
+               "measure a row with a ruler (prints are often rescaled).")
         .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
-    return Words::tr("The images fit when shifted by %1 along both axes: a program likely "
-                     "counts pixels from their corners. Convert the principal points.")
+    return CalibrationText::tr(
+               "The images fit when shifted by %1 along both axes: a program likely "
+               "counts pixels from their corners. Convert the principal points.")
         .arg(pixelText(fault.value));
   default:
     return cameraFault(fault, name(0), name(1));

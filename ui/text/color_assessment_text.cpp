@@ -10,51 +10,56 @@ namespace dewpoint::ui {
 
 namespace {
 
-class Words {
-  Q_DECLARE_TR_FUNCTIONS(Verdict)
+class ColorText {
+  Q_DECLARE_TR_FUNCTIONS(ColorText)
 };
 
 /// Where in the image: nine whole phrases, because languages put them together differently.
 QString placeName(HorizontalThird horizontal, VerticalThird vertical) {
   static constexpr const char* kPlaces[3][3] = {
-      {QT_TRANSLATE_NOOP("Verdict", "at the top left"), QT_TRANSLATE_NOOP("Verdict", "at the top"),
-       QT_TRANSLATE_NOOP("Verdict", "at the top right")},
-      {QT_TRANSLATE_NOOP("Verdict", "at the left"), QT_TRANSLATE_NOOP("Verdict", "in the middle"),
-       QT_TRANSLATE_NOOP("Verdict", "at the right")},
-      {QT_TRANSLATE_NOOP("Verdict", "at the bottom left"),
-       QT_TRANSLATE_NOOP("Verdict", "at the bottom"),
-       QT_TRANSLATE_NOOP("Verdict", "at the bottom right")}};
-  return Words::tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
+      {QT_TRANSLATE_NOOP("ColorText", "at the top left"),
+       QT_TRANSLATE_NOOP("ColorText", "at the top"),
+       QT_TRANSLATE_NOOP("ColorText", "at the top right")},
+      {QT_TRANSLATE_NOOP("ColorText", "at the left"),
+       QT_TRANSLATE_NOOP("ColorText", "in the middle"),
+       QT_TRANSLATE_NOOP("ColorText", "at the right")},
+      {QT_TRANSLATE_NOOP("ColorText", "at the bottom left"),
+       QT_TRANSLATE_NOOP("ColorText", "at the bottom"),
+       QT_TRANSLATE_NOOP("ColorText", "at the bottom right")}};
+  return ColorText::tr(kPlaces[static_cast<int>(vertical)][static_cast<int>(horizontal)]);
 }
 
 QString separationSentence(int score) {
-  const char* text = score >= 90   ? QT_TRANSLATE_NOOP("Verdict", "Stands out well: %1 of 100.")
-                     : score >= 70 ? QT_TRANSLATE_NOOP("Verdict", "Stands out: %1 of 100.")
-                     : score >= 40 ? QT_TRANSLATE_NOOP("Verdict", "Hard to tell apart: %1 of 100.")
-                                   : QT_TRANSLATE_NOOP("Verdict", "Hardly stands out: %1 of 100.");
-  return Words::tr(text).arg(score);
+  const char* text = score >= 90   ? QT_TRANSLATE_NOOP("ColorText", "Stands out well: %1 of 100.")
+                     : score >= 70 ? QT_TRANSLATE_NOOP("ColorText", "Stands out: %1 of 100.")
+                     : score >= 40
+                         ? QT_TRANSLATE_NOOP("ColorText", "Hard to tell apart: %1 of 100.")
+                         : QT_TRANSLATE_NOOP("ColorText", "Hardly stands out: %1 of 100.");
+  return ColorText::tr(text).arg(score);
 }
 
 QString suggestionSentence(Suggestion suggestion) {
   switch (suggestion) {
   case Suggestion::AddSamples:
-    return Words::tr("Much of the target does not match: Shift-click its light and its dark side.");
+    return ColorText::tr(
+        "Much of the target does not match: Shift-click its light and its dark side.");
   case Suggestion::ExcludeDistractor:
-    return Words::tr("Alt-click what matches too: it can be told apart.");
+    return ColorText::tr("Alt-click what matches too: it can be told apart.");
   case Suggestion::RemoveDistractor:
-    return Words::tr("Cover what has the same color, or take it out of view.");
+    return ColorText::tr("Cover what has the same color, or take it out of view.");
   case Suggestion::MoreLight:
-    return Words::tr("The target is nearly black here: more light would help.");
+    return ColorText::tr("The target is nearly black here: more light would help.");
   case Suggestion::LessExposure:
-    return Words::tr("The target is nearly white here: a shorter exposure would help.");
+    return ColorText::tr("The target is nearly white here: a shorter exposure would help.");
   case Suggestion::UseStrongerColor:
-    return Words::tr("The target is nearly gray: a stronger color would help.");
+    return ColorText::tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
-    return Words::tr("Several things have this color: another one would help.");
+    return ColorText::tr("Several things have this color: another one would help.");
   case Suggestion::ClickObjectItself:
-    return Words::tr("This fills much of the image: click the thing itself, or drag a box on it.");
+    return ColorText::tr(
+        "This fills much of the image: click the thing itself, or drag a box on it.");
   case Suggestion::ClickMore:
-    return Words::tr("Only a speck was clicked: drag a box on the whole thing.");
+    return ColorText::tr("Only a speck was clicked: drag a box on the whole thing.");
   case Suggestion::None:
     break;
   }
@@ -65,14 +70,15 @@ QString suggestionSentence(Suggestion suggestion) {
 QString sharesSentence(const ColorAssessment& assessment) {
   const QString background = percentText(assessment.backgroundShare, 2);
   if (!assessment.missesTarget()) {
-    return Words::tr("%1 % of the background matches too.").arg(background);
+    return ColorText::tr("%1 % of the background matches too.").arg(background);
   }
-  const QString few = Words::tr("Only %1 % of the target and %2 % of the background match.")
+  const QString few = ColorText::tr("Only %1 % of the target and %2 % of the background match.")
                           .arg(percentText(assessment.targetShare, 0), background);
   const double whole = assessment.backgroundShareOfWhole.value_or(0.0);
   return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
-                   Words::tr("A range for all of the target would match %1 % of the background.")
+                   ColorText::tr(
+                       "A range for all of the target would match %1 % of the background.")
                        .arg(percentText(whole, 2))
              : few;
 }
@@ -81,30 +87,31 @@ QString sharesSentence(const ColorAssessment& assessment) {
 
 QString colorName(ColorWord color) {
   static constexpr const char* kNames[] = {
-      QT_TRANSLATE_NOOP("Verdict", "black"),     QT_TRANSLATE_NOOP("Verdict", "gray"),
-      QT_TRANSLATE_NOOP("Verdict", "white"),     QT_TRANSLATE_NOOP("Verdict", "brown"),
-      QT_TRANSLATE_NOOP("Verdict", "red"),       QT_TRANSLATE_NOOP("Verdict", "orange"),
-      QT_TRANSLATE_NOOP("Verdict", "yellow"),    QT_TRANSLATE_NOOP("Verdict", "green"),
-      QT_TRANSLATE_NOOP("Verdict", "turquoise"), QT_TRANSLATE_NOOP("Verdict", "blue"),
-      QT_TRANSLATE_NOOP("Verdict", "purple"),    QT_TRANSLATE_NOOP("Verdict", "pink")};
-  return Words::tr(kNames[static_cast<int>(color)]);
+      QT_TRANSLATE_NOOP("ColorText", "black"),     QT_TRANSLATE_NOOP("ColorText", "gray"),
+      QT_TRANSLATE_NOOP("ColorText", "white"),     QT_TRANSLATE_NOOP("ColorText", "brown"),
+      QT_TRANSLATE_NOOP("ColorText", "red"),       QT_TRANSLATE_NOOP("ColorText", "orange"),
+      QT_TRANSLATE_NOOP("ColorText", "yellow"),    QT_TRANSLATE_NOOP("ColorText", "green"),
+      QT_TRANSLATE_NOOP("ColorText", "turquoise"), QT_TRANSLATE_NOOP("ColorText", "blue"),
+      QT_TRANSLATE_NOOP("ColorText", "purple"),    QT_TRANSLATE_NOOP("ColorText", "pink")};
+  return ColorText::tr(kNames[static_cast<int>(color)]);
 }
 
 QString colorAssessmentText(const ColorAssessment& assessment,
                             const std::vector<QString>& cameras) {
   if (!assessment.targetKnown) {
-    return Words::tr(
+    return ColorText::tr(
                "%1 % of the images match. Shift-click the target to learn how well it stands out.")
         .arg(percentText(assessment.backgroundShare, 2));
   }
   QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
   if (assessment.sampleLeftOut) {
-    sentences << Words::tr("One sample does not go with the others: no single range holds both.");
+    sentences << ColorText::tr(
+        "One sample does not go with the others: no single range holds both.");
   }
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
-    sentences << Words::tr("Something %1 %2 of %3 matches too.")
+    sentences << ColorText::tr("Something %1 %2 of %3 matches too.")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
                           camera < cameras.size() ? cameras[camera] : QString());
   }

@@ -14,32 +14,33 @@
 namespace dewpoint::ui {
 namespace {
 
-class Words {
-  Q_DECLARE_TR_FUNCTIONS(BoardWords)
+class BoardText {
+  Q_DECLARE_TR_FUNCTIONS(BoardText)
 };
 
 constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warning
 
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
-  QString line = Words::tr("%1: rms %2, focal length %3, %4 pictures; known to %5")
+  QString line = BoardText::tr("%1: rms %2, focal length %3, %4 pictures; known to %5")
                      .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
                           QString::number(used), pixelText(lens.worstProjectionPx, 2));
   if (lens.worstProjectionPx > kPoorlyKnownPx) {
-    line += QStringLiteral("\n⚠ ") + Words::tr("Corners in only %1 % of its image: show the board "
+    line +=
+        QStringLiteral("\n⚠ ") + BoardText::tr("Corners in only %1 % of its image: show the board "
                                                "in all of it, also tilted.")
-                                         .arg(percentText(lens.coverage.imagePart()));
+                                     .arg(percentText(lens.coverage.imagePart()));
   }
   return line;
 }
 
 QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.views.empty()) {
-    return Words::tr("%1 keeps its place: it never saw the board.").arg(name);
+    return BoardText::tr("%1 keeps its place: it never saw the board.").arg(name);
   }
-  QString line = Words::tr("%1: rms %2").arg(name, pixelText(fit.rmsPx, 3));
+  QString line = BoardText::tr("%1: rms %2").arg(name, pixelText(fit.rmsPx, 3));
   if (fit.centerSigma > 0.0) {
-    line += Words::tr(", place ±%1, direction ±%2")
+    line += BoardText::tr(", place ±%1, direction ±%2")
                 .arg(lengthText(fit.centerSigma, LengthScale::Millimeters, 2),
                      angleText(fit.turnSigma, 3));
   }
@@ -48,14 +49,14 @@ QString placeLine(const QString& name, const CameraFit& fit) {
 
 void addLenses(const BoardCalibrator& calibrator, const LensesFromBoards& lenses,
                QStringList& lines) {
-  lines << Words::tr("Lenses");
+  lines << BoardText::tr("Lenses");
   std::size_t kept = 0;
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
       lines << lensLine(calibrator.nameOf(k), *lenses.cameras[k]);
     } else {
       lines << QStringLiteral("⚠ ") +
-                   Words::tr("%1 keeps its lens: %2")
+                   BoardText::tr("%1 keeps its lens: %2")
                        .arg(calibrator.nameOf(k),
                             QString::fromStdString(lenses.kept.at(kept++).detail));
     }
@@ -67,7 +68,7 @@ void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places
   if (!lines.isEmpty()) {
     lines << QString();
   }
-  lines << Words::tr("Places: rms %1 over %2 positions of the board")
+  lines << BoardText::tr("Places: rms %1 over %2 positions of the board")
                .arg(pixelText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
     lines << placeLine(calibrator.nameOf(k), places.fits[k]);
@@ -86,93 +87,93 @@ QString regionText(int region) {
   const int column = region % BoardCoverage::kColumns / 2;    // left, middle, right
   const int row = (region / BoardCoverage::kColumns + 1) / 2; // top, middle, bottom
   const QString names[3][3] = {
-      {Words::tr("upper left"), Words::tr("top"), Words::tr("upper right")},
-      {Words::tr("left"), Words::tr("middle"), Words::tr("right")},
-      {Words::tr("lower left"), Words::tr("bottom"), Words::tr("lower right")}};
+      {BoardText::tr("upper left"), BoardText::tr("top"), BoardText::tr("upper right")},
+      {BoardText::tr("left"), BoardText::tr("middle"), BoardText::tr("right")},
+      {BoardText::tr("lower left"), BoardText::tr("bottom"), BoardText::tr("lower right")}};
   return names[std::clamp(row, 0, 2)][std::clamp(column, 0, 2)];
 }
 
 QString tiltText(BoardTilt tilt) {
   switch (tilt) {
   case BoardTilt::LeftNear:
-    return Words::tr("its left side nearer");
+    return BoardText::tr("its left side nearer");
   case BoardTilt::RightNear:
-    return Words::tr("its right side nearer");
+    return BoardText::tr("its right side nearer");
   case BoardTilt::TopNear:
-    return Words::tr("its upper side nearer");
+    return BoardText::tr("its upper side nearer");
   case BoardTilt::BottomNear:
-    return Words::tr("its lower side nearer");
+    return BoardText::tr("its lower side nearer");
   case BoardTilt::Flat:
     break;
   }
-  return Words::tr("facing the camera");
+  return BoardText::tr("facing the camera");
 }
 
 QString adviceText(const BoardGuideState::PerCamera& camera) {
   if (camera.width == 0) {
-    return Words::tr("No image yet");
+    return BoardText::tr("No image yet");
   }
   switch (camera.lens.advice) {
   case GuidanceAdvice::ShowBoard:
-    return Words::tr("Show it the whole board");
+    return BoardText::tr("Show it the whole board");
   case GuidanceAdvice::MoveTo:
-    return Words::tr("Move the board to: %1").arg(regionText(camera.lens.region));
+    return BoardText::tr("Move the board to: %1").arg(regionText(camera.lens.region));
   case GuidanceAdvice::TiltTo:
-    return Words::tr("Tilt it, %1").arg(tiltText(camera.lens.tilt));
+    return BoardText::tr("Tilt it, %1").arg(tiltText(camera.lens.tilt));
   case GuidanceAdvice::ComeNearer:
-    return Words::tr("Come nearer with the board");
+    return BoardText::tr("Come nearer with the board");
   case GuidanceAdvice::HoldStill:
-    return Words::tr("Hold it still");
+    return BoardText::tr("Hold it still");
   case GuidanceAdvice::Sharpen:
-    return Words::tr("The image is soft: focus, or more light");
+    return BoardText::tr("The image is soft: focus, or more light");
   case GuidanceAdvice::Finished:
     break;
   }
-  return Words::tr("✓ Done");
+  return BoardText::tr("✓ Done");
 }
 
 QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.showTo < 0 || state.andTo < 0) {
-    return Words::tr("✓ All cameras have seen enough together");
+    return BoardText::tr("✓ All cameras have seen enough together");
   }
-  return Words::tr("Show the board to %1 and %2 at once, hold it still, then elsewhere")
+  return BoardText::tr("Show the board to %1 and %2 at once, hold it still, then elsewhere")
       .arg(calibrator.nameOf(static_cast<std::size_t>(state.showTo)),
            calibrator.nameOf(static_cast<std::size_t>(state.andTo)));
 }
 
 QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
   if (!camera.seen) {
-    return Words::tr("no board in sight");
+    return BoardText::tr("no board in sight");
   }
   const QString edges = pixelText(camera.seen->edgeWidthPx);
   return camera.seen->edgeWidthPx > settings.softEdgePart * camera.width
-             ? Words::tr("⚠ soft, edges of %1").arg(edges)
-             : Words::tr("sharp, edges of %1").arg(edges);
+             ? BoardText::tr("⚠ soft, edges of %1").arg(edges)
+             : BoardText::tr("sharp, edges of %1").arg(edges);
 }
 
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings) {
   if (!camera.lens.projectionPx) {
-    return Words::tr("%1 of at least %2 views")
+    return BoardText::tr("%1 of at least %2 views")
         .arg(QString::number(camera.lens.views), QString::number(settings.leastViews));
   }
-  return Words::tr("%1 views, known to %2 (wanted: %3)")
+  return BoardText::tr("%1 views, known to %2 (wanted: %3)")
       .arg(QString::number(camera.lens.views), pixelText(*camera.lens.projectionPx, 2),
            pixelText(settings.requestedProjectionPx, 2));
 }
 
 QString visibilityText(const BoardGuideState::PerCamera& camera) {
-  return camera.width == 0 ? Words::tr("No image yet")
-         : camera.seen     ? Words::tr("● sees the board")
-                           : Words::tr("○ does not see the board");
+  return camera.width == 0 ? BoardText::tr("No image yet")
+         : camera.seen     ? BoardText::tr("● sees the board")
+                           : BoardText::tr("○ does not see the board");
 }
 
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {
   const QString views = QString::number(camera.pairViews);
   return camera.positionSigma
-             ? Words::tr("%1 views, place known to %2")
+             ? BoardText::tr("%1 views, place known to %2")
                    .arg(views, lengthText(*camera.positionSigma, LengthScale::Millimeters, 2))
-             : Words::tr("%1 views with others").arg(views);
+             : BoardText::tr("%1 views with others").arg(views);
 }
 
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
@@ -181,15 +182,15 @@ QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outco
     addLenses(calibrator, *outcome.lenses, lines);
   }
   if (outcome.extrinsicsError) {
-    lines << QStringLiteral("⚠ ") + Words::tr("The places were not found: %1")
+    lines << QStringLiteral("⚠ ") + BoardText::tr("The places were not found: %1")
                                         .arg(errorSentence(*outcome.extrinsicsError));
   }
   if (outcome.extrinsics) {
     addPlaces(calibrator, *outcome.extrinsics, lines);
     lines << (outcome.accuracy
                   ? accuracyText(*outcome.accuracy)
-                  : Words::tr("How good it is cannot be said: too few places were seen "
-                              "by two cameras."));
+                  : BoardText::tr("How good it is cannot be said: too few places were seen "
+                                  "by two cameras."));
     QStringList names;
     for (std::size_t k = 0; k < outcome.extrinsics->cameras.size(); ++k) {
       names << calibrator.nameOf(k);

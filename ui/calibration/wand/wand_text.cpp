@@ -6,7 +6,7 @@
 namespace dewpoint::ui {
 namespace {
 
-class Words {
+class WandText {
   Q_DECLARE_TR_FUNCTIONS(WandSettings)
 };
 
@@ -15,17 +15,17 @@ class Words {
 QString touchText(TouchRole role) {
   switch (role) {
   case TouchRole::Floor:
-    return Words::tr("touches the floor");
+    return WandText::tr("touches the floor");
   case TouchRole::DistanceFrom:
-    return Words::tr("is at the first end of the distance");
+    return WandText::tr("is at the first end of the distance");
   case TouchRole::DistanceTo:
-    return Words::tr("is at the second end of the distance");
+    return WandText::tr("is at the second end of the distance");
   case TouchRole::FallBegins:
-    return Words::tr("begins to fall");
+    return WandText::tr("begins to fall");
   case TouchRole::FallEnds:
     break;
   }
-  return Words::tr("still falls");
+  return WandText::tr("still falls");
 }
 
 QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
@@ -34,19 +34,22 @@ QString validationMessage(const WandSettings& settings, const std::vector<Touche
   case WandObstacle::None:
     break;
   case WandObstacle::TooFewCameras:
-    return Words::tr("Two cameras or more must see the ball.");
+    return WandText::tr("Two cameras or more must see the ball.");
   case WandObstacle::NoBall:
-    return Words::tr("Learn the color of the ball first: press L and click it in an image.");
+    return WandText::tr("Learn the color of the ball first: press L and click it in an image.");
   case WandObstacle::NoSecondBall:
-    return Words::tr("A stick has two balls of different colors: learn the second one (Shift+L).");
+    return WandText::tr(
+        "A stick has two balls of different colors: learn the second one (Shift+L).");
   case WandObstacle::SameBallTwice:
-    return Words::tr("The two ends of the stick are the same target: choose another.");
+    return WandText::tr("The two ends of the stick are the same target: choose another.");
   case WandObstacle::DistanceNotTaken:
-    return Words::tr("The size is to come from a distance: take the moments at which the ball is "
-                     "at its two ends.");
+    return WandText::tr(
+        "The size is to come from a distance: take the moments at which the ball is "
+        "at its two ends.");
   case WandObstacle::HalfAFall:
-    return Words::tr("A fall needs two moments: one at which the ball begins to fall, and one at "
-                     "which it still falls.");
+    return WandText::tr(
+        "A fall needs two moments: one at which the ball begins to fall, and one at "
+        "which it still falls.");
   }
   return {};
 }
