@@ -22,12 +22,12 @@ struct ActionDeclaration {
   const char* text;           ///< "Play"
   const char* hint;           ///< one sentence for the tooltip
   const char* icon = nullptr; ///< of resources/icons
-  QKeySequence shortcut = {}; ///< unless the person chose another
+  QKeySequence shortcut = {}; ///< unless the user chose another
   bool checkable = false;
 };
 
 /// All actions of the window: menus, toolbar, shortcuts, tooltips and the command palette come from
-/// here. Shortcuts can be changed and are kept in the person's preferences. What an action does is
+/// here. Shortcuts can be changed and are kept in the user's preferences. What an action does is
 /// connected by the window.
 class ActionRegistry : public QObject {
   Q_OBJECT
@@ -39,7 +39,7 @@ public:
   /// The action with this id; null as long as it was not added.
   QAction* action(ActionId id) const { return byId_[id.index()]; }
   std::vector<QAction*> all() const;
-  /// Heading under which an action is listed, in the person's language.
+  /// Heading under which an action is listed, in the user's language.
   QString groupOf(const QAction* action) const;
   QString hintOf(const QAction* action) const;
 

@@ -32,7 +32,7 @@ public:
     QIcon icon = {};
     std::function<void()> run;
   };
-  /// What can be done besides the actions, asked for each time the palette opens.
+  /// What can be done besides the actions, requested each time the palette opens.
   void setMore(std::function<std::vector<Entry>()> more) { more_ = std::move(more); }
 
   /// Opens over the top of the window, with an empty search.

@@ -22,7 +22,7 @@ class CalibrationDock : public QWidget {
 public:
   explicit CalibrationDock(QWidget* parent = nullptr);
 
-  /// Adds a page as a tab, in a scroll area; `title` is asked again when the language changes. The
+  /// Adds a page as a tab, in a scroll area; `title` is called again when the language changes. The
   /// page's objectName tells it from others.
   void addPage(QWidget* page, const std::function<QString()>& title);
   /// Shows the page with this objectName.

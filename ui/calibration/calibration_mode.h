@@ -21,7 +21,7 @@ public:
   explicit CalibrationMode(const Workbench& bench);
 
   ManualCalibration& hand() const { return *hand_; }
-  /// `title` is asked again when the language changes; the page's objectName tells it from others.
+  /// `title` is called again when the language changes; the page's objectName tells it from others.
   void addPage(QWidget* page, const std::function<QString()>& title);
   /// Begins the mode with the page of this objectName.
   void open(const QString& page);

@@ -80,7 +80,7 @@ public:
   void setKeyMode(KeyMode mode);
   NudgeFrame nudgeFrame() const { return frame_; }
   void setNudgeFrame(NudgeFrame frame);
-  /// One step along (or about) axis 0, 1 or 2 (right, forward and up of the person who looks
+  /// One step along (or about) axis 0, 1 or 2 (right, forward and up as seen
   /// through the camera, or the world's x, y, z), times `factor`. `repeated`: the key is still
   /// down, the step grows.
   void nudge(int axis, double factor, bool repeated);
@@ -101,7 +101,7 @@ Q_SIGNALS:
   void activeChanged(bool active);
   /// Settings (drag, keys) changed.
   void settingsChanged();
-  /// What a person should know: why a drag goes no further. Empty: nothing any more.
+  /// What the user should know: why a drag goes no further. Empty: nothing any more.
   void remark(const QString& sentence);
 
 private:

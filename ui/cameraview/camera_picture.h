@@ -28,7 +28,7 @@ struct PictureSource {
   int camera = 0;
   FramePtr frame;          ///< null: there is no picture
   cv::Mat mask;            ///< as TrackSnapshot::masks; of another size than the image: none
-  bool isOfMotion = false; ///< the mask marks what moves, not targets
+  bool isOfMotion = false; ///< the mask shows what moves, not targets
   QSize size;              ///< device pixels
   TrackSnapshotPtr maps;   ///< whose likelihood maps are drawn; null: none are
 

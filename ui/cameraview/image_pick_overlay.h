@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// Lies over a camera view: lets a person point at objects in its image, and outlines regions of
+/// Lies over a camera view: lets the user point at objects in its image, and outlines regions of
 /// it. By keys: while it has the focus and picks, the arrows move a cross (Ctrl: one pixel at a
 /// time), Enter points there; with Shift or Alt as with a click.
 class ImagePickOverlay : public QWidget {

@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 class CameraListModel;
 
-/// The mouse and the keys in all camera images: a click or a dragged box is for whoever asked for
-/// one, and otherwise selects.
+/// The mouse and the keys in all camera images: a click or a dragged box goes to the tool that
+/// requested one, and otherwise selects.
 class ImagePickTool : public QObject {
   Q_OBJECT
 public:

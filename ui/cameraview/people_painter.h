@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                  const ImagePlacement& placement, const QRectF& room, int chosen);
 
-/// What keeps a camera from looking for people, at the lower edge of its image, with a bar while it
+/// What keeps a camera from detecting people, at the lower edge of its image, with a bar while it
 /// learns; nothing is drawn when nothing does.
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                         const QRectF& room);

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Gives a target its box, from where a person points, for the methods that follow boxes: a dragged
+/// Gives a target its box, from where the user points, for the methods that follow boxes: a dragged
 /// one as it is, for a click the box around what stands out there (boxFromClick(), in a thread).
 /// What comes out is an undoable step of the document.
 class BoxPicker : public QObject {

@@ -28,11 +28,11 @@ class Document;
 class ImagePickTool;
 
 /// The color of the chosen target: picker, samples it was learned from, and what to expect of it.
-/// Methods that follow boxes have a box of the target pointed at in place of a color.
+/// With methods that follow boxes, a click gives the target a box instead of a color.
 class ColorPanel : public QWidget {
   Q_OBJECT
 public:
-  /// `pick`: where the color is pointed at.
+  /// `pick`: gives the clicks in the images.
   ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
@@ -43,7 +43,7 @@ public:
   /// Whether the panel can be seen: only then colors are assessed.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
-  /// Whether a click gives the target a box in place of a color.
+  /// Whether a click gives the target a box instead of a color.
   bool takesBoxes() const;
 
 Q_SIGNALS:
@@ -56,7 +56,7 @@ private:
   void retranslateUi();
   void refresh();
   void connectLearner();
-  /// Whether a plain click is expected although nobody asked for it: there is nothing to follow.
+  /// Whether a plain click is expected although the button is off: there is nothing to follow.
   bool mustPoint() const;
   void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);

@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 class HueRing;
 class RangeBar;
 
-/// A color range to be looked at and changed: by hand on ring and bars, exactly by numbers.
+/// Shows and changes a color range: by hand on ring and bars, exactly by numbers.
 class ColorPicker : public QWidget {
   Q_OBJECT
 public:

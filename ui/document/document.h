@@ -41,7 +41,7 @@ public:
   /// Of the project's method.
   MethodFamily methodFamily() const;
   QUndoStack* undoStack() const { return undoStack_; }
-  /// Another project takes the place of this one; the history starts from scratch. `unsaved`: the
+  /// Replaces the project by another one; the history starts from scratch. `unsaved`: the
   /// project is in no file as it is (recovered, or just made).
   void replace(Project project, bool unsaved = false);
   /// Whether there is something that is in no file.

@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// One step of the history: a state of the project takes the place of another. States are
+/// One step of the history: a state of the project replaces another. States are
 /// immutable and shared between neighboring steps.
 class EditCommand : public QUndoCommand {
 public:

@@ -13,7 +13,7 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 /// What the window does for a method, beyond what its family answers (tracking::MethodFamily): one
-/// row for each kind of targets, and the only place of the window that asks for the kind.
+/// row for each kind of targets, and the only part of the window that asks for the kind.
 struct MethodPresentation {
   bool takesBoxes = false;   ///< a click or a drag in an image gives a target its box, else a color
   bool showsBoxes = false;   ///< plots, table and export have boxes in images, else positions

@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Keeps a copy of unsaved work beside the person's data, so that a crash costs two seconds at
+/// Keeps a copy of unsaved work beside the user's data, so that a crash costs two seconds at
 /// most: every change is on the disk that much later, written beside, flushed and renamed. The copy
 /// goes when the work is saved or given up. All this is done in order beside the window, which
 /// never waits for the disk.

@@ -55,7 +55,7 @@ private:
   QPushButton* close_;
   QPushButton* export_;
   QLabel* question_;
-  bool mayReplace_ = false; ///< was asked, and nothing changed since
+  bool mayReplace_ = false; ///< the question was shown, and nothing changed since
 };
 
 } // namespace dewpoint::ui

@@ -22,8 +22,8 @@ namespace dewpoint::ui {
 
 class ExportForm;
 
-/// Exports the trajectory: what, how, and what the file will look like. Not modal: tracking goes
-/// on, and the preview follows it. Exports run in the background; signals report the result.
+/// Exports the trajectory: what, how, and a preview of the file. Not modal: tracking goes on, and
+/// the preview follows it. Exports run in the background; signals report the result.
 class ExportDialog : public QDialog {
   Q_OBJECT
 public:
@@ -57,9 +57,9 @@ private:
   void formatChanged();
   void askFile();
   void start();
-  /// Asks before files are replaced; any change takes the question back. Whether they are there is
-  /// found out by the export itself, beside the window; what changed before that is known leaves
-  /// nothing to ask, and it is reported that nothing was written.
+  /// Asks before files are replaced; any change withdraws the question. The export itself finds out
+  /// in its thread whether they are there; if something changed before that is known, nothing is
+  /// asked, and it is reported that nothing was written.
   void askToReplace(const QString& file);
   void forgetQuestion();
   /// The run goes on: so does the preview.
@@ -92,7 +92,7 @@ private:
   QPushButton* close_;
   bool running_ = false;
   bool previewing_ = false;
-  bool mayReplace_ = false; ///< was asked, and nothing changed since
+  bool mayReplace_ = false; ///< the question was shown, and nothing changed since
   int questions_ = 0;       ///< grows with every change that takes a question back
   int startedAt_ = 0;       ///< questions_ when the export under way began
 };

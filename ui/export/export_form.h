@@ -54,7 +54,7 @@ private:
   QComboBox* axes_;
   QComboBox* unit_;
   QCheckBox* header_;
-  std::pair<double, double> given_; ///< the span that was proposed
+  std::pair<double, double> given_; ///< the range that was proposed
 };
 
 } // namespace dewpoint::ui

@@ -9,7 +9,7 @@ class Timeline;
 struct Workbench;
 
 /// Adds the export of the run: of its trajectory, or of its boxes when the method follows those.
-/// The timeline knows when the selected span was.
+/// The timeline knows the times of the selected range.
 void installExport(const Workbench& bench, const Timeline& timeline);
 
 } // namespace dewpoint::ui

@@ -13,7 +13,7 @@ struct ExportPreview;
 
 namespace dewpoint::ui {
 
-/// Name of a format in the person's language.
+/// Name of a format in the user's language.
 QString exportFormatName(std::string_view id);
 /// "Lengths in mm, times in s. Y points up: ..."
 QString exportUnitsText(const ExportPreview& preview);

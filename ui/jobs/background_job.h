@@ -12,7 +12,7 @@
 namespace dewpoint::ui {
 
 /// One long calculation at a time in a thread of its own, beside a window that stays live. Nobody
-/// waits for the thread, the destructor neither: it only takes the wish back.
+/// waits for the thread, nor does the destructor: it only cancels.
 class BackgroundJob : public QObject {
   Q_OBJECT
 public:

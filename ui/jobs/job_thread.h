@@ -14,7 +14,7 @@
 namespace dewpoint::ui {
 
 /// Runs `work` in a thread that nobody joins. It must hold everything it uses: the window, and
-/// whoever asked for it, may be gone before it ends. Must not throw.
+/// the object that started it, may be gone before it ends. Must not throw.
 void runDetached(std::function<void()> work);
 
 /// Deletes an object in a thread of runDetached(): for one whose destructor waits, for a thread of

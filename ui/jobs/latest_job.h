@@ -10,8 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// A job of which only the newest order counts: while one is worked on, the last of those that were
-/// asked for waits, and the others are never begun.
+/// A job of which only the newest order counts: while one is worked on, the last of the later
+/// orders waits, and the others are never begun.
 class LatestJob : public QObject {
   Q_OBJECT
 public:

@@ -19,7 +19,7 @@ class CameraMotionAlerts : public QObject {
 public:
   explicit CameraMotionAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// The moment shown; null: the run is over, and what was reported counts no more.
+  /// The frame shown; null: the run is over, and what was reported counts no more.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:

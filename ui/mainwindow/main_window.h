@@ -61,8 +61,8 @@ public:
 
   /// Writes what the run leaves so far (RunRecord) into a folder, beside the window; one after the
   /// other, and also when the window closes meanwhile. What failed is shown in the window.
-  /// `written` is told whether it went well, in the thread that writes; false at once when nothing
-  /// is open.
+  /// `written` is called with whether it succeeded, in the thread that writes; with false at once
+  /// when nothing is open.
   void saveRun(const std::filesystem::path& folder, std::function<void(bool)> written = {});
 
   Document& document() { return *document_; }

@@ -26,7 +26,7 @@ class RecoveryOffer;
 class StartPage;
 
 /// How work begins and ends: the pages in the center of the window, opening, saving and closing
-/// projects, recent ones, dropped files, and what is asked before unsaved changes go.
+/// projects, recent ones, dropped files, and the question before unsaved changes are lost.
 class ProjectController : public QObject {
   Q_OBJECT
 public:

@@ -29,7 +29,7 @@ private:
   void list();
 
   RecentProjects& recent_;
-  QPointer<QMenu> menu_; ///< menus are made anew in another language
+  QPointer<QMenu> menu_; ///< menus are made again in another language
 };
 
 } // namespace dewpoint::ui

@@ -31,9 +31,9 @@ public:
   void recover(const RecoverableWork& work);
 
 Q_SIGNALS:
-  /// It was looked for work, and asked about what was found.
+  /// Work was searched for, and a question was shown about what was found.
   void looked();
-  /// The person wants it: recover() it, or offer() it again later.
+  /// The user wants it: recover() it, or offer() it again later.
   void wanted(const RecoverableWork& work);
   /// It is read, and to be opened.
   void recovered(const Project& project, const RecoverableWork& work);

@@ -30,7 +30,7 @@ class StatusBarPanel : public QWidget {
 public:
   explicit StatusBarPanel(QWidget* parent = nullptr);
 
-  /// The moment shown; null: there is nothing to measure.
+  /// The frame shown; null: there is nothing to measure.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// The target that is chosen; -1: the one that needs attention.
   void setTarget(int target);
@@ -60,7 +60,7 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = -1;
   QString name_;      ///< of the target shown, when there are several
-  QString stateText_; ///< in place of the word of the state; empty: that word
+  QString stateText_; ///< shown instead of the word of the state; empty: that word
   HoldState state_ = HoldState::NoImages;
 };
 

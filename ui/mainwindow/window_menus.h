@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 class WindowMenus : public QObject {
   Q_OBJECT
 public:
-  /// What the menus ask of the window.
+  /// What the menus need of the window.
   struct Owners {
     std::function<void(QMenu*)> fillRecent; ///< with the projects that were open last
     std::function<void(const QString&)> setLanguage;

@@ -10,7 +10,7 @@ class TargetPanel;
 class ViewDock;
 struct Workbench;
 
-/// Adds the parameters of the method, and what a person should know when another one is chosen.
+/// Adds the parameters of the method, and what the user should know when another one is chosen.
 void installParameters(const Workbench& bench);
 
 /// The targets in the window.

@@ -21,7 +21,7 @@ public:
   void setValue(double value);
 
 Q_SIGNALS:
-  /// A person moved the slider or typed a number.
+  /// The user moved the slider or typed a number.
   void valueEdited(double value);
 
 private:

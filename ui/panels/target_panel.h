@@ -34,7 +34,7 @@ public:
   int chosen() const;
   /// Chooses a target of the list; others change nothing.
   void choose(int target);
-  /// What is believed of the chosen target's box at the moment shown, if its method follows boxes.
+  /// What is believed of the chosen target's box in the frame shown, if its method follows boxes.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Takes the chosen target out, as an undoable step.
   void removeChosen();
@@ -55,10 +55,10 @@ private:
   QLineEdit* name_;
   QLabel* radiusLabel_;
   QDoubleSpinBox* radius_;
-  QLabel* box_; ///< figures of the box
+  QLabel* box_; ///< numbers of the box
   HistogramView* histograms_;
   QLabel* hint_;
-  int shown_ = -1; ///< row that was chosen when the targets were last looked at
+  int shown_ = -1; ///< row that was chosen at the last refresh
   bool refreshing_ = false;
 };
 

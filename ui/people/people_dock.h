@@ -23,7 +23,7 @@ class AddPersonTool;
 class ViewDock;
 
 /// Methods for people in the window: who is there, who stands where, and what is exported of them.
-/// While such a method is chosen, its panel takes the place of those of the other methods.
+/// While such a method is chosen, its panel replaces those of the other methods.
 class PeopleDock : public QObject {
   Q_OBJECT
 public:

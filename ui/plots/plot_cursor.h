@@ -11,7 +11,7 @@
 
 namespace dewpoint::ui {
 
-/// Lines and a span across all plots of a stack, on a layer of their own: they move without any
+/// Lines and a range across all plots of a stack, on a layer of their own: they move without any
 /// curve being drawn again. Positions are those of the shared axis.
 class PlotCursor : public QCPLayerable {
 public:

@@ -24,7 +24,7 @@ enum class PlotQuantity {
 };
 
 struct CurveDeclaration {
-  QString name;           ///< in the person's language; "x", "camera 1"
+  QString name;           ///< in the user's language; "x", "camera 1"
   QString csvName;        ///< column of a table, with its unit: "spread_x_mm"
   std::size_t column = 0; ///< of the PlotSeries
   int color = 0;          ///< see curveColor()

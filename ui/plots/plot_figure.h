@@ -28,7 +28,7 @@ struct PlotPicture {
 };
 
 /// Plots as a figure for paper: smooth lines, named axes, and no cursor without need. While it
-/// exists the plots look so; afterwards they are to be drawn again.
+/// exists the plots are drawn so; afterwards they have to be drawn again.
 class PlotFigure {
   Q_DECLARE_TR_FUNCTIONS(PlotFigure)
 public:

@@ -27,7 +27,7 @@ using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// The plots of a run: spread per axis, effective sample size, likelihood and existence per camera,
 /// error against truth and time per step of one target, over iterations or time. Which are shown is
-/// the person's choice and remembered.
+/// the user's choice and remembered.
 class PlotPanel : public QWidget {
   Q_OBJECT
 public:

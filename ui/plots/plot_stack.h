@@ -23,9 +23,9 @@ class PlotCursor;
 class PlotRow;
 struct PlotPicture;
 
-/// Plots one above the other that share the axis of iterations or time, a cursor and a span. Draws
-/// what has come since at most some times per second, however often it is asked to; without a
-/// chosen part of the axis the whole run is shown.
+/// Plots one above the other that share the axis of iterations or time, a cursor and a range. Draws
+/// new data a few times per second at most, however often refresh() is called; unless a part of the
+/// axis is chosen, the whole run is shown.
 class PlotStack : public QWidget {
   Q_OBJECT
 public:
@@ -45,7 +45,7 @@ public:
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return range_.axis(); }
 
-  /// Shows the selected span, and selects what the user points at.
+  /// Shows the selected range, and selects what the user points at.
   void link(Selection& selection);
   /// The pointer's frame is shown in both.
   void shareCursor(PlotStack& other);
@@ -72,7 +72,7 @@ public:
   std::string csv() const;
   /// The plots as a figure for paper: a drawing (SVG), or pixels.
   PlotPicture picture(bool asDrawing);
-  /// All values at the cursor, in words and with units.
+  /// All values at the cursor, with names and units.
   QString valuesText() const;
   /// "frame 132, iteration 660, 4.40 s"; empty before the first.
   QString cursorText() const;

@@ -14,7 +14,7 @@ struct IterationRecord;
 
 namespace dewpoint::ui {
 
-/// The plots of a run, in the person's language: spread, sampleSize, likelihood, existence, error,
+/// The plots of a run, in the user's language: spread, sampleSize, likelihood, existence, error,
 /// duration. Likelihood and existence have one curve per camera.
 std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
 /// The same ids of a run that follows boxes in images: spread in pixels, the similarity in place of

@@ -15,18 +15,18 @@ namespace dewpoint::ui {
 /// Colors of the window: those of the system, or always light or dark ones.
 enum class Theme { System, Light, Dark };
 
-/// What a person wants of calibrating with a board, from project to project.
+/// The user's settings for calibrating with a board, from project to project.
 struct BoardPreferences {
   QString board;            ///< as parseBoard() reads it; empty: the program's own
   int lensModel = 0;        ///< IntrinsicsModel
-  bool lenses = true;       ///< lenses are asked for,
+  bool lenses = true;       ///< lenses are to be found,
   bool places = true;       ///< and positions
   double lensAccuracy = 0;  ///< pixels
   double placeAccuracy = 0; ///< share of the distance
 };
 
-/// Everything the program remembers of a person from one start to the next: typed, and with all
-/// keys in one place. It has no state of its own, so one is made wherever it is needed; all of a
+/// Everything the program remembers of the user from one start to the next: typed, and with all
+/// keys in one file. It has no state of its own, so one is made wherever it is needed; all of a
 /// program say the same. What belongs to a project is in the project.
 class Preferences {
 public:
@@ -41,8 +41,8 @@ public:
   QByteArray windowGeometry() const;
   void setWindowGeometry(const QByteArray& geometry);
 
-  /// Project files that were opened or saved last, the newest first; nobody has looked whether they
-  /// are still there (RecentProjects does).
+  /// Project files that were opened or saved last, the newest first; whether they are still
+  /// there, RecentProjects finds out.
   QStringList recentProjects() const;
   void addRecentProject(const QString& file);
   void clearRecentProjects();

@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 
 /// The floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in meters along two edges, and
 /// the axes at the origin. Seen from the front, where the floor is a line, a wall in the plane of x
-/// and z takes its place.
+/// and z replaces it.
 class Ground {
 public:
   explicit Ground(vtkRenderer* renderer);

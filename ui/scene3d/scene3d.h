@@ -35,11 +35,11 @@ public:
   /// Owned by the scene.
   vtkRenderer* renderer();
   void setTheme(bool dark);
-  /// The sign between whole and parts of numbers, as the person's language writes it.
+  /// The sign between whole and parts of numbers, as the user's language writes it.
   void setDecimalPoint(const std::string& sign);
   /// Device pixels per logical pixel: line widths and text sizes follow.
   void setPixelRatio(double ratio);
-  /// Shows one moment. Values that are not finite are left out. The first snapshot with something
+  /// Shows one frame. Values that are not finite are left out. The first snapshot with something
   /// to see (and each new rig) also frames the current view, unless the user moved the camera.
   void setSnapshot(const TrackSnapshot& snapshot);
   /// The selected target; a person stands out. -1: none.

@@ -32,7 +32,7 @@ struct ScreenScale {
   /// Depth before the eye, meters.
   double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
   /// By which factor to shrink something about the eye, so that it comes `distance` meters nearer
-  /// and looks the same; in parallel views it is only moved.
+  /// and appears as large; in parallel views it is only moved.
   double nearerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
   /// Length in meters at `point` of so many logical pixels.

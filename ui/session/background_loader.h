@@ -27,9 +27,9 @@ public:
   explicit BackgroundLoader(QObject* parent = nullptr);
   ~BackgroundLoader() override;
 
-  /// Reads those of this project, in place of those that are being read.
+  /// Reads those of this project instead of those that are being read.
   void load(const Project& project);
-  /// What is being read is not wanted any more: neither loaded() nor failed() follows.
+  /// Drops what is being read: neither loaded() nor failed() follows.
   void forget();
 
 Q_SIGNALS:

@@ -10,7 +10,7 @@
 
 namespace dewpoint::ui {
 
-/// A wish to work on a project, and what becomes of the document once it is open. It goes along
+/// A request to open a project, and what becomes of the document once it is open. It goes along
 /// with the opening and comes back with the result, so nothing waits for it elsewhere.
 struct OpenRequest {
   SessionRequest what;

@@ -30,8 +30,8 @@ public:
   explicit ProjectLoader(ProjectOpener opener, QObject* parent = nullptr);
   ~ProjectLoader() override;
 
-  /// Starts opening. While an opening is under way: the last of those asked for comes next, and
-  /// what is under way is dropped.
+  /// Starts opening. While an opening is under way: the last request comes next, and what is under
+  /// way is dropped.
   void open(OpenRequest request);
   /// For others that open a project in a thread of theirs.
   const ProjectOpener& opener() const { return opener_; }
@@ -43,7 +43,7 @@ public:
 
 Q_SIGNALS:
   void openingChanged(bool opening);
-  /// What was asked for is open. The inputs are the receiver's to move from.
+  /// What was requested is open. The inputs are the receiver's to move from.
   void opened(const OpenRequest& request, std::shared_ptr<SessionInputs> inputs);
   void failed(const QString& sentence);
 

@@ -24,9 +24,9 @@ struct LoggedIterations;
 struct OpenRequest;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// The run of the window: opens it, ends it, passes on what the document and the selection ask of
-/// it, and gives the views what they show. Decides when a run begins to play, from which frame on
-/// another method holds, and whether another calibration keeps the run or opens it anew; what is
+/// The run of the window: opens it, ends it, passes on changes of the document and the selection,
+/// and gives the views what they show. Decides when a run begins to play, from which frame on
+/// another method holds, and whether another calibration keeps the run or opens it again; what is
 /// tracked again after a change is decided by the machine itself (RunDriver in core/session).
 class SessionController : public QObject {
   Q_OBJECT
@@ -35,7 +35,7 @@ public:
                     QObject* parent = nullptr);
   ~SessionController() override;
 
-  /// Opens in the background what is asked for; runStarted() or openFailed() follow.
+  /// Opens in the background what is requested; runStarted() or openFailed() follow.
   void open(OpenRequest request);
   bool isOpening() const { return loader_->isOpening(); }
   /// Ends the run, and empties the document: nothing is open any more.
@@ -61,12 +61,12 @@ public:
   void restart(bool newSeed);
   /// The filter of the run goes on with as many threads as the preferences say.
   void useFilterThreads();
-  /// Tracks again from the moment shown.
+  /// Tracks again from the current frame.
   void rerun();
   /// The color of a target was learned: whoever points at the first object to follow wants to see
   /// it tracked; a sample more or less takes no run away.
   void startAfterLearning(bool isNew);
-  /// The same of a target's box. More boxes are given on the same image, and a run that a person
+  /// The same of a target's box. More boxes are given on the same image, and a run that the user
   /// has stopped stays where it is: only the first of all plays.
   void startAfterBox(bool isNew);
 
@@ -80,11 +80,11 @@ Q_SIGNALS:
   void replaced(const OpenRequest& request);
   /// There is a session: views are made and connected to it. The first snapshot follows.
   void runStarted();
-  /// The run has begun to play, or waits for its person.
+  /// The run has begun to play, or waits for the user.
   void opened(const OpenRequest& request);
   /// The session is gone; snapshotChanged() with null follows.
   void runEnded();
-  /// Nothing is open any more, by the person's wish.
+  /// The user closed the project.
   void closed();
   /// What views show from now on; null: nothing, the run is over.
   void snapshotChanged(const TrackSnapshotPtr& snapshot);

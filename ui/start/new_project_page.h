@@ -39,13 +39,13 @@ public:
   void addConnectedCameras();
 
 Q_SIGNALS:
-  /// It is made; the note says what the person should know of it, or is empty.
+  /// It is made; the note says what the user should know of it, or is empty.
   void made(const dewpoint::project::Project& project, const QString& note);
   void failed(const QString& sentence);
   void cancelled();
 
 private:
-  /// What a place turned out to be: its disk was asked, beside the window.
+  /// What there is at a location, found out in a thread: its disk may be slow.
   struct Place {
     std::string location;
     bool showsImages = false; ///< it can be a camera
@@ -59,10 +59,10 @@ private:
   void makeRows();
   void retranslateUi();
   bool isListed(const QString& location) const;
-  /// Finds out about places in a thread; what was asked for first comes first.
+  /// Finds out in a thread what there is at locations; requests are answered in their order.
   void search(std::function<std::vector<Place>()> look,
               std::function<void(const std::vector<Place>&)> found);
-  /// What is searched for or made just now is not wanted any more.
+  /// Drops what is being searched for or made.
   void forgetWork();
   void addFootage(const std::vector<Place>& places);
   void add(const Place& place);

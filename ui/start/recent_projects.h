@@ -13,9 +13,9 @@
 
 namespace dewpoint::ui {
 
-/// The projects that were open last, as they are offered: without those whose file is gone. Whether
-/// it is there is asked beside the window, as its disk may not answer; until it does, the project
-/// is offered.
+/// The projects that were open last, as they are offered: without those whose file is gone. A
+/// thread finds out whether it is there, as its disk may not answer; until it does, the project is
+/// offered.
 class RecentProjects : public QObject {
   Q_OBJECT
 public:

@@ -13,13 +13,13 @@ namespace dewpoint::ui {
 
 class RecentProjects;
 
-/// What a person sees while no project is open: the ways to begin, and where they were last.
+/// What the user sees while no project is open: the ways to begin, and where they were last.
 class StartPage : public QWidget {
   Q_OBJECT
 public:
   explicit StartPage(RecentProjects& recent, QWidget* parent = nullptr);
 
-  /// Reads the list of recent projects again, and asks which of them are still there.
+  /// Reads the list of recent projects again, and finds out which of them are still there.
   void refresh();
 
 Q_SIGNALS:

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Whether the system's colors are light or dark ones, also when a person changes that while the
+/// Whether the system's colors are light or dark ones, also when the user changes that while the
 /// program runs.
 class SystemColors : public QObject {
   Q_OBJECT

@@ -11,7 +11,7 @@ struct Error;
 
 namespace dewpoint::ui {
 
-/// The sentence of an error for a person, in the language of the window; file, field and
+/// The sentence of an error for the user, in the language of the window; file, field and
 /// particulars stay as they are.
 QString errorSentence(const Error& error);
 

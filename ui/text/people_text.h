@@ -15,9 +15,9 @@ std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera);
 QString learningText(double share);
 /// The same where there is little room: "learning: 60 %".
 QString shortLearningText(double share);
-/// What keeps a camera from looking for people: learning, or too much moves; empty: nothing.
+/// What keeps a camera from detecting people: learning, or too much moves; empty: nothing.
 QString peopleObstacleText(const TrackSnapshot& snapshot, int camera);
-/// People who are there at the moment shown.
+/// How many people are there in the frame shown.
 int peopleThere(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

@@ -9,7 +9,7 @@ namespace dewpoint::ui {
 
 // How numbers and quantities are written in the language of the window: one function for each.
 
-/// What a number looks like that is negative, zero or not finite.
+/// How a number is written that is negative, zero or not finite.
 enum class NumberForm {
   Plain,   ///< as the language has it
   Signed,  ///< "+" before what is above zero

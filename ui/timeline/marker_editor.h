@@ -13,18 +13,18 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Changes the marks of the project, each time as an undoable step, and has them named on the spot
-/// in the timeline.
+/// Changes the markers of the project, each time as an undoable step, and edits their names on the
+/// spot in the timeline.
 class MarkerEditor : public QObject {
   Q_OBJECT
 public:
   MarkerEditor(QWidget& timeline, Document& document);
 
-  /// Adds a mark at a frame that has none.
+  /// Adds a marker at a frame that has none.
   void add(qint64 frame);
-  /// Takes away the mark at a frame; false when there is none.
+  /// Removes the marker at a frame; false when there is none.
   bool remove(qint64 frame);
-  /// Asks for the name of a mark where its flag lies in the timeline.
+  /// Edits the name of a marker where its flag lies in the timeline.
   void editName(const ProjectMarker& marker, const QRectF& flag);
   void retranslate();
 

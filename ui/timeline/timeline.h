@@ -16,8 +16,8 @@ namespace dewpoint::ui {
 class Document;
 class MarkerEditor;
 
-/// The run along time: how surely each target was held, which cameras were missing, marks, the
-/// moment shown. Dragging goes through time, dragging in the axis (or with Shift) selects a span,
+/// The run along time: how surely each target was held, which cameras were missing, markers, the
+/// current frame. Dragging goes through time, dragging in the axis (or with Shift) selects a range,
 /// the wheel zooms; arrows, Page, Home and End go by frames, seconds and to the ends.
 class Timeline : public QWidget {
   Q_OBJECT
@@ -29,13 +29,13 @@ public:
   void append(const std::vector<FrameRecord>& records, bool restarted);
   void clear();
 
-  /// Goes by so many frames from the moment shown, or wanted.
+  /// Goes by so many frames from the current frame, or the one requested.
   void step(qint64 frames);
-  /// To the next (1) or previous (-1) mark.
+  /// To the next (1) or previous (-1) marker.
   void stepToMarker(int direction);
-  /// Marks the moment shown, as an undoable step, and asks for its name on the spot.
+  /// Adds a marker at the current frame, as an undoable step, and edits its name on the spot.
   void addMarker();
-  /// Takes away the mark at the moment shown; false when there is none.
+  /// Removes the marker at the current frame; false when there is none.
   bool removeMarker();
   /// Where the pointer is in another view; negative: nowhere.
   void setHovered(qint64 frame);
@@ -43,7 +43,7 @@ public:
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
-  /// Middle of a frame in the ribbon, widget coordinates.
+  /// Center of a frame in the ribbon, widget coordinates.
   QPoint positionOf(qint64 frame) const;
 
   QSize sizeHint() const override { return {600, std::max(110, leastHeight_)}; }
@@ -53,7 +53,7 @@ public:
 Q_SIGNALS:
   /// The pointer is on this frame; negative: it has left.
   void hovered(qint64 frame);
-  /// A menu is wanted at this position on the screen, for the moment shown.
+  /// A menu is requested at this position on the screen, for the current frame.
   void menuWanted(const QPoint& place);
 
 protected:
@@ -73,7 +73,7 @@ private:
   TimelineRows rows() const;
   int camerasWithDropouts() const;
   void place();
-  /// The frame shown, or asked for just now.
+  /// The current frame, or the one requested just now.
   qint64 reached() const;
   void want(qint64 frame, bool extendsRange = false);
   void selectTo(qint64 frame);
@@ -90,8 +90,8 @@ private:
   enum class Drag { None, Frame, Range };
   Drag drag_ = Drag::None;
   qint64 hovered_ = -1;
-  qint64 anchor_ = -1;           ///< where the span began
-  std::optional<qint64> wanted_; ///< asked for, but not shown yet
+  qint64 anchor_ = -1;           ///< where the range began
+  std::optional<qint64> wanted_; ///< requested, but not shown yet
   QElapsedTimer sinceWanted_;
   MarkerEditor* markers_;
   double gutter_ = 90.0;

@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 class Timeline;
 struct Workbench;
 
-/// Adds the timeline to the window, with the actions that go through time: marks, earlier moments,
-/// tracking again from one. What the selection calls the moment comes from here.
+/// Adds the timeline to the window, with the actions that go through time: markers, earlier frames,
+/// tracking again from one. Sets the current frame of the selection.
 Timeline* installTimeline(const Workbench& bench);
 
 } // namespace dewpoint::ui

@@ -22,7 +22,7 @@ struct TimelineModel {
   bool live = false;
   double framesPerSecond = 30.0; ///< of the recording, by the time stamps of the records
 
-  /// Takes in what is new in the log; a frame that comes again takes the place of the old one.
+  /// Takes in what is new in the log; a frame that comes again replaces the old one.
   void append(const std::vector<FrameRecord>& more, bool restarted);
   /// One past the last frame that a record stands for: the next record's, unless there are frames
   /// between that were never tracked.

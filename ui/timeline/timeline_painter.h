@@ -20,7 +20,7 @@ struct TimelineRows {
   /// The height in which so many rows can be read; of more than a few targets it wants no more.
   static int leastHeight(int targets, int cameras, double fontHeight);
 
-  QRectF axis;    ///< time and marks, at the top; dragging here selects a span
+  QRectF axis;    ///< time and markers, at the top; dragging here selects a range
   QRectF ribbons; ///< of the targets, one below the other
   QRectF cameras; ///< drop-outs, one thin row per camera that has any; one for all in little room
   QRectF footer;  ///< memory of the history
@@ -31,13 +31,14 @@ struct TimelineRows {
   QRectF camera(int row) const;
 };
 
-/// Draws a timeline: ribbons (held: full; searching: hatched; lost: crossed), drop-outs, marks, the
-/// span, the play head, and a thin line where the pointer is (`hovered`, a frame; negative: none).
+/// Draws a timeline: ribbons (held: full; searching: hatched; lost: crossed), drop-outs, markers,
+/// the range, the play head, and a thin line where the pointer is (`hovered`, a frame; negative:
+/// none).
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,
                    const QPalette& palette);
 
-/// The part of the widget that a mark's flag takes.
+/// The part of the widget that a marker's flag takes.
 QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
                   const QFontMetricsF& metrics);
 

@@ -32,7 +32,7 @@ public:
 
   /// What is followed; an empty function: nothing.
   void follow(Source source);
-  /// There may be new boxes: fetches them soon, and only while someone looks.
+  /// There may be new boxes: fetches them soon, and only while the panel is visible.
   void refresh();
   /// The newest snapshot: what the targets are called.
   void setSnapshot(const TrackSnapshotPtr& snapshot);

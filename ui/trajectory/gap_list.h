@@ -19,7 +19,7 @@ public:
   explicit GapList(QWidget* parent = nullptr);
 
   void setGaps(std::vector<TrajectoryGap> gaps);
-  /// Marks the gap that is exactly this span.
+  /// Highlights the gap that is exactly this range.
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
 
 Q_SIGNALS:

@@ -36,7 +36,7 @@ public:
   void clear();
   /// Samples from number `first` on are these now; the first row that has changed.
   std::size_t replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
-  /// Rows [first, last) of the frames of a span.
+  /// Rows [first, last) of the frames of a range.
   std::pair<int, int> rowsOf(const SelectedRange& selectedRange) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -33,7 +33,8 @@ class PlotStack;
 class TrajectoryModel;
 
 /// The trajectory of the run: a table that follows it, speed and height over time, and the gaps. A
-/// span chosen in any of them is chosen in all. Of a run that follows boxes in images: its boxes.
+/// range selected in any of them is selected in all. Of a run that follows boxes in images: its
+/// boxes.
 class TrajectoryPanel : public QWidget {
   Q_OBJECT
 public:
@@ -47,12 +48,12 @@ public:
 
   /// What is followed; an empty function: nothing, and the table becomes empty.
   void follow(Source source);
-  /// There may be new samples: fetches them soon, and only while someone looks.
+  /// There may be new samples: fetches them soon, and only while the panel is visible.
   void refresh();
   /// The newest snapshot: which targets there are.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// The user points at a position of a target's trajectory: that moment is wanted, or, to
-  /// `extend`, the span from the moment shown to it is selected.
+  /// The user points at a position of a target's trajectory: requests that frame, or, to `extend`,
+  /// selects the range from the current frame to it.
   void choosePlace(int target, const Eigen::Vector3d& place, bool extend);
   /// The boxes of a run whose method follows those.
   BoxPanel& boxes() { return *boxes_; }
@@ -66,7 +67,7 @@ public:
 
 Q_SIGNALS:
   void notice(const QString& sentence);
-  /// The span's positions in the room, meters: one stroke for each uninterrupted piece.
+  /// The positions of the selected range, meters: one stroke for each uninterrupted piece.
   void highlightChanged(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
 protected:

@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 class BirdsEyeView;
 struct Workbench;
 
-/// Adds the bird's-eye view to the window. Methods that follow boxes in images have no place in the
-/// room: while one is chosen, the view is hidden.
+/// Adds the bird's-eye view to the window. Methods that follow boxes in images have no positions
+/// in the room: while one is chosen, the view is hidden.
 BirdsEyeView* installBirdsEyeView(const Workbench& bench);
 
 } // namespace dewpoint::ui

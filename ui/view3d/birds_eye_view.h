@@ -37,11 +37,11 @@ public:
   /// Makes the OpenGL context and draws once, unseen: what the first picture would be waited for.
   void prepare();
 
-  /// Shows a moment with the next picture; null empties the scene. Cheap, also while hidden.
+  /// Shows a frame with the next picture; null empties the scene. Cheap, also while hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Another project: looks at all of it from above, wherever the user looked before.
+  /// Another project: shows all of it from above, whatever was in view before.
   void startAnew();
-  /// Marks a part of a trajectory: strokes of positions, meters; none: nothing is marked.
+  /// Highlights a part of a trajectory: strokes of positions, meters; none: nothing.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
   /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.

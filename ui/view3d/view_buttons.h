@@ -13,7 +13,7 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// The buttons in a corner of the picture by which one looks from above, from the front or freely.
+/// The buttons in a corner of the picture that choose the view: from above, from the front, free.
 class ViewButtons : public QObject {
   Q_OBJECT
 public:

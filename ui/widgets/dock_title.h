@@ -12,7 +12,7 @@ class QToolButton;
 namespace dewpoint::ui {
 
 /// Title of a dock: its name, the state of what it shows (word, shape and color), and a button to
-/// float it. A double click asks for the whole window.
+/// float it. A double click maximizes it.
 class DockTitle : public QWidget {
   Q_OBJECT
 public:

@@ -31,8 +31,8 @@ public:
   using Answer = std::pair<QString, std::function<void()>>;
   /// Asks; closing the bar answers nothing.
   void ask(const QString& question, const std::vector<Answer>& answers);
-  /// Asks, and asks again whenever another message that took its place has gone, until it was
-  /// answered or closed.
+  /// Asks, and asks again whenever another message that replaced the question has gone, until it
+  /// was answered or closed.
   void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
   QString text() const;
   /// Takes away what it says.
@@ -40,7 +40,7 @@ public:
   /// Other work has begun: an error is over, and with `notices` so is what was worth knowing.
   /// Questions stay.
   void forget(bool notices);
-  /// Its place is below this sibling, in the center of the window.
+  /// Keeps it below this sibling, in the center of the window.
   void keepBelow(QWidget* above);
 
 protected:

@@ -16,13 +16,12 @@ namespace dewpoint::ui {
 class Document;
 class SessionController;
 
-/// The docks of the window: makes them, arranges them, gives one the whole window and takes it
-/// back, puts all aside while a page is shown in the window's middle, and keeps their layout in the
-/// document.
+/// The docks of the window: makes and arranges them, maximizes and restores one, hides all while a
+/// page fills the center of the window, and keeps their layout in the document.
 class DockManager : public QObject {
   Q_OBJECT
 public:
-  /// The central widget of the window is the place of the pages.
+  /// The central widget of the window shows the pages.
   DockManager(QMainWindow& window, Document& document, const SessionController& session,
               QObject* parent = nullptr);
 
@@ -41,7 +40,7 @@ public:
   /// Gives the views the sizes that the window begins with, once the layout has settled.
   void distributeDockSizesSoon();
   /// Puts the layout into the document: that of all views, also while one fills the window or a
-  /// page takes their place.
+  /// page hides them.
   void storeLayout();
 
   /// Shows the views, or the page in the center of the window.
@@ -49,7 +48,7 @@ public:
   /// The views of another project follow: those put aside do not come back.
   void forgetLayoutBehindPages() { layoutBehindPages_.clear(); }
 
-  /// Gives a dock the whole window, or all views their places again; a floating one comes back.
+  /// Maximizes a dock, or restores all views; a floating dock is docked again.
   void toggleMaximized(ViewDock* dock);
   void restoreMaximized();
   /// The dock that fills the window; null when none does.
@@ -78,7 +77,7 @@ private:
   QByteArray layoutBeforeMaximized_;
   /// Which docks were put away when one was maximized.
   std::vector<std::pair<ViewDock*, bool>> hiddenBeforeMaximized_;
-  QByteArray layoutBehindPages_; ///< of the views while a page takes their place
+  QByteArray layoutBehindPages_; ///< of the views while a page hides them
 };
 
 } // namespace dewpoint::ui

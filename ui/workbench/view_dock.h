@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 
 class DockTitle;
 
-/// Where a dock has its place in the arrangement that the window begins with.
+/// Where a dock stands in the arrangement that the window begins with.
 enum class DockPlace {
   Cameras,   ///< to the left, in as many columns as keep the images near square
   Scene,     ///< right of the cameras
@@ -25,16 +25,16 @@ enum class DockPlace {
 /// What a dock is, declared once.
 struct DockDeclaration {
   QString name;                   ///< objectName: layouts are saved by it
-  std::function<QString()> title; ///< asked again when the language changes
+  std::function<QString()> title; ///< called again when the language changes
   QWidget* content;
   DockPlace place = DockPlace::Inspector;
-  int rank = 100;              ///< among the docks of its place: the lowest comes first
+  int rank = 100;              ///< among the docks that stand there: the lowest comes first
   bool hiddenAtFirst = false;  ///< until it is wanted
   bool openedByAction = false; ///< an action of its own shows it: the palette lists that one
 };
 
 /// A dock of the window, with the title that is common to all, and what is known of it besides Qt's
-/// own state: whether a person put it away, and whether it lies behind another tab.
+/// own state: whether the user put it away, and whether it lies behind another tab.
 class ViewDock : public QDockWidget {
   Q_OBJECT
 public:
@@ -44,7 +44,7 @@ public:
   DockPlace place() const { return place_; }
   int rank() const { return rank_; }
   bool isOpenedByAction() const { return openedByAction_; }
-  /// Put away by choice (of the person, or of the method): it is not shown with the other views.
+  /// Put away by the user or by the method: it is not shown with the other views.
   bool isHiddenByUser() const { return hiddenByUser_; }
   void setHiddenByUser(bool hidden) { hiddenByUser_ = hidden; }
   /// Wanted or put away from now on, and shown or hidden at once.
@@ -57,7 +57,7 @@ public:
 Q_SIGNALS:
   /// The whole window is wanted for this dock, or no longer.
   void maximizeWanted();
-  /// A person put it away or took it out again, in the list of views.
+  /// The user put it away or took it out again, in the list of views.
   void toggledByUser(bool shown);
 
 private:

@@ -40,8 +40,8 @@ struct Workbench {
   void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
   /// These actions can be used only while a project is open.
   void needRun(std::initializer_list<ActionId> ids) const;
-  /// The same, and only while `suits` says so: asked again when a run begins or ends, and when the
-  /// method changes.
+  /// The same, and only while `suits` returns true: called again when a run begins or ends, and
+  /// when the method changes.
   void needRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
   static void present(QWidget* dialog);

@@ -18,8 +18,8 @@ class Document;
 struct BoardPreferences;
 class BackgroundJob;
 
-/// Calibrating with a board: what the user decided, the look through a recording or the guidance
-/// before live cameras, and the result, which becomes one step of the document.
+/// Calibrating with a board: the user's settings, the search in a recording or the guidance before
+/// live cameras, and the result, which becomes one step of the document.
 class BoardCalibrator : public QObject {
   Q_OBJECT
 public:
@@ -45,7 +45,7 @@ public:
   void cancel();
   /// Whether something is computed: a recording, or the result of live cameras.
   bool isComputing() const;
-  /// Whether the recording is looked through, and nothing solved yet.
+  /// Whether the recording is being searched, and nothing solved yet.
   bool isLooking() const { return *looking_; }
 
   // Live cameras.

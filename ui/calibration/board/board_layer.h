@@ -10,8 +10,8 @@ namespace dewpoint::ui {
 class BoardCalibrator;
 class CameraView;
 
-/// Lies over a camera view while the board is looked for live: the outline of the board that is
-/// found, lit for a moment when it is taken. Takes no mouse and no keys.
+/// Lies over a camera view while the board is searched for live: the outline of the board that is
+/// found, lit briefly when it is taken. Takes no mouse and no keys.
 class BoardLayer : public QWidget {
   Q_OBJECT
 public:

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 /// Where in one camera's image, and at which tilts, the board was taken so far: regions filled by
 /// how many corners they have, outlines of the views, the board as it is seen now, and what is
-/// asked for next. A view that is taken lights up for a moment.
+/// to be shown next. A view that is taken lights up briefly.
 class BoardMap : public QWidget {
   Q_OBJECT
 public:

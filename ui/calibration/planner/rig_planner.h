@@ -79,7 +79,7 @@ public:
 Q_SIGNALS:
   /// Something that is set or planned changed.
   void changed();
-  /// Another map, or another look of it.
+  /// Another map, or it is drawn otherwise.
   void mapChanged();
   /// What was found, or why nothing was; stays true until something changes.
   void messageRequested(const QString& sentence);

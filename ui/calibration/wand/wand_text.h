@@ -9,10 +9,11 @@
 
 namespace dewpoint::ui {
 
-/// In a person's words: "touches the floor".
+/// In words: "touches the floor".
 QString touchText(TouchRole role);
 
-/// What keeps the wish from being fulfilled (obstacleOf()), as a sentence; empty when nothing does.
+/// What keeps a calibration with these settings from starting (obstacleOf()), as a sentence; empty
+/// when nothing does.
 QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                           const Project& project);
 
