@@ -176,7 +176,7 @@ void StatusBarPanel::refresh() {
                            .arg(lengthNumber(position->mean.x(), LengthScale::Meters, 3),
                                 lengthNumber(position->mean.y(), LengthScale::Meters, 3),
                                 lengthText(position->mean.z(), LengthScale::Meters, 3)));
-  } else { // not those of another moment
+  } else { // not those of another frame
     for (QLabel* label : {sampleSize_, spread_, position_}) {
       label->clear();
     }

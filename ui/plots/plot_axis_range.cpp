@@ -56,7 +56,7 @@ void PlotAxisRange::show(const PlotSeries* series, double lower, double upper) {
     showAll();
     return;
   }
-  // Never beyond the run; a part that reaches the newest moment moves along with it.
+  // Never beyond the run; a part that reaches the newest frame moves along with it.
   const double from = std::clamp(lower, first, end - width);
   following_ = from + width >= last;
   part_ = Range(from, from + width);

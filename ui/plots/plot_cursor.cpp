@@ -14,7 +14,7 @@ void PlotCursor::draw(QCPPainter* painter) {
   const auto fill = [&](const QCPAxisRect& rect, const std::pair<double, double>& part,
                         const QColor& color, int alpha) {
     const QCPAxis* axis = rect.axis(QCPAxis::atBottom);
-    // A span of one moment is still seen.
+    // A range of one frame is still seen.
     const double left = axis->coordToPixel(part.first);
     const double right = std::max(left + 2.0, axis->coordToPixel(part.second));
     QColor faint = color;

@@ -195,7 +195,7 @@ void SessionController::applyMethod() {
   }
   const Project& project = document_.project();
   Session& session = bridge_->session();
-  // Whoever looks at an earlier moment wants to see the other method from there; what was tracked
+  // Whoever looks at an earlier frame wants to see the other method from there; what was tracked
   // of a recording is tracked again.
   const bool tracked = shown_ && shown_->frameCount && shown_->history.head >= 0;
   if (selection_.isPast() || tracked) {

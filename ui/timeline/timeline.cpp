@@ -138,7 +138,7 @@ void Timeline::step(qint64 frames) {
 }
 
 qint64 Timeline::reached() const {
-  // What was asked for a moment ago may not be shown yet; what never comes is forgotten.
+  // What was requested just now may not be shown yet; what never comes is forgotten.
   const bool recent =
       wanted_ && sinceWanted_.isValid() && sinceWanted_.elapsed() < kRequestTimeoutMs;
   return recent ? *wanted_ : std::max<qint64>(0, selection_.currentFrame());

@@ -43,7 +43,7 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
   bench.onTriggered("actionZoomToSpan", timeline, [timeline] { timeline->zoomToRange(); });
   bench.needRun({"actionPreviousFrame", "actionRerun", "actionAddMark", "actionRemoveMark",
                  "actionPreviousMark", "actionNextMark", "actionZoomToSpan"});
-  bench.action("actionNow")->setEnabled(false); // the moment shown decides
+  bench.action("actionNow")->setEnabled(false); // the current frame decides
 }
 
 /// Whoever changes something while looking back is told what that changes.

@@ -32,7 +32,7 @@ namespace {
 
 constexpr int kLeastIntervalMs = 150;
 constexpr double kShare = 0.05;           ///< of the time, for fetching and showing
-constexpr std::size_t kMostPlaces = 4000; ///< of a span in the room
+constexpr std::size_t kMostPlaces = 4000; ///< of a range in the room
 
 } // namespace
 
@@ -305,7 +305,7 @@ void TrajectoryPanel::chooseRows() {
 
 void TrajectoryPanel::showSelectedRange() {
   const bool byRows = choosing_;
-  fetch(); // the span may be of samples that were not fetched while nobody looked
+  fetch(); // the range may have samples that were not fetched while it was hidden
   gaps_->setSelectedRange(selection_.selectedRange());
   if (!byRows) {
     selectRange();
