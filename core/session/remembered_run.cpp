@@ -5,6 +5,14 @@
 #include <utility>
 
 namespace dewpoint::session {
+namespace {
+
+// Bytes of history unless requested otherwise. Chosen: minutes of a few particle filters, in a
+// small part of a usual machine's memory; what live cameras showed can be had from nowhere else.
+constexpr std::size_t kRecordedHistory = std::size_t{512} << 20;
+constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
+
+} // namespace
 
 RememberedRun::RememberedRun(RunDefinition definition, int threads)
     : threads_(threads), definition_(std::make_shared<const RunDefinition>(std::move(definition))) {
@@ -24,7 +32,8 @@ Status RememberedRun::replace(RunDefinition definition, std::int64_t iterations)
 }
 
 void RememberedRun::keepHistory(FrameSetSource& source, std::size_t bytes) {
-  travel_.emplace(source, bytes);
+  const std::size_t usual = source.isLive() ? kLiveHistory : kRecordedHistory;
+  travel_.emplace(source, bytes > 0 ? bytes : usual);
 }
 
 void RememberedRun::begin(const FrameSetPtr& frames) {

@@ -13,13 +13,6 @@
 #include <utility>
 
 namespace dewpoint::session {
-namespace {
-
-constexpr std::size_t kRecordedHistory = std::size_t{512} << 20; // bytes
-/// Bytes, of live cameras.
-constexpr std::size_t kLiveHistory = std::size_t{1024} << 20;
-
-} // namespace
 
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
     : project_(std::move(inputs.project)), source_(std::move(inputs.source)), tap_(tap), log_(log),
@@ -27,8 +20,7 @@ RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const
       motionWatch_(*definition().rig), recorder_(log, truth) {
   replaceRun(definition(), 0);
   if (source_) {
-    const std::size_t usual = source_->isLive() ? kLiveHistory : kRecordedHistory;
-    kept_.keepHistory(*source_, inputs.historyBytes > 0 ? inputs.historyBytes : usual);
+    kept_.keepHistory(*source_, inputs.historyBytes);
   }
   log_.restart(project(), kept_.threads());
 }

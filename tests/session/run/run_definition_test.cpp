@@ -203,7 +203,10 @@ TEST_P(FilterThreads, AnyNumberGivesTheSameBits) {
 
 /// The number of threads in the report of a run.
 std::string reportedThreads(const Session& session) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "filter_threads" / "changed";
+  // Not that of another method, which is tested at the same time.
+  const auto folder =
+      std::filesystem::path(testing::TempDir()) / "filter_threads" /
+      (std::string("changed_") + testing::WithParamInterface<const char*>::GetParam());
   const auto report = session.saveRun(folder)
                           ? readTextFile(folder / "run.json")
                           : Result<std::string>(failure(ErrorCode::FileUnwritable, "", "", ""));
