@@ -748,13 +748,6 @@
     </message>
 </context>
 <context>
-    <name>CameraMotion</name>
-    <message>
-        <source>turned by %1</source>
-        <translation>um %1 verdreht</translation>
-    </message>
-</context>
-<context>
     <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
@@ -834,6 +827,13 @@
     </message>
 </context>
 <context>
+    <name>CameraMotion</name>
+    <message>
+        <source>turned by %1</source>
+        <translation>um %1 verdreht</translation>
+    </message>
+</context>
+<context>
     <name>CameraNames</name>
     <message>
         <source>camera %1</source>
@@ -845,6 +845,169 @@
     <message>
         <source>target %1</source>
         <translation>Ziel %1</translation>
+    </message>
+</context>
+<context>
+    <name>ColorText</name>
+    <message>
+        <source>at the top left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>at the top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>at the top right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>at the left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>in der Mitte</translation>
+    </message>
+    <message>
+        <source>at the right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>at the bottom left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>at the bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>at the bottom right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>Stands out well: %1 of 100.</source>
+        <translation>Hebt sich gut ab: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>Stands out: %1 of 100.</source>
+        <translation>Hebt sich ab: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>Hard to tell apart: %1 of 100.</source>
+        <translation>Schwer zu unterscheiden: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>Hardly stands out: %1 of 100.</source>
+        <translation>Hebt sich kaum ab: %1 von 100.</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>Schwarzes</translation>
+    </message>
+    <message>
+        <source>gray</source>
+        <translation>Graues</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>Weißes</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>Braunes</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>Rotes</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>Oranges</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>Gelbes</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>Grünes</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>Türkises</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>Blaues</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>Violettes</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>Rosafarbenes</translation>
+    </message>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>Alt-Klick auf das, was auch passt: Es lässt sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>Bedecken Sie, was dieselbe Farbe hat, oder nehmen Sie es aus dem Bild.</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>Das Ziel ist hier fast schwarz: Mehr Licht würde helfen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>Das Ziel ist hier fast weiß: Eine kürzere Belichtung würde helfen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
+    </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
+    </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>%1 % des Hintergrunds passen auch.</translation>
+    </message>
+    <message>
+        <source>One sample does not go with the others: no single range holds both.</source>
+        <translation>Eine Probe passt nicht zu den anderen: Kein Bereich enthält beide.</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>Etwas %1 %2 in %3 passt auch.</translation>
+    </message>
+    <message>
+        <source>Several things have this color: another one would help.</source>
+        <translation>Mehrere Dinge haben diese Farbe: Eine andere würde helfen.</translation>
+    </message>
+    <message>
+        <source>Only a speck was clicked: drag a box on the whole thing.</source>
+        <translation>Nur ein Fleck wurde angeklickt: Ziehe einen Rahmen um das ganze Ding.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the target and %2 % of the background match.</source>
+        <translation>Nur %1 % des Ziels und %2 % des Hintergrunds passen.</translation>
+    </message>
+    <message>
+        <source>A range for all of the target would match %1 % of the background.</source>
+        <translation>Ein Bereich für das ganze Ziel würde auf %1 % des Hintergrunds passen.</translation>
     </message>
 </context>
 <context>
@@ -2014,169 +2177,6 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>m/s</source>
         <translation>m/s</translation>
-    </message>
-</context>
-<context>
-    <name>ColorText</name>
-    <message>
-        <source>at the top left</source>
-        <translation>oben links</translation>
-    </message>
-    <message>
-        <source>at the top</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>at the top right</source>
-        <translation>oben rechts</translation>
-    </message>
-    <message>
-        <source>at the left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>in the middle</source>
-        <translation>in der Mitte</translation>
-    </message>
-    <message>
-        <source>at the right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>at the bottom left</source>
-        <translation>unten links</translation>
-    </message>
-    <message>
-        <source>at the bottom</source>
-        <translation>unten</translation>
-    </message>
-    <message>
-        <source>at the bottom right</source>
-        <translation>unten rechts</translation>
-    </message>
-    <message>
-        <source>Stands out well: %1 of 100.</source>
-        <translation>Hebt sich gut ab: %1 von 100.</translation>
-    </message>
-    <message>
-        <source>Stands out: %1 of 100.</source>
-        <translation>Hebt sich ab: %1 von 100.</translation>
-    </message>
-    <message>
-        <source>Hard to tell apart: %1 of 100.</source>
-        <translation>Schwer zu unterscheiden: %1 von 100.</translation>
-    </message>
-    <message>
-        <source>Hardly stands out: %1 of 100.</source>
-        <translation>Hebt sich kaum ab: %1 von 100.</translation>
-    </message>
-    <message>
-        <source>black</source>
-        <translation>Schwarzes</translation>
-    </message>
-    <message>
-        <source>gray</source>
-        <translation>Graues</translation>
-    </message>
-    <message>
-        <source>white</source>
-        <translation>Weißes</translation>
-    </message>
-    <message>
-        <source>brown</source>
-        <translation>Braunes</translation>
-    </message>
-    <message>
-        <source>red</source>
-        <translation>Rotes</translation>
-    </message>
-    <message>
-        <source>orange</source>
-        <translation>Oranges</translation>
-    </message>
-    <message>
-        <source>yellow</source>
-        <translation>Gelbes</translation>
-    </message>
-    <message>
-        <source>green</source>
-        <translation>Grünes</translation>
-    </message>
-    <message>
-        <source>turquoise</source>
-        <translation>Türkises</translation>
-    </message>
-    <message>
-        <source>blue</source>
-        <translation>Blaues</translation>
-    </message>
-    <message>
-        <source>purple</source>
-        <translation>Violettes</translation>
-    </message>
-    <message>
-        <source>pink</source>
-        <translation>Rosafarbenes</translation>
-    </message>
-    <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
-    </message>
-    <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>Alt-Klick auf das, was auch passt: Es lässt sich unterscheiden.</translation>
-    </message>
-    <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>Bedecken Sie, was dieselbe Farbe hat, oder nehmen Sie es aus dem Bild.</translation>
-    </message>
-    <message>
-        <source>The target is nearly black here: more light would help.</source>
-        <translation>Das Ziel ist hier fast schwarz: Mehr Licht würde helfen.</translation>
-    </message>
-    <message>
-        <source>The target is nearly white here: a shorter exposure would help.</source>
-        <translation>Das Ziel ist hier fast weiß: Eine kürzere Belichtung würde helfen.</translation>
-    </message>
-    <message>
-        <source>The target is nearly gray: a stronger color would help.</source>
-        <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
-    </message>
-    <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
-    </message>
-    <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>%1 % der Bilder passen. Umschalt-Klick auf das Ziel sagt, wie gut es sich abhebt.</translation>
-    </message>
-    <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>%1 % des Hintergrunds passen auch.</translation>
-    </message>
-    <message>
-        <source>One sample does not go with the others: no single range holds both.</source>
-        <translation>Eine Probe passt nicht zu den anderen: Kein Bereich enthält beide.</translation>
-    </message>
-    <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>Etwas %1 %2 in %3 passt auch.</translation>
-    </message>
-    <message>
-        <source>Several things have this color: another one would help.</source>
-        <translation>Mehrere Dinge haben diese Farbe: Eine andere würde helfen.</translation>
-    </message>
-    <message>
-        <source>Only a speck was clicked: drag a box on the whole thing.</source>
-        <translation>Nur ein Fleck wurde angeklickt: Ziehe einen Rahmen um das ganze Ding.</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the target and %2 % of the background match.</source>
-        <translation>Nur %1 % des Ziels und %2 % des Hintergrunds passen.</translation>
-    </message>
-    <message>
-        <source>A range for all of the target would match %1 % of the background.</source>
-        <translation>Ein Bereich für das ganze Ziel würde auf %1 % des Hintergrunds passen.</translation>
     </message>
 </context>
 <context>
@@ -5731,6 +5731,49 @@ Effektive Stichprobengröße %8 von %9</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::TouchedInstantList</name>
+    <message>
+        <source>The ball %1</source>
+        <translation>Der Ball %1</translation>
+    </message>
+    <message>
+        <source>What the ball does at the moment</source>
+        <translation>Was der Ball in dem Augenblick tut</translation>
+    </message>
+    <message>
+        <source>Three places of the floor, or a fall, tell where up is</source>
+        <translation>Drei Stellen des Bodens oder ein Fall sagen, wo oben ist</translation>
+    </message>
+    <message>
+        <source>Take this moment</source>
+        <translation>Diesen Augenblick nehmen</translation>
+    </message>
+    <message>
+        <source>The moment that the images show is one at which the ball does this</source>
+        <translation>In dem Augenblick, den die Bilder zeigen, tut der Ball dies</translation>
+    </message>
+    <message>
+        <source>Remove moment</source>
+        <translation>Augenblick entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen moment off the list</source>
+        <translation>Den gewählten Augenblick aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Moments taken</source>
+        <translation>Genommene Augenblicke</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the moment</source>
+        <translation>Doppelklick oder Eingabe zeigt den Augenblick</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::TrajectoryModel</name>
     <message>
         <source>● held</source>
@@ -6217,49 +6260,6 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Look through the stretch selected in the timeline, not the whole recording</source>
         <translation>Den in der Zeitleiste ausgewählten Abschnitt durchsehen, nicht die ganze Aufnahme</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::TouchedInstantList</name>
-    <message>
-        <source>The ball %1</source>
-        <translation>Der Ball %1</translation>
-    </message>
-    <message>
-        <source>What the ball does at the moment</source>
-        <translation>Was der Ball in dem Augenblick tut</translation>
-    </message>
-    <message>
-        <source>Three places of the floor, or a fall, tell where up is</source>
-        <translation>Drei Stellen des Bodens oder ein Fall sagen, wo oben ist</translation>
-    </message>
-    <message>
-        <source>Take this moment</source>
-        <translation>Diesen Augenblick nehmen</translation>
-    </message>
-    <message>
-        <source>The moment that the images show is one at which the ball does this</source>
-        <translation>In dem Augenblick, den die Bilder zeigen, tut der Ball dies</translation>
-    </message>
-    <message>
-        <source>Remove moment</source>
-        <translation>Augenblick entfernen</translation>
-    </message>
-    <message>
-        <source>Take the chosen moment off the list</source>
-        <translation>Den gewählten Augenblick aus der Liste nehmen</translation>
-    </message>
-    <message>
-        <source>Moments taken</source>
-        <translation>Genommene Augenblicke</translation>
-    </message>
-    <message>
-        <source>Double click or Enter shows the moment</source>
-        <translation>Doppelklick oder Eingabe zeigt den Augenblick</translation>
-    </message>
-    <message>
-        <source>%1 – %2</source>
-        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>

@@ -748,13 +748,6 @@
     </message>
 </context>
 <context>
-    <name>CameraMotion</name>
-    <message>
-        <source>turned by %1</source>
-        <translation>girada %1</translation>
-    </message>
-</context>
-<context>
     <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
@@ -834,6 +827,13 @@
     </message>
 </context>
 <context>
+    <name>CameraMotion</name>
+    <message>
+        <source>turned by %1</source>
+        <translation>girada %1</translation>
+    </message>
+</context>
+<context>
     <name>CameraNames</name>
     <message>
         <source>camera %1</source>
@@ -845,6 +845,169 @@
     <message>
         <source>target %1</source>
         <translation>objetivo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ColorText</name>
+    <message>
+        <source>at the top left</source>
+        <translation>arriba a la izquierda</translation>
+    </message>
+    <message>
+        <source>at the top</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>at the top right</source>
+        <translation>arriba a la derecha</translation>
+    </message>
+    <message>
+        <source>at the left</source>
+        <translation>a la izquierda</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>en el centro</translation>
+    </message>
+    <message>
+        <source>at the right</source>
+        <translation>a la derecha</translation>
+    </message>
+    <message>
+        <source>at the bottom left</source>
+        <translation>abajo a la izquierda</translation>
+    </message>
+    <message>
+        <source>at the bottom</source>
+        <translation>abajo</translation>
+    </message>
+    <message>
+        <source>at the bottom right</source>
+        <translation>abajo a la derecha</translation>
+    </message>
+    <message>
+        <source>Stands out well: %1 of 100.</source>
+        <translation>Destaca bien: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>Stands out: %1 of 100.</source>
+        <translation>Destaca: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>Hard to tell apart: %1 of 100.</source>
+        <translation>Difícil de distinguir: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>Hardly stands out: %1 of 100.</source>
+        <translation>Apenas destaca: %1 de 100.</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>negro</translation>
+    </message>
+    <message>
+        <source>gray</source>
+        <translation>gris</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>blanco</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>marrón</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rojo</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>naranja</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>amarillo</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>turquesa</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>morado</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>rosa</translation>
+    </message>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>Alt-clic en lo que también coincide: se puede distinguir.</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>Cubra lo que tiene el mismo color o sáquelo de la imagen.</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>El objetivo es casi negro aquí: más luz ayudaría.</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>El objetivo es casi blanco aquí: una exposición más corta ayudaría.</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
+    </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
+    </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>El %1 % del fondo también coincide.</translation>
+    </message>
+    <message>
+        <source>One sample does not go with the others: no single range holds both.</source>
+        <translation>Una muestra no va con las demás: ningún rango único abarca ambas.</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>Algo %1 %2 de %3 también coincide.</translation>
+    </message>
+    <message>
+        <source>Several things have this color: another one would help.</source>
+        <translation>Varias cosas tienen este color: otro ayudaría.</translation>
+    </message>
+    <message>
+        <source>Only a speck was clicked: drag a box on the whole thing.</source>
+        <translation>El clic dio solo en una mota: arrastra un recuadro sobre la cosa entera.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the target and %2 % of the background match.</source>
+        <translation>Solo coinciden el %1 % del objetivo y el %2 % del fondo.</translation>
+    </message>
+    <message>
+        <source>A range for all of the target would match %1 % of the background.</source>
+        <translation>Un rango para todo el objetivo coincidiría con el %1 % del fondo.</translation>
     </message>
 </context>
 <context>
@@ -2014,169 +2177,6 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>m/s</source>
         <translation>m/s</translation>
-    </message>
-</context>
-<context>
-    <name>ColorText</name>
-    <message>
-        <source>at the top left</source>
-        <translation>arriba a la izquierda</translation>
-    </message>
-    <message>
-        <source>at the top</source>
-        <translation>arriba</translation>
-    </message>
-    <message>
-        <source>at the top right</source>
-        <translation>arriba a la derecha</translation>
-    </message>
-    <message>
-        <source>at the left</source>
-        <translation>a la izquierda</translation>
-    </message>
-    <message>
-        <source>in the middle</source>
-        <translation>en el centro</translation>
-    </message>
-    <message>
-        <source>at the right</source>
-        <translation>a la derecha</translation>
-    </message>
-    <message>
-        <source>at the bottom left</source>
-        <translation>abajo a la izquierda</translation>
-    </message>
-    <message>
-        <source>at the bottom</source>
-        <translation>abajo</translation>
-    </message>
-    <message>
-        <source>at the bottom right</source>
-        <translation>abajo a la derecha</translation>
-    </message>
-    <message>
-        <source>Stands out well: %1 of 100.</source>
-        <translation>Destaca bien: %1 de 100.</translation>
-    </message>
-    <message>
-        <source>Stands out: %1 of 100.</source>
-        <translation>Destaca: %1 de 100.</translation>
-    </message>
-    <message>
-        <source>Hard to tell apart: %1 of 100.</source>
-        <translation>Difícil de distinguir: %1 de 100.</translation>
-    </message>
-    <message>
-        <source>Hardly stands out: %1 of 100.</source>
-        <translation>Apenas destaca: %1 de 100.</translation>
-    </message>
-    <message>
-        <source>black</source>
-        <translation>negro</translation>
-    </message>
-    <message>
-        <source>gray</source>
-        <translation>gris</translation>
-    </message>
-    <message>
-        <source>white</source>
-        <translation>blanco</translation>
-    </message>
-    <message>
-        <source>brown</source>
-        <translation>marrón</translation>
-    </message>
-    <message>
-        <source>red</source>
-        <translation>rojo</translation>
-    </message>
-    <message>
-        <source>orange</source>
-        <translation>naranja</translation>
-    </message>
-    <message>
-        <source>yellow</source>
-        <translation>amarillo</translation>
-    </message>
-    <message>
-        <source>green</source>
-        <translation>verde</translation>
-    </message>
-    <message>
-        <source>turquoise</source>
-        <translation>turquesa</translation>
-    </message>
-    <message>
-        <source>blue</source>
-        <translation>azul</translation>
-    </message>
-    <message>
-        <source>purple</source>
-        <translation>morado</translation>
-    </message>
-    <message>
-        <source>pink</source>
-        <translation>rosa</translation>
-    </message>
-    <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
-    </message>
-    <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>Alt-clic en lo que también coincide: se puede distinguir.</translation>
-    </message>
-    <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>Cubra lo que tiene el mismo color o sáquelo de la imagen.</translation>
-    </message>
-    <message>
-        <source>The target is nearly black here: more light would help.</source>
-        <translation>El objetivo es casi negro aquí: más luz ayudaría.</translation>
-    </message>
-    <message>
-        <source>The target is nearly white here: a shorter exposure would help.</source>
-        <translation>El objetivo es casi blanco aquí: una exposición más corta ayudaría.</translation>
-    </message>
-    <message>
-        <source>The target is nearly gray: a stronger color would help.</source>
-        <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
-    </message>
-    <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
-    </message>
-    <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>Coincide el %1 % de las imágenes. Mayús-clic en el objetivo para saber cuánto destaca.</translation>
-    </message>
-    <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>El %1 % del fondo también coincide.</translation>
-    </message>
-    <message>
-        <source>One sample does not go with the others: no single range holds both.</source>
-        <translation>Una muestra no va con las demás: ningún rango único abarca ambas.</translation>
-    </message>
-    <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>Algo %1 %2 de %3 también coincide.</translation>
-    </message>
-    <message>
-        <source>Several things have this color: another one would help.</source>
-        <translation>Varias cosas tienen este color: otro ayudaría.</translation>
-    </message>
-    <message>
-        <source>Only a speck was clicked: drag a box on the whole thing.</source>
-        <translation>El clic dio solo en una mota: arrastra un recuadro sobre la cosa entera.</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the target and %2 % of the background match.</source>
-        <translation>Solo coinciden el %1 % del objetivo y el %2 % del fondo.</translation>
-    </message>
-    <message>
-        <source>A range for all of the target would match %1 % of the background.</source>
-        <translation>Un rango para todo el objetivo coincidiría con el %1 % del fondo.</translation>
     </message>
 </context>
 <context>
@@ -5731,6 +5731,49 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::TouchedInstantList</name>
+    <message>
+        <source>The ball %1</source>
+        <translation>La pelota %1</translation>
+    </message>
+    <message>
+        <source>What the ball does at the moment</source>
+        <translation>Qué hace la pelota en el momento</translation>
+    </message>
+    <message>
+        <source>Three places of the floor, or a fall, tell where up is</source>
+        <translation>Tres lugares del suelo, o una caída, dicen dónde es arriba</translation>
+    </message>
+    <message>
+        <source>Take this moment</source>
+        <translation>Tomar este momento</translation>
+    </message>
+    <message>
+        <source>The moment that the images show is one at which the ball does this</source>
+        <translation>En el momento que muestran las imágenes la pelota hace esto</translation>
+    </message>
+    <message>
+        <source>Remove moment</source>
+        <translation>Quitar momento</translation>
+    </message>
+    <message>
+        <source>Take the chosen moment off the list</source>
+        <translation>Quitar de la lista el momento elegido</translation>
+    </message>
+    <message>
+        <source>Moments taken</source>
+        <translation>Momentos tomados</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the moment</source>
+        <translation>Doble clic o Intro muestra el momento</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::TrajectoryModel</name>
     <message>
         <source>● held</source>
@@ -6217,49 +6260,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Look through the stretch selected in the timeline, not the whole recording</source>
         <translation>Examinar el tramo elegido en la línea de tiempo, no toda la grabación</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::TouchedInstantList</name>
-    <message>
-        <source>The ball %1</source>
-        <translation>La pelota %1</translation>
-    </message>
-    <message>
-        <source>What the ball does at the moment</source>
-        <translation>Qué hace la pelota en el momento</translation>
-    </message>
-    <message>
-        <source>Three places of the floor, or a fall, tell where up is</source>
-        <translation>Tres lugares del suelo, o una caída, dicen dónde es arriba</translation>
-    </message>
-    <message>
-        <source>Take this moment</source>
-        <translation>Tomar este momento</translation>
-    </message>
-    <message>
-        <source>The moment that the images show is one at which the ball does this</source>
-        <translation>En el momento que muestran las imágenes la pelota hace esto</translation>
-    </message>
-    <message>
-        <source>Remove moment</source>
-        <translation>Quitar momento</translation>
-    </message>
-    <message>
-        <source>Take the chosen moment off the list</source>
-        <translation>Quitar de la lista el momento elegido</translation>
-    </message>
-    <message>
-        <source>Moments taken</source>
-        <translation>Momentos tomados</translation>
-    </message>
-    <message>
-        <source>Double click or Enter shows the moment</source>
-        <translation>Doble clic o Intro muestra el momento</translation>
-    </message>
-    <message>
-        <source>%1 – %2</source>
-        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>

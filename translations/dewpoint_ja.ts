@@ -748,13 +748,6 @@
     </message>
 </context>
 <context>
-    <name>CameraMotion</name>
-    <message>
-        <source>turned by %1</source>
-        <translation>%1 回転</translation>
-    </message>
-</context>
-<context>
     <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
@@ -834,6 +827,13 @@
     </message>
 </context>
 <context>
+    <name>CameraMotion</name>
+    <message>
+        <source>turned by %1</source>
+        <translation>%1 回転</translation>
+    </message>
+</context>
+<context>
     <name>CameraNames</name>
     <message>
         <source>camera %1</source>
@@ -845,6 +845,169 @@
     <message>
         <source>target %1</source>
         <translation>ターゲット %1</translation>
+    </message>
+</context>
+<context>
+    <name>ColorText</name>
+    <message>
+        <source>at the top left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>at the top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>at the top right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>at the left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>中央</translation>
+    </message>
+    <message>
+        <source>at the right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>at the bottom left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>at the bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>at the bottom right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>Stands out well: %1 of 100.</source>
+        <translation>よく見分けられます: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>Stands out: %1 of 100.</source>
+        <translation>見分けられます: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>Hard to tell apart: %1 of 100.</source>
+        <translation>見分けにくい色です: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>Hardly stands out: %1 of 100.</source>
+        <translation>ほとんど見分けられません: 100点中%1点。</translation>
+    </message>
+    <message>
+        <source>black</source>
+        <translation>黒い物</translation>
+    </message>
+    <message>
+        <source>gray</source>
+        <translation>灰色の物</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>白い物</translation>
+    </message>
+    <message>
+        <source>brown</source>
+        <translation>茶色の物</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>赤い物</translation>
+    </message>
+    <message>
+        <source>orange</source>
+        <translation>オレンジ色の物</translation>
+    </message>
+    <message>
+        <source>yellow</source>
+        <translation>黄色い物</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>緑の物</translation>
+    </message>
+    <message>
+        <source>turquoise</source>
+        <translation>青緑の物</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>青い物</translation>
+    </message>
+    <message>
+        <source>purple</source>
+        <translation>紫の物</translation>
+    </message>
+    <message>
+        <source>pink</source>
+        <translation>ピンクの物</translation>
+    </message>
+    <message>
+        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
+        <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
+    </message>
+    <message>
+        <source>Alt-click what matches too: it can be told apart.</source>
+        <translation>一致している別の物を Alt クリックすると区別できます。</translation>
+    </message>
+    <message>
+        <source>Cover what has the same color, or take it out of view.</source>
+        <translation>同じ色の物を覆うか、画面の外に出してください。</translation>
+    </message>
+    <message>
+        <source>The target is nearly black here: more light would help.</source>
+        <translation>ターゲットがほぼ黒く写っています。明るくすると良くなります。</translation>
+    </message>
+    <message>
+        <source>The target is nearly white here: a shorter exposure would help.</source>
+        <translation>ターゲットがほぼ白く写っています。露光を短くすると良くなります。</translation>
+    </message>
+    <message>
+        <source>The target is nearly gray: a stronger color would help.</source>
+        <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
+    </message>
+    <message>
+        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
+        <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
+    </message>
+    <message>
+        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
+        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
+    </message>
+    <message>
+        <source>%1 % of the background matches too.</source>
+        <translation>背景の %1 % も一致します。</translation>
+    </message>
+    <message>
+        <source>One sample does not go with the others: no single range holds both.</source>
+        <translation>ほかと合わない見本があります。1つの範囲に両方は収まりません。</translation>
+    </message>
+    <message>
+        <source>Something %1 %2 of %3 matches too.</source>
+        <translation>%3 の%2にある%1も一致します。</translation>
+    </message>
+    <message>
+        <source>Several things have this color: another one would help.</source>
+        <translation>この色の物がいくつもあります。別の色にするとよいでしょう。</translation>
+    </message>
+    <message>
+        <source>Only a speck was clicked: drag a box on the whole thing.</source>
+        <translation>小さな点だけがクリックされました。物全体を枠で囲んでください。</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the target and %2 % of the background match.</source>
+        <translation>ターゲットの %1 % と背景の %2 % だけが一致します。</translation>
+    </message>
+    <message>
+        <source>A range for all of the target would match %1 % of the background.</source>
+        <translation>ターゲット全体を含む範囲は、背景の %1 % にも一致します。</translation>
     </message>
 </context>
 <context>
@@ -2014,169 +2177,6 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>m/s</source>
         <translation>m/s</translation>
-    </message>
-</context>
-<context>
-    <name>ColorText</name>
-    <message>
-        <source>at the top left</source>
-        <translation>左上</translation>
-    </message>
-    <message>
-        <source>at the top</source>
-        <translation>上</translation>
-    </message>
-    <message>
-        <source>at the top right</source>
-        <translation>右上</translation>
-    </message>
-    <message>
-        <source>at the left</source>
-        <translation>左</translation>
-    </message>
-    <message>
-        <source>in the middle</source>
-        <translation>中央</translation>
-    </message>
-    <message>
-        <source>at the right</source>
-        <translation>右</translation>
-    </message>
-    <message>
-        <source>at the bottom left</source>
-        <translation>左下</translation>
-    </message>
-    <message>
-        <source>at the bottom</source>
-        <translation>下</translation>
-    </message>
-    <message>
-        <source>at the bottom right</source>
-        <translation>右下</translation>
-    </message>
-    <message>
-        <source>Stands out well: %1 of 100.</source>
-        <translation>よく見分けられます: 100点中%1点。</translation>
-    </message>
-    <message>
-        <source>Stands out: %1 of 100.</source>
-        <translation>見分けられます: 100点中%1点。</translation>
-    </message>
-    <message>
-        <source>Hard to tell apart: %1 of 100.</source>
-        <translation>見分けにくい色です: 100点中%1点。</translation>
-    </message>
-    <message>
-        <source>Hardly stands out: %1 of 100.</source>
-        <translation>ほとんど見分けられません: 100点中%1点。</translation>
-    </message>
-    <message>
-        <source>black</source>
-        <translation>黒い物</translation>
-    </message>
-    <message>
-        <source>gray</source>
-        <translation>灰色の物</translation>
-    </message>
-    <message>
-        <source>white</source>
-        <translation>白い物</translation>
-    </message>
-    <message>
-        <source>brown</source>
-        <translation>茶色の物</translation>
-    </message>
-    <message>
-        <source>red</source>
-        <translation>赤い物</translation>
-    </message>
-    <message>
-        <source>orange</source>
-        <translation>オレンジ色の物</translation>
-    </message>
-    <message>
-        <source>yellow</source>
-        <translation>黄色い物</translation>
-    </message>
-    <message>
-        <source>green</source>
-        <translation>緑の物</translation>
-    </message>
-    <message>
-        <source>turquoise</source>
-        <translation>青緑の物</translation>
-    </message>
-    <message>
-        <source>blue</source>
-        <translation>青い物</translation>
-    </message>
-    <message>
-        <source>purple</source>
-        <translation>紫の物</translation>
-    </message>
-    <message>
-        <source>pink</source>
-        <translation>ピンクの物</translation>
-    </message>
-    <message>
-        <source>Much of the target does not match: Shift-click its light and its dark side.</source>
-        <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
-    </message>
-    <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>一致している別の物を Alt クリックすると区別できます。</translation>
-    </message>
-    <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>同じ色の物を覆うか、画面の外に出してください。</translation>
-    </message>
-    <message>
-        <source>The target is nearly black here: more light would help.</source>
-        <translation>ターゲットがほぼ黒く写っています。明るくすると良くなります。</translation>
-    </message>
-    <message>
-        <source>The target is nearly white here: a shorter exposure would help.</source>
-        <translation>ターゲットがほぼ白く写っています。露光を短くすると良くなります。</translation>
-    </message>
-    <message>
-        <source>The target is nearly gray: a stronger color would help.</source>
-        <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
-    </message>
-    <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
-    </message>
-    <message>
-        <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
-        <translation>画像の %1 % が一致します。ターゲットを Shift クリックすると、どれだけ見分けやすいか分かります。</translation>
-    </message>
-    <message>
-        <source>%1 % of the background matches too.</source>
-        <translation>背景の %1 % も一致します。</translation>
-    </message>
-    <message>
-        <source>One sample does not go with the others: no single range holds both.</source>
-        <translation>ほかと合わない見本があります。1つの範囲に両方は収まりません。</translation>
-    </message>
-    <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>%3 の%2にある%1も一致します。</translation>
-    </message>
-    <message>
-        <source>Several things have this color: another one would help.</source>
-        <translation>この色の物がいくつもあります。別の色にするとよいでしょう。</translation>
-    </message>
-    <message>
-        <source>Only a speck was clicked: drag a box on the whole thing.</source>
-        <translation>小さな点だけがクリックされました。物全体を枠で囲んでください。</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the target and %2 % of the background match.</source>
-        <translation>ターゲットの %1 % と背景の %2 % だけが一致します。</translation>
-    </message>
-    <message>
-        <source>A range for all of the target would match %1 % of the background.</source>
-        <translation>ターゲット全体を含む範囲は、背景の %1 % にも一致します。</translation>
     </message>
 </context>
 <context>
@@ -5729,6 +5729,49 @@ Effective sample size %8 of %9</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::TouchedInstantList</name>
+    <message>
+        <source>The ball %1</source>
+        <translation>ボールが%1</translation>
+    </message>
+    <message>
+        <source>What the ball does at the moment</source>
+        <translation>その瞬間のボールの状態</translation>
+    </message>
+    <message>
+        <source>Three places of the floor, or a fall, tell where up is</source>
+        <translation>床の3か所、または落下から上の向きが分かります</translation>
+    </message>
+    <message>
+        <source>Take this moment</source>
+        <translation>この瞬間を取り込む</translation>
+    </message>
+    <message>
+        <source>The moment that the images show is one at which the ball does this</source>
+        <translation>表示中の瞬間に、ボールはこの状態です</translation>
+    </message>
+    <message>
+        <source>Remove moment</source>
+        <translation>瞬間を除く</translation>
+    </message>
+    <message>
+        <source>Take the chosen moment off the list</source>
+        <translation>選んだ瞬間を一覧から除く</translation>
+    </message>
+    <message>
+        <source>Moments taken</source>
+        <translation>取り込んだ瞬間</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the moment</source>
+        <translation>ダブルクリックまたは Enter でその瞬間を表示</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::TrajectoryModel</name>
     <message>
         <source>● held</source>
@@ -6212,49 +6255,6 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Look through the stretch selected in the timeline, not the whole recording</source>
         <translation>録画全体ではなく、タイムラインで選択した区間を調べる</translation>
-    </message>
-</context>
-<context>
-    <name>dewpoint::ui::TouchedInstantList</name>
-    <message>
-        <source>The ball %1</source>
-        <translation>ボールが%1</translation>
-    </message>
-    <message>
-        <source>What the ball does at the moment</source>
-        <translation>その瞬間のボールの状態</translation>
-    </message>
-    <message>
-        <source>Three places of the floor, or a fall, tell where up is</source>
-        <translation>床の3か所、または落下から上の向きが分かります</translation>
-    </message>
-    <message>
-        <source>Take this moment</source>
-        <translation>この瞬間を取り込む</translation>
-    </message>
-    <message>
-        <source>The moment that the images show is one at which the ball does this</source>
-        <translation>表示中の瞬間に、ボールはこの状態です</translation>
-    </message>
-    <message>
-        <source>Remove moment</source>
-        <translation>瞬間を除く</translation>
-    </message>
-    <message>
-        <source>Take the chosen moment off the list</source>
-        <translation>選んだ瞬間を一覧から除く</translation>
-    </message>
-    <message>
-        <source>Moments taken</source>
-        <translation>取り込んだ瞬間</translation>
-    </message>
-    <message>
-        <source>Double click or Enter shows the moment</source>
-        <translation>ダブルクリックまたは Enter でその瞬間を表示</translation>
-    </message>
-    <message>
-        <source>%1 – %2</source>
-        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
