@@ -219,6 +219,9 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"core/experiment/clips/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/clips/a.h", "\"core/experiment/suite/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"core/experiment/suite/b.h\""), 1U);
+  const std::string baselines = "\"core/experiment/baselines/";
+  EXPECT_EQ(complaints("core/experiment/studies/a.h", baselines + "baseline_kalman.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/studies/a.h", baselines + "box_follower.h\""), 0U);
   EXPECT_EQ(complaints("core/simulation/surface/a.h", "\"core/simulation/room/b.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/room/a.h", "\"core/simulation/sensor/b.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/sensor/a.h", "\"core/simulation/people/b.h\""), 1U);

@@ -72,7 +72,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"clips", {"scenarios"}},
         {"baselines", {"scenarios"}},
         {"suite", {"baselines", "metrics", "report", "scenarios"}},
-        {"studies", {"baselines", "metrics", "report", "scenarios", "scenarios/people"}}}},
+        {"studies", {"metrics", "report", "scenarios", "scenarios/people"}}}},
   };
   return kTable;
 }
