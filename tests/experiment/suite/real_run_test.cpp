@@ -222,8 +222,8 @@ TEST(SuiteRunner, RunsRealClipsInTheirGradeByTheMethodsThatCan) {
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.grades = {Grade::Ideal, Grade::Real};
-  request.methods = *selectMethods({"triangulation", "camshift", "histogram", "camshift-box"},
-                                    allSuiteMethods());
+  request.methods =
+      *selectMethods({"triangulation", "camshift", "histogram", "camshift-box"}, allSuiteMethods());
   request.seeds = 1;
   const auto jobs = planSuite(request, {});
   ASSERT_EQ(jobs.size(), 3U);
