@@ -12,6 +12,7 @@
 namespace dewpoint::project {
 namespace {
 
+// Chosen: far beyond what any rig sees, so that only files with a mistake are refused.
 constexpr double kMostMeters = 1e4;      ///< of a coordinate
 constexpr double kLeastVariance = 1e-12; ///< m², along any axis: it has to be inverted
 constexpr double kMostPixels = 1e6;      ///< of any image
