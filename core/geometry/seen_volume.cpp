@@ -83,23 +83,22 @@ std::vector<View> viewsOf(const CameraRig& rig) {
   return views;
 }
 
-/// Whether one of the views but number `own` sees the point.
-bool isSeenByAnother(const std::vector<View>& views, std::size_t own,
-                     const Eigen::Vector3d& point) {
+/// How many of the views see a point that lies on a ray of view number `own`.
+std::size_t countSeeing(const std::vector<View>& views, std::size_t own,
+                        const Eigen::Vector3d& point) {
+  std::size_t count = 1;
   for (std::size_t other = 0; other < views.size(); ++other) {
-    if (other != own && views[other].sees(point)) {
-      return true;
-    }
+    count += other != own && views[other].sees(point) ? 1 : 0;
   }
-  return false;
+  return count;
 }
 
 void extend(std::optional<WorldBox>& box, const Eigen::Vector3d& point) {
   box = box ? WorldBox{box->min.cwiseMin(point), box->max.cwiseMax(point)} : WorldBox{point, point};
 }
 
-/// The box of the lattices' points; of those that a second camera sees, too, if `byTwo`.
-std::optional<WorldBox> boxOf(const std::vector<View>& views, bool byTwo) {
+/// The box of the lattices' points that at least `least` views see.
+std::optional<WorldBox> boxOf(const std::vector<View>& views, std::size_t least) {
   std::optional<WorldBox> box;
   for (std::size_t camera = 0; camera < views.size(); ++camera) {
     const View& view = views[camera];
@@ -111,7 +110,7 @@ std::optional<WorldBox> boxOf(const std::vector<View>& views, bool byTwo) {
         for (int depth = 1; ray && depth <= kLatticeDepths; ++depth) {
           const Eigen::Vector3d point =
               ray->origin + view.reach * depth / kLatticeDepths * ray->direction;
-          if (!byTwo || isSeenByAnother(views, camera, point)) {
+          if (countSeeing(views, camera, point) >= least) {
             extend(box, point);
           }
         }
@@ -123,12 +122,15 @@ std::optional<WorldBox> boxOf(const std::vector<View>& views, bool byTwo) {
 
 } // namespace
 
-std::optional<WorldBox> seenVolume(const CameraRig& rig) {
+std::optional<WorldBox> commonVolume(const CameraRig& rig, std::size_t cameras) {
   CameraRig usable;
   std::ranges::copy_if(rig, std::back_inserter(usable), isUsable);
-  const std::vector<View> views = viewsOf(usable);
-  const auto common = boxOf(views, true);
-  return common ? common : boxOf(views, false);
+  return boxOf(viewsOf(usable), cameras);
+}
+
+std::optional<WorldBox> seenVolume(const CameraRig& rig) {
+  const auto common = commonVolume(rig, 2);
+  return common ? common : commonVolume(rig, 1);
 }
 
 } // namespace dewpoint::geometry

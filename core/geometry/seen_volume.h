@@ -4,6 +4,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/world_box.h"
 
+#include <cstddef>
 #include <optional>
 
 namespace dewpoint::geometry {
@@ -12,14 +13,18 @@ namespace dewpoint::geometry {
 /// a room.
 inline constexpr double kReachOfOneCamera = 4.0;
 
-/// The box around what at least two cameras of a rig see, each up to half as far again as where its
-/// optical axis meets those of the others (the median), and at most 20 times as far as the cameras
-/// are apart. What one camera sees where there is one, or where no two see anything together; up to
-/// kReachOfOneCamera where the cameras tell no distance. Cameras without an image size or a focal
-/// length do not count; nothing without any other.
+/// The box around what at least `cameras` cameras of a rig see together, each up to half as far
+/// again as where its optical axis meets those of the others (the median), and at most 20 times as
+/// far as the cameras are apart; up to kReachOfOneCamera where the cameras tell no distance.
+/// Cameras without an image size or a focal length do not count. Nothing where so many cameras see
+/// nothing together.
 ///
 /// Sampled: the box is that of points on a lattice of each camera's rays, a tenth of its view's
 /// width and 3 % of its depth apart. Takes a few milliseconds for eight cameras.
+std::optional<WorldBox> commonVolume(const CameraRig& rig, std::size_t cameras);
+
+/// The common volume of two cameras; that of one where no two see anything together. Nothing
+/// without a camera that counts.
 std::optional<WorldBox> seenVolume(const CameraRig& rig);
 
 } // namespace dewpoint::geometry

@@ -8,11 +8,8 @@
 
 namespace dewpoint::experiment {
 
-/// The upright box around the positions that all cameras see, or at least two where there are none
-/// that all see; world frame, meters. Sampled: the box is that of points on a lattice of each
-/// camera's rays, up to twice as far as where its optical axis meets another's, and at most ten
-/// times as far as the cameras are apart. Nothing for fewer than two cameras, or when no two see
-/// anything together.
+/// What all cameras of a rig see together (geometry::commonVolume), or two of them where there is
+/// nothing that all see. Nothing for fewer than two cameras, or when no two see anything together.
 std::optional<StartVolume> commonView(const CameraRig& rig);
 
 /// Where a method starts that would otherwise start on the desk of its paper: in the part of the
