@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace dewpoint::trajectory {
@@ -42,12 +43,14 @@ constexpr double kShareOfAStep = 0.03;
 
 using Path = std::vector<PathPoint>;
 
+/// Minus infinity for a model under which it cannot be computed: one so extreme that covariances
+/// are no longer positive definite, or overflow.
 double logLikelihood(std::span<const Path> paths, const PathModel& model) {
   double sum = 0.0;
   for (const Path& path : paths) {
     sum += pathLogLikelihood(path, model, kGate);
   }
-  return sum;
+  return std::isnan(sum) ? -std::numeric_limits<double>::infinity() : sum;
 }
 
 struct Fitted {

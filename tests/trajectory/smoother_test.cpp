@@ -180,6 +180,17 @@ TEST(FitPathModel, FindsStrengthAndNoise) {
   EXPECT_NEAR(model.noiseFactor, 0.25, 0.03);
 }
 
+TEST(FitPathModel, EndsWhereALikelihoodCannotBeComputed) {
+  Drawn drawn = draw(5, 40, 0.5, 0.004);
+  drawn.path[20].seen->covariance.setIdentity();
+  drawn.path[20].seen->covariance *= 1e308; // overflows with any larger noise factor
+  int asked = 0;
+  const PathModel model =
+      fitPathModel(std::vector<std::vector<PathPoint>>{drawn.path}, [&] { return ++asked < 1000; });
+  EXPECT_LT(asked, 1000);
+  EXPECT_TRUE(std::isfinite(pathLogLikelihood(drawn.path, model, 25.0)));
+}
+
 Trajectory liveRun(const Drawn& drawn) {
   Trajectory live;
   live.header.hasSeen = true;
