@@ -30,6 +30,12 @@ def number(value):
     return f"{value:.2f}" if size >= 0.01 else f"{value:.1g}"
 
 
+def amount(value, unit):
+    """A number with its unit; what never happened has none."""
+    text = number(value)
+    return text if text == "never" else f"{text} {unit}"
+
+
 def percent(value):
     """Whole percents, but never 0 % or 100 % of what is not quite that."""
     if value is None:

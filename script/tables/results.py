@@ -7,6 +7,9 @@ import pathlib
 import re
 
 
+GRADES = ("ideal", "room", "wild", "real")  # from easy to hard, as everywhere in the documentation
+
+
 def value(text):
     """A number, or the text itself; None for nothing."""
     if text is None or text == "":
@@ -80,6 +83,8 @@ class Results:
             if shard.kind == "people":
                 self.people += read_rows(folder / "shards" / shard.name / "runs.csv")
                 self.persons += read_rows(folder / "shards" / shard.name / "people.csv")
+        for rows in (self.people, self.persons):
+            rows.sort(key=lambda row: GRADES.index(row["grade"]))
         self.convergence = self.study("convergence", "convergence.csv")
         self.drift = self.study("convergence", "drift.csv")
         self.start_boxes = self.study("starts", "boxes.csv")

@@ -263,8 +263,8 @@ class Tables(unittest.TestCase):
                            "coverage95_percent": {"median": null, "worst": null, "worst_scenario": ""}}}]}""")
         self.assertEqual(tables.requirements(made).rows,
                          [["inside", "room", "92 to 98 %", "14 % (`S4-desk-cloud`)", "72", "**not reached**, for the next version"]])
-        self.assertEqual(tables.belief(made).rows, [["room", "nees", "5", "never", "`S4-desk-cloud`"],
-                                                    ["room", "coverage95 percent", "-", "-", "-"]])
+        self.assertEqual(tables.belief(made).rows, [["room", "NEES", "5", "never", "`S4-desk-cloud`"],
+                                                    ["room", "in the 95 % ellipsoid, %", "-", "-", "-"]])
 
     def test_people(self):
         made = results_of(self.folder, **{"shards__people-crossing-ideal-different-1006001-2__runs_csv": """\
@@ -276,6 +276,14 @@ class Tables(unittest.TestCase):
         self.assertEqual(tables.studies.people_heights(made).rows, [])  # none of that scene
         self.assertEqual(tables.people_quality(made).rows,
                          [["`crossing`", "room", "different", "`people`", "2", "0.750", "0.800", "20", "0.10", "0.80"]])
+
+    def test_people_by_grades_in_their_order(self):
+        made = results_of(self.folder, **{"shards__people-crossing-ideal-different-1006001-2__runs_csv": """\
+            scenario,grade,clothes,method,seed,kept
+            crossing,wild,different,people,1006001,1
+            crossing,ideal,different,people,1006001,1
+            """})
+        self.assertEqual([row[1] for row in tables.people_identities(made).rows], ["ideal", "wild"])
 
     def test_fidelity(self):
         made = results_of(self.folder, shards__convergence__convergence_csv="""\

@@ -3,7 +3,7 @@
 import math
 
 import studies
-from cells import Made, name, number, percent, worst
+from cells import Made, amount, name, number, percent, worst
 from results import column, distinct, finite, mean, median, quantile, seeds_of
 
 OURS = "dewpoint"
@@ -29,8 +29,8 @@ def remarks(rows):
         words.append(f"found again within {number(quantile(again, 0.9))} frames (90th percentile)")
     blind = column(rows, "blackout_rmse_mm")
     if blind:
-        words.append(f"while blind: median {number(median(blind))} mm, "
-                     f"90th percentile {number(quantile(blind, 0.9))} mm")
+        words.append(f"while blind: median {amount(median(blind), 'mm')}, "
+                     f"90th percentile {amount(quantile(blind, 0.9), 'mm')}")
     for key, text in (("frames_to_declare_loss", "loss declared within {} frames"),
                       ("largest_step_mm", "largest step {} mm")):
         numbers = column(rows, key)
@@ -172,12 +172,25 @@ def exact(value):
     return float(value) if isinstance(value, str) else value
 
 
+# Figures of belief by their names in report.json.
+BELIEF_FIGURES = {
+    "coverage50_percent": "in the 50 % ellipsoid, %",
+    "coverage95_percent": "in the 95 % ellipsoid, %",
+    "nees": "NEES",
+    "existence_ece": "ECE of P(exists)",
+    "sure_and_wrong_percent": "sure and wrong, % of frames",
+    "wrong_percent": "declared, not within 30 mm, % of frames",
+    "wrong_when_sure_percent": "the same with P(exists) above 0.95, % of frames",
+    "sure_of_tie_percent": "sure of a tie, % of frames",
+}
+
+
 def belief(results):
     """Whether the method knows how sure it may be, by grade: median over the scenarios, and the worst."""
     table = []
     for one in results.belief:
         if one["method"] == OURS:
-            table += [[one["grade"], figure.replace("_", " "), number(exact(found["median"])),
+            table += [[one["grade"], BELIEF_FIGURES.get(figure, figure), number(exact(found["median"])),
                        number(exact(found["worst"])), name(found["worst_scenario"]) if found["worst_scenario"] else "-"]
                       for figure, found in one.get("figures", {}).items()]
     return Made(["grade", "figure", "median of the scenarios", "worst", "in"], table, [OURS],
