@@ -266,6 +266,18 @@ class Tables(unittest.TestCase):
         self.assertEqual(tables.belief(made).rows, [["room", "NEES", "5", "never", "`S4-desk-cloud`"],
                                                     ["room", "in the 95 % ellipsoid, %", "-", "-", "-"]])
 
+    def test_beyond_the_model(self):
+        made = results_of(self.folder, suite__runs_csv="""\
+            scenario,grade,method,seed,wrong_percent,wrong_when_sure_percent,coverage95_percent
+            S0-slow,ideal,dewpoint,1006001,90,80,10
+            S11-held,ideal,dewpoint,1006001,40,20,50
+            S11-held,ideal,dewpoint,1006002,20,0,
+            S11-held,ideal,triangulation-kalman,1006001,5,5,90
+            S11-held,room,dewpoint,1006001,60,60,30
+            """)
+        self.assertEqual(tables.beyond_model(made).rows,
+                         [["`S11-held`", "30 % (10 %)", "5 %", "50 %", "60 % (60 %)", "-", "30 %"]])
+
     def test_people(self):
         made = results_of(self.folder, **{"shards__people-crossing-ideal-different-1006001-2__runs_csv": """\
             scenario,grade,clothes,method,seed,kept,mota,motp_m,hota,identity_switches,longest_ghost_s,longest_missed_s

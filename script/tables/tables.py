@@ -11,6 +11,7 @@ SMOOTHED = "dewpoint-smoothed"
 QUICK_FRAMES = 5  # a start counts as quick that takes no more (kQuickFrames of the suite)
 COSTLY = ("csrt",)  # of which plan.toml asks fewer runs
 ACCURACY, PEOPLE, FIDELITY = "docs/accuracy.md", "docs/people.md", "docs/fidelity.md"
+METHOD = "docs/method-dewpoint.md"
 BOXES = "docs/method-sugandi.md"
 
 
@@ -197,6 +198,33 @@ def belief(results):
                 seeds_of(results.runs(method=OURS)))
 
 
+# Families of scenarios in which a target or its images are not as method dewpoint takes them to be.
+BEYOND_MODEL = ("S11", "S12", "S13", "S14", "S15", "S16", "S17", "S18", "S19", "S20", "S21")
+PEER = "triangulation-kalman"
+
+
+def beyond_model(results):
+    """How often method dewpoint is wrong, and sure of it, where its model does not hold."""
+
+    def wrong(rows):
+        shares = [mean(column(rows, key)) for key in ("wrong_percent", "wrong_when_sure_percent")]
+        return f"{percent(shares[0])} ({percent(shares[1])})" if None not in shares else "-"
+
+    table, used = [], []
+    for scenario in distinct(results.suite, "scenario"):
+        if scenario.split("-")[0] not in BEYOND_MODEL:
+            continue
+        cells = []
+        for grade in ("ideal", "room"):
+            ours, theirs = (results.runs(grade=grade, scenario=scenario, method=method) for method in (OURS, PEER))
+            cells += [wrong(ours), percent(mean(column(theirs, "wrong_percent"))),
+                      percent(mean(column(ours, "coverage95_percent")))]
+            used += ours + theirs
+        table.append([name(scenario), *cells])
+    return Made(["scenario", *[head for grade in ("ideal", "room") for head in (
+        f"wrong (and sure), {grade}", "wrong, " + name(PEER), "in the 95 % ellipsoid")]], table, [OURS, PEER], seeds_of(used))
+
+
 def smoothed(results):
     families = {}
     for row in results.runs(grade="ideal", method=SMOOTHED):
@@ -310,6 +338,7 @@ TABLES = (
     (ACCURACY, "peers-ideal", peers("ideal")),
     (ACCURACY, "sizes", sizes),
     (ACCURACY, "smoothed", smoothed),
+    (METHOD, "beyond-model", beyond_model),
     (PEOPLE, "people-identities", people_identities),
     (PEOPLE, "people-quality", people_quality),
     (PEOPLE, "people-heights", studies.people_heights),

@@ -23,8 +23,9 @@ namespace dewpoint::tests {
 namespace {
 
 /// The pages whose tables script/figures writes.
-constexpr std::array<const char*, 4> kPages{"docs/accuracy.md", "docs/people.md",
-                                            "docs/fidelity.md", "docs/method-sugandi.md"};
+constexpr std::array<const char*, 5> kPages{"docs/accuracy.md", "docs/people.md",
+                                            "docs/fidelity.md", "docs/method-dewpoint.md",
+                                            "docs/method-sugandi.md"};
 /// Tables of times, and those that no method has a part in.
 constexpr std::array<std::string_view, 3> kNotCompared{"people-speed", "lazy-color", "cone"};
 
