@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/background_patch.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/geometry/small_matrices.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -119,8 +120,7 @@ std::optional<BackgroundPatch> BackgroundPatch::at(const cv::Mat& image, const c
     const Eigen::Vector2d gradient(patch.gradientX_[i], patch.gradientY_[i]);
     hessian += gradient * gradient.transpose();
   }
-  patch.structure_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian, Eigen::EigenvaluesOnly)
-                         .eigenvalues()[0];
+  patch.structure_ = geometry::symmetricEigen2(hessian).values[0];
   if (!(patch.structure_ > kLeastStructure)) {
     return std::nullopt;
   }

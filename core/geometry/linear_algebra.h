@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decompositions of matrices of any size, by Eigen, compiled in one place: each costs every file
-// that instantiates it up to twelve seconds. Matrices of a fixed small size keep Eigen's own.
+// that instantiates it up to twelve seconds.
 #pragma once
 
 #include <Eigen/Core>

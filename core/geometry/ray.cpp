@@ -2,8 +2,8 @@
 #include "core/geometry/ray.h"
 
 #include "core/geometry/projector.h"
+#include "core/geometry/small_matrices.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -151,13 +151,12 @@ std::optional<Eigen::Vector3d> nearestPoint(const std::vector<Ray>& rays) {
     normal += across;
     right += across * ray.origin;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
-  if (rays.size() < 2 || !(solver.eigenvalues()[0] > kParallel)) {
+  const SmallEigen<3> eigen = symmetricEigen3(normal);
+  if (rays.size() < 2 || !(eigen.values[0] > kParallel)) {
     return std::nullopt; // one ray alone has the eigenvalue 0
   }
   const Eigen::Vector3d point =
-      solver.eigenvectors() *
-      (solver.eigenvectors().transpose() * right).cwiseQuotient(solver.eigenvalues());
+      eigen.vectors * (eigen.vectors.transpose() * right).cwiseQuotient(eigen.values);
   const bool inFront = std::all_of(rays.begin(), rays.end(), [&](const Ray& ray) {
     return (point - ray.origin).dot(ray.direction) > 0.0;
   });

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/rotation_check.h"
 
+#include "core/geometry/small_matrices.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 namespace dewpoint::geometry {
@@ -26,8 +28,7 @@ tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d
   if (deviation < kExactRotation) {
     return matrix; // so that what was saved comes back bit by bit
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose());
+  return nearestOrthogonal(matrix);
 }
 
 Eigen::Matrix3d rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

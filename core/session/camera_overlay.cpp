@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/camera_overlay.h"
 
+#include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +32,10 @@ std::optional<ImageEllipse> projectedEllipse(const Projector& projector,
     jacobian.col(axis) = (*plus - *minus) / (2.0 * kJacobianStep);
   }
   const Eigen::Matrix2d image = jacobian * covariance * jacobian.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(image);
-  const Eigen::Vector2d axis = solver.eigenvectors().col(1);
+  const auto eigen = geometry::symmetricEigen2(image);
+  const Eigen::Vector2d axis = eigen.vectors.col(1);
   const auto radius = [&](int k) {
-    return std::sqrt(std::max(0.0, solver.eigenvalues()[k]) * kChiSquared95TwoDof);
+    return std::sqrt(std::max(0.0, eigen.values[k]) * kChiSquared95TwoDof);
   };
   return ImageEllipse{*center, radius(1), radius(0), std::atan2(axis.y(), axis.x())};
 }

@@ -6,8 +6,8 @@
 #include "core/calibration/quality/position_error.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/small_matrices.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -179,7 +179,7 @@ std::optional<double> upFromFloor(const WandResult& result, const std::vector<do
   }
   const double scatter =
       touches.size() > 3 ? result.floorRms * std::sqrt(count / (count - 3.0)) : 0.0;
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[0];
+  const double least = geometry::symmetricEigen2(spread).values[0];
   return std::max(scatter, kTouchSigma) / std::sqrt(std::max(least, 1e-9));
 }
 

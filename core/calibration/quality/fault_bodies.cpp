@@ -4,8 +4,7 @@
 #include "core/base/statistics.h"
 #include "core/calibration/formats/calibration_plausibility.h"
 #include "core/calibration/wand/wand_gauge.h"
-
-#include <Eigen/Eigenvalues>
+#include "core/geometry/small_matrices.h"
 
 #include <array>
 #include <cmath>
@@ -73,7 +72,7 @@ std::optional<Laid> laid(const SeenBoard& board, const std::vector<Eigen::Vector
   for (const Eigen::Vector3d& point : from) {
     spread += (point - middle) * (point - middle).transpose();
   }
-  const Eigen::Vector3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
+  const Eigen::Vector3d axes = geometry::symmetricEigen3(spread).values;
   if (axes[1] < 1e-3 * axes[2]) {
     return std::nullopt; // one row says nothing
   }

@@ -3,9 +3,9 @@
 
 #include "core/geometry/linear_algebra.h"
 #include "core/geometry/rotation_check.h"
+#include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -142,19 +142,19 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
       scatter += (touch - middle) * (touch - middle).transpose();
     }
     scatter /= static_cast<double>(touches.size());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter);
-    if (!(std::sqrt(eigen.eigenvalues()[1]) > kFlatEnough)) {
+    const auto eigen = geometry::symmetricEigen3(scatter);
+    if (!(std::sqrt(eigen.values[1]) > kFlatEnough)) {
       return failure(ErrorCode::Undetermined, "", "floor",
                      "the touched places lie on a line; spread them over the floor");
     }
-    up = eigen.eigenvectors().col(0);
+    up = eigen.vectors.col(0);
     double above = 0.0;
     for (const Camera& camera : now.cameras) {
       above += (camera.center() - middle).dot(up);
     }
     up *= above < 0.0 ? -1.0 : 1.0;
     result.floorFound = true;
-    result.floorRms = std::sqrt(std::max(eigen.eigenvalues()[0], 0.0));
+    result.floorRms = std::sqrt(std::max(eigen.values[0], 0.0));
   }
   Similarity change = toUpright(up);
   // The floor is one radius below the middles of the balls that lie on it.
@@ -166,10 +166,7 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
 
 Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
                          const std::vector<Eigen::Vector3d>& to, bool sized) {
-  const auto columns = [](const std::vector<Eigen::Vector3d>& points) {
-    return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, std::ssize(points));
-  };
-  const Eigen::Matrix4d fitted = Eigen::umeyama(columns(from), columns(to), sized);
+  const Eigen::Matrix4d fitted = geometry::closestSimilarity(from, to, sized);
   Similarity change;
   change.scale = sized ? fitted.col(0).head<3>().norm() : 1.0;
   change.rotation = fitted.topLeftCorner<3, 3>() / change.scale;
