@@ -9,8 +9,8 @@
 //   click_box_bench [FOLDER [STEP [region]]]    FOLDER: with juggle1, throws_pinkball and otb;
 //   STEP: px; region: the box of the color region at the click instead, for comparison
 #include "core/color/color_region.h"
-#include "core/experiment/baselines/box_follower.h"
-#include "core/experiment/scenarios/box_clips.h"
+#include "core/experiment/boxes/box_clips.h"
+#include "core/experiment/boxes/box_follower.h"
 #include "core/tracking/boxes/box_filter.h"
 
 #include <fmt/format.h>

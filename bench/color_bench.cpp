@@ -6,8 +6,8 @@
 #include "bench/ratios.h"
 #include "core/base/instruction_set.h"
 #include "core/color/hsi.h"
+#include "core/color/likelihood/target_color_model.h"
 #include "core/color/match_image.h"
-#include "core/color/target_color_model.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 
 #include "core/color/color_evidence.h"
 #include "core/color/color_learning.h"
+#include "core/color/likelihood/target_color_model.h"
 #include "core/color/match_image.h"
 #include "core/color/range_fit.h"
-#include "core/color/target_color_model.h"
 
 #include <cstdint>
 

@@ -2,11 +2,11 @@
 #include "app/wiring/open_project.h"
 
 #include "app/wiring/open_office.h"
-#include "core/capture/live_cameras.h"
+#include "core/capture/live_frame_source.h"
 #include "core/capture/recording.h"
 #include "core/project/project_check.h"
 #include "core/project/project_load.h"
-#include "core/session/run/background_images.h"
+#include "core/session/run/empty_rooms.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/new_project.h"
 #include "core/simulation/people/office_day.h"

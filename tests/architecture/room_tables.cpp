@@ -139,10 +139,10 @@ const Names& windowHeaders() {
                                  "core/trajectory/csv_line.h",
                                  "core/trajectory/motion.h",
                                  "core/trajectory/motion_csv.h",
-                                 "core/trajectory/figure_drawing.h",
-                                 "core/trajectory/trajectory_export.h",
-                                 "core/trajectory/export_catalog.h",
-                                 "core/trajectory/export_table.h"};
+                                 "core/trajectory/figure/figure_drawing.h",
+                                 "core/trajectory/export/trajectory_export.h",
+                                 "core/trajectory/export/export_catalog.h",
+                                 "core/trajectory/export/export_table.h"};
   return kHeaders;
 }
 

@@ -32,7 +32,7 @@ inline constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 
 /// The studies compare boxes with OpenCV's followers. Of the other baselines, and of all that
 /// stands on them, they know nothing: the window is built without (CMakeLists.txt).
-inline constexpr std::string_view kFollowerHeader = "core/experiment/baselines/box_follower.h";
+inline constexpr std::string_view kFollowerHeader = "core/experiment/boxes/box_follower.h";
 
 /// The value types that core/session hands out; besides core/session and core/base, the window
 /// sees nothing else of core.

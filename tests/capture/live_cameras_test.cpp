@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/live_cameras.h"
+#include "core/capture/live_frame_source.h"
 #include "core/capture/live_stream.h"
 #include "core/capture/newest_slot.h"
 #include "tests/capture/mjpeg_server.h"

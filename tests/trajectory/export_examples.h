@@ -2,7 +2,7 @@
 // A small run to export: two targets, four frames at 10 Hz, a gap of one frame in the first.
 #pragma once
 
-#include "core/trajectory/trajectory_export.h"
+#include "core/trajectory/export/trajectory_export.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
-#include "core/trajectory/export_catalog.h"
+#include "core/trajectory/export/export_catalog.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/export_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_dialog.h"
 
-#include "core/trajectory/export_catalog.h"
+#include "core/trajectory/export/export_catalog.h"
 #include "ui/export/export_form.h"
 #include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"

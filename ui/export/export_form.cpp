@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_form.h"
 
-#include "core/trajectory/export_catalog.h"
+#include "core/trajectory/export/export_catalog.h"
 #include "ui/export/export_text.h"
 #include "ui/widgets/decimal_field.h"
 #include "ui/widgets/named.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trajectory/trajectory_export.h"
+#include "core/trajectory/export/trajectory_export.h"
 
 #include <QWidget>
 

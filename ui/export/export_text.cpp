@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_text.h"
 
-#include "core/trajectory/trajectory_export.h"
+#include "core/trajectory/export/trajectory_export.h"
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/trajectory/export_table.h"
-#include "core/trajectory/figure_drawing.h"
+#include "core/trajectory/export/export_table.h"
+#include "core/trajectory/figure/figure_drawing.h"
 
 #include <filesystem>
 

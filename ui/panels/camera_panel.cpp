@@ -3,7 +3,7 @@
 
 #include "core/base/angle.h"
 #include "core/project/project.h"
-#include "core/session/run/background_images.h"
+#include "core/session/run/empty_rooms.h"
 #include "core/session/run/snapshot_state.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"

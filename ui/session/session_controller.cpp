@@ -8,7 +8,7 @@
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
 #include "ui/selection/selection.h"
-#include "ui/session/background_loader.h"
+#include "ui/session/empty_room_loader.h"
 #include "ui/session/logged_records.h"
 #include "ui/session/open_request.h"
 #include "ui/session/session_bridge.h"

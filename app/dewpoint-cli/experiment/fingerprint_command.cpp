@@ -2,7 +2,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
 #include "core/experiment/baselines/baseline_methods.h"
-#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/studies/box_fingerprint.h"
 #include "core/experiment/studies/people_fingerprint.h"
 #include "core/experiment/suite/suite_fingerprint.h"

@@ -2,7 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "core/project/project_save.h"
-#include "core/session/run/background_images.h"
+#include "core/session/run/empty_rooms.h"
 #include "core/setup/footage.h"
 #include "core/setup/new_project.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
-#include "core/setup/track_positions.h"
+#include "core/session/run/track_positions.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/trajectory/trajectory_reader.h"
 #include "core/trajectory/trajectory_writer.h"

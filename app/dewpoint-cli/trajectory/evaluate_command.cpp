@@ -3,7 +3,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "core/experiment/metrics/identity_evaluation.h"
 #include "core/trajectory/evaluation_text.h"
-#include "core/trajectory/trajectory_export.h"
+#include "core/trajectory/export/trajectory_export.h"
 #include "core/trajectory/trajectory_reader.h"
 
 #include <CLI/CLI.hpp>

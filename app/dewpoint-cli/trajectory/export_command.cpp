@@ -3,9 +3,9 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/base/text_file.h"
-#include "core/trajectory/export_catalog.h"
-#include "core/trajectory/figure_drawing.h"
-#include "core/trajectory/trajectory_export.h"
+#include "core/trajectory/export/export_catalog.h"
+#include "core/trajectory/export/trajectory_export.h"
+#include "core/trajectory/figure/figure_drawing.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/chrono.h>

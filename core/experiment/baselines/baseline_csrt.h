@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/experiment/baselines/box_follower.h"
 #include "core/experiment/baselines/camera_follower.h"
+#include "core/experiment/boxes/box_follower.h"
 
 namespace dewpoint::experiment {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/experiment/boxes/box_clips.h"
 #include "core/experiment/clips/calibrated_clip.h"
-#include "core/experiment/scenarios/box_clips.h"
 
 #include <filesystem>
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/capture/frame.h"
-#include "core/experiment/scenarios/box_clips.h"
+#include "core/experiment/boxes/box_clips.h"
 #include "core/experiment/scenarios/grade.h"
 #include "core/geometry/camera.h"
 #include "core/simulation/sensor/usual_camera.h"

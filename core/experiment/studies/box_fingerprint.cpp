@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/box_fingerprint.h"
 
-#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/boxes/box_clips.h"
+#include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/report/fingerprint.h"
 #include "core/experiment/report/seed_blocks.h"
-#include "core/experiment/scenarios/box_clips.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/box_perturbation_study.h"
 
-#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/boxes/box_follower.h"
 
 #include <algorithm>
 #include <optional>

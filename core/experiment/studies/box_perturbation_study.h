@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/experiment/boxes/box_clips.h"
 #include "core/experiment/metrics/box_metrics.h"
 #include "core/experiment/report/seed_blocks.h"
-#include "core/experiment/scenarios/box_clips.h"
 
 #include <cstdint>
 #include <functional>

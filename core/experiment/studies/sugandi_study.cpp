@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/sugandi_study.h"
 
-#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/studies/sugandi_pictures.h"
 #include "core/observation/boxes/box_histogram.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/image_clip_run.h"
 
-#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/metrics/box_metrics.h"
 
 #include <algorithm>

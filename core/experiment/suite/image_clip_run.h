@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/experiment/scenarios/box_clips.h"
+#include "core/experiment/boxes/box_clips.h"
 #include "core/experiment/suite/suite_recorder.h"
 
 #include <opencv2/core/mat.hpp>

@@ -3,8 +3,8 @@
 
 #include "core/simulation/body/exposure.h"
 #include "core/simulation/body/moving_part.h"
-#include "core/simulation/room/camera_view.h"
 #include "core/simulation/room/illumination.h"
+#include "core/simulation/room/room_view.h"
 
 #include <opencv2/core.hpp>
 

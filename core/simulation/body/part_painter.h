@@ -3,7 +3,7 @@
 
 #include "core/simulation/body/exposure.h"
 #include "core/simulation/body/moving_part.h"
-#include "core/simulation/room/camera_view.h"
+#include "core/simulation/room/room_view.h"
 
 #include <opencv2/core.hpp>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/simulation/people/walker.h"
-#include "core/simulation/room/camera_view.h"
 #include "core/simulation/room/illumination.h"
+#include "core/simulation/room/room_view.h"
 
 #include <opencv2/core.hpp>
 

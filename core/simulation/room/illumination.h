@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/room/camera_view.h"
 #include "core/simulation/room/room.h"
+#include "core/simulation/room/room_view.h"
 
 #include <opencv2/core.hpp>
 

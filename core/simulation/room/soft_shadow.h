@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/room/camera_view.h"
+#include "core/simulation/room/room_view.h"
 
 #include <Eigen/Core>
 #include <opencv2/core/types.hpp>

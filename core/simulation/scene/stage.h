@@ -6,8 +6,8 @@
 #include "core/simulation/body/usual_ball.h"
 #include "core/simulation/people/movable_furniture.h"
 #include "core/simulation/people/walker.h"
-#include "core/simulation/room/camera_view.h"
 #include "core/simulation/room/illumination.h"
+#include "core/simulation/room/room_view.h"
 #include "core/simulation/sensor/sensor_model.h"
 #include "core/simulation/sensor/usual_camera.h"
 

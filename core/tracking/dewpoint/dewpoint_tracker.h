@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/dewpoint/candidate_search.h"
 #include "core/tracking/dewpoint/distractor_search.h"
 #include "core/tracking/dewpoint/frame_images.h"
-#include "core/tracking/dewpoint/time_budget.h"
+#include "core/tracking/dewpoint/search/candidate_search.h"
+#include "core/tracking/dewpoint/search/time_budget.h"
 #include "core/tracking/dewpoint/tracked_objects.h"
 #include "core/tracking/tracker_capabilities.h"
 

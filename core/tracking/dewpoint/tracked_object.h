@@ -4,8 +4,8 @@
 #include "core/filter/particle_filter.h"
 #include "core/observation/sphere/adaptive_color.h"
 #include "core/observation/sphere/sphere_observation.h"
-#include "core/tracking/dewpoint/bernoulli_track.h"
-#include "core/tracking/dewpoint/sliced_search.h"
+#include "core/tracking/dewpoint/search/sliced_search.h"
+#include "core/tracking/dewpoint/track/bernoulli_track.h"
 
 #include <cstdint>
 #include <memory>

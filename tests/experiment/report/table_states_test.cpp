@@ -2,7 +2,7 @@
 // Whether the tables of the documentation are of today's methods.
 #include "core/base/text_file.h"
 #include "core/experiment/baselines/baseline_methods.h"
-#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/studies/box_fingerprint.h"
 #include "core/experiment/studies/people_fingerprint.h"

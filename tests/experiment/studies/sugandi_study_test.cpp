@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/experiment/baselines/box_follower.h"
+#include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/metrics/box_metrics.h"
 #include "core/experiment/studies/sugandi_pictures.h"
 #include "core/experiment/studies/sugandi_report.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // People in the light of several lamps, as a shutter sees them.
 #include "core/simulation/people/people_exposure.h"
-#include "core/simulation/room/camera_view.h"
+#include "core/simulation/room/room_view.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/live_camera_thread.h"
+
+#include "core/base/thread_precedence.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::capture {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kFirstPause = 250ms; ///< before the first new attempt; doubles up to the longest
+/// Between two attempts.
+constexpr auto kLongestPause = 4000ms;
+/// A connected camera that is silent for so long is called lost, though its read still waits.
+constexpr auto kSilence = 2s;
+constexpr auto kReadPatience = 1s; ///< with a read that does not return, when the thread has to end
+// Tuned; where no source is named here or in the docs, the origin is not recorded.
+/// Weight of the newest interval in a camera's rate.
+constexpr double kRateSmoothing = 0.1;
+
+} // namespace
+
+void Bell::ring() {
+  {
+    std::scoped_lock lock(mutex_);
+    ++rings_;
+  }
+  rung_.notify_all();
+}
+
+std::uint64_t Bell::rings() const {
+  std::scoped_lock lock(mutex_);
+  return rings_;
+}
+
+void Bell::waitBeyond(std::uint64_t known, Clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  rung_.wait_until(lock, deadline, [&] { return rings_ > known; });
+}
+
+/// What the camera's thread alone knows.
+struct CameraThread::Progress {
+  std::int64_t frames = 0;
+  std::optional<Clock::time_point> lastGrab;
+  Clock::duration pause = kFirstPause;
+};
+
+CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
+                           std::shared_ptr<Bell> bell, Clock::time_point zero)
+    : shared_(std::make_shared<Shared>()) {
+  shared_->camera = camera;
+  shared_->shape = {camera.name, camera.rotateDegrees, camera.width, camera.height,
+                    camera.mirrored};
+  shared_->factory = std::move(factory);
+  shared_->bell = std::move(bell);
+  shared_->zero = zero;
+  shared_->openingSince = Clock::now();
+  thread_ = std::jthread([shared = shared_](const std::stop_token& stop) {
+    setPrecedence(Precedence::Prompt); // frames are stamped here
+    run(stop, *shared);
+    std::scoped_lock lock(shared->mutex);
+    shared->finished = true;
+    shared->changed.notify_all();
+  });
+}
+
+CameraThread::~CameraThread() {
+  if (thread_.joinable()) {
+    requestStop();
+    joinUntil(Clock::now() + kReadPatience);
+  }
+}
+
+void CameraThread::requestStop() {
+  thread_.request_stop();
+}
+
+void CameraThread::joinUntil(Clock::time_point deadline) {
+  if (!thread_.joinable()) {
+    return;
+  }
+  std::unique_lock lock(shared_->mutex);
+  const bool ended = shared_->changed.wait_until(lock, deadline, [&] { return shared_->finished; });
+  lock.unlock();
+  if (ended) {
+    thread_.join();
+  } else {
+    thread_.detach();
+  }
+}
+
+bool CameraThread::delivers() const {
+  std::scoped_lock lock(shared_->mutex);
+  return shared_->connected && !shared_->problem && Clock::now() - shared_->lastGrab < kSilence;
+}
+
+std::optional<Error> CameraThread::problem() const {
+  std::scoped_lock lock(shared_->mutex);
+  if (shared_->problem) {
+    return shared_->problem;
+  }
+  const auto silentSince = shared_->connected ? shared_->lastGrab : shared_->openingSince;
+  if (Clock::now() - silentSince < kSilence) {
+    return std::nullopt;
+  }
+  // A pipeline without a sender opens for as long as nothing comes.
+  return Error{shared_->connected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
+               shared_->camera.location, cameraField(shared_->camera.name),
+               shared_->connected ? "connected, but no picture for two seconds"
+                                  : "no answer for two seconds; still waiting"};
+}
+
+void CameraThread::setProblem(Shared& shared, Error problem) {
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.problem = std::move(problem);
+  }
+  shared.bell->ring();
+}
+
+/// Without a connection: never had one, or lost it.
+void CameraThread::setDown(Shared& shared, const std::string& detail) {
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.connected = false;
+    const auto code =
+        shared.everDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
+    shared.problem = Error{code, shared.camera.location, cameraField(shared.camera.name), detail};
+  }
+  shared.bell->ring();
+}
+
+void CameraThread::run(const std::stop_token& stop, Shared& shared) {
+  Progress progress;
+  while (!stop.stop_requested()) {
+    try {
+      const LiveStreamPtr stream = shared.factory(shared.camera);
+      if (const auto opened = stream->open(); !opened) {
+        setDown(shared, opened.error() + "; trying again");
+      } else {
+        readAll(stop, shared, *stream, progress);
+        setDown(shared, "trying to connect again");
+      }
+    } catch (const std::exception& problem) {
+      setDown(shared, problem.what());
+    }
+    std::unique_lock lock(shared.mutex);
+    shared.changed.wait_for(lock, stop, progress.pause, [] { return false; });
+    progress.pause = std::min<Clock::duration>(progress.pause * 2, kLongestPause);
+  }
+}
+
+void CameraThread::readAll(const std::stop_token& stop, Shared& shared, LiveStream& stream,
+                           Progress& progress) {
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.connected = true;
+    shared.lastGrab = Clock::now();
+  }
+  progress.lastGrab.reset();
+  while (!stop.stop_requested() && stream.grab()) {
+    const auto grabbed = Clock::now();
+    const cv::Mat picture = stream.retrieve();
+    if (!picture.empty() && !stop.stop_requested()) {
+      publish(shared, picture, grabbed, progress);
+    }
+  }
+}
+
+void CameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
+                           Progress& progress) {
+  progress.pause = kFirstPause;
+  if (progress.lastGrab && grabbed > *progress.lastGrab) {
+    const double interval = std::chrono::duration<double>(grabbed - *progress.lastGrab).count();
+    const double old = shared.rate;
+    shared.rate =
+        old > 0 ? 1.0 / ((1 - kRateSmoothing) / old + kRateSmoothing * interval) : 1.0 / interval;
+  }
+  progress.lastGrab = grabbed;
+  {
+    std::scoped_lock lock(shared.mutex);
+    shared.lastGrab = grabbed;
+    shared.everDelivered = true;
+  }
+  auto image = shaped(picture, shared.shape, shared.camera.location);
+  if (!image) {
+    setProblem(shared, image.error());
+    return;
+  }
+  {
+    std::scoped_lock lock(shared.mutex); // first, so that nobody sees the frame and an old problem
+    shared.problem.reset();
+  }
+  shared.slot.put(std::make_shared<Frame>(
+      Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(grabbed - shared.zero),
+            std::move(*image)}));
+  shared.bell->ring();
+}
+
+} // namespace dewpoint::capture

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/empty_rooms.h"
+
+#include "core/base/text_file.h"
+#include "core/capture/empty_room.h"
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace dewpoint::session {
+namespace {
+
+/// A name that is not taken: "desk-empty-left.png", "desk-empty-left-2.png", ...
+std::filesystem::path freshFile(const Project& project, const std::string& camera,
+                                const std::filesystem::path& folder) {
+  std::string stem = fmt::format("{}-empty-{}", project.name, camera);
+  std::ranges::replace_if(
+      stem,
+      [](unsigned char letter) {
+        return letter < 0x80 && std::isalnum(letter) == 0 && letter != '-' && letter != '_';
+      },
+      '-');
+  std::filesystem::path file = folder / (stem + ".png");
+  for (int number = 2; std::filesystem::exists(file); ++number) {
+    file = folder / fmt::format("{}-{}.png", stem, number);
+  }
+  return file;
+}
+
+} // namespace
+
+Result<std::vector<cv::Mat>> loadEmptyRooms(const Project& project) {
+  std::vector<cv::Mat> rooms(project.cameras.size());
+  for (std::size_t k = 0; k < rooms.size(); ++k) {
+    const ProjectCamera& camera = project.cameras[k];
+    if (camera.emptyRoom.empty()) {
+      continue;
+    }
+    const Intrinsics& size = camera.camera.intrinsics;
+    auto room = readEmptyRoom(camera.emptyRoom, {camera.camera.name, camera.rotateDegrees,
+                                                 size.width, size.height, camera.mirrored});
+    if (!room) {
+      return tl::make_unexpected(room.error());
+    }
+    rooms[k] = std::move(*room);
+  }
+  return rooms;
+}
+
+Result<std::filesystem::path> keepEmptyRoom(const Project& project, std::size_t camera,
+                                            const cv::Mat& image,
+                                            const std::filesystem::path& folder) {
+  const ProjectCamera& its = project.cameras.at(camera);
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) {
+    return failure(ErrorCode::FileUnwritable, folder.string(), cameraField(its.camera.name),
+                   problem.message());
+  }
+  cv::Mat rotated = image;
+  if (its.mirrored) {
+    cv::flip(image, rotated, 1);
+  }
+  const auto back = shaped(rotated, {its.camera.name, (360 - its.rotateDegrees) % 360}, "");
+  if (!back) {
+    return tl::make_unexpected(back.error());
+  }
+  std::vector<std::uint8_t> png;
+  constexpr int kFast = 1; // in the thread of a window
+  cv::imencode(".png", *back, png, {cv::IMWRITE_PNG_COMPRESSION, kFast});
+  const auto file = freshFile(project, its.camera.name, folder);
+  return writeTextFile(file, std::string(png.begin(), png.end())).map([&] { return file; });
+}
+
+} // namespace dewpoint::session

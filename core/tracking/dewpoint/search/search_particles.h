@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/thread_team.h"
+#include "core/filter/particle_filter.h"
+#include "core/observation/sphere/sphere_observation.h"
+#include "core/tracking/dewpoint/search/search_prior.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace dewpoint::tracking {
+
+/// Particles that search for a target of which no position is confirmed: a particle filter with a
+/// random walk. Views show them; no hypothesis depends on them.
+class SearchParticles {
+public:
+  /// Draws `count` particles from the prior, equally likely. Those outside the bounds are moved to
+  /// the nearest point inside.
+  void restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key,
+               const std::optional<WorldBox>& bounds);
+  /// Resamples, moves and weights the particles by the images of a frame, for a sphere of `radius`
+  /// meters. Draws them again where their number is not `count`.
+  void update(const SearchPrior& prior, Eigen::Index count, double radius,
+              const std::optional<WorldBox>& bounds, SphereObservation& observation,
+              const RandomKey& key, ThreadTeam& team);
+
+  /// Rows x y z, meters, world frame.
+  const Eigen::ArrayXXd& states() const { return states_; }
+  /// Linear, sum 1.
+  const Eigen::ArrayXd& weights() const { return weights_; }
+
+private:
+  Eigen::ArrayXXd states_;
+  Eigen::ArrayXd weights_;
+};
+
+} // namespace dewpoint::tracking

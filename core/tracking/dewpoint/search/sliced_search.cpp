@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/search/sliced_search.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::tracking {
+namespace {
+
+// Judgments (docs/method-dewpoint.md, section 9).
+
+constexpr int kBands = 4; ///< pieces in which the labels of an image are made
+/// Within a budget; each candidate costs an outline fit.
+constexpr std::size_t kMaxCandidatesOnBudget = 4;
+
+} // namespace
+
+SlicedSearch::SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius,
+                           FrameSetPtr frames, const std::optional<WorldBox>& bounds)
+    : frames_(std::move(frames)), observation_(rig), color_(std::move(color)), radius_(radius),
+      bounds_(bounds), spots_(rig.size()) {}
+
+bool SlicedSearch::labelsDone() const {
+  const LabelImage& labels = observation_.labels(camera_);
+  return labels.empty() || labels.covered() == cv::Rect({0, 0}, labels.size());
+}
+
+void SlicedSearch::labelBand() {
+  LabelImage& labels = observation_.labels(camera_);
+  const cv::Size size = labels.size();
+  const int begin = labels.covered().height;
+  labels.require({0, begin, size.width, (size.height + kBands - 1) / kBands});
+}
+
+bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, std::size_t limit,
+                           bool urgent) {
+  bool must = urgent;
+  while (camera_ < spots_.size()) {
+    const bool labeled = labelsDone();
+    const bool empty = observation_.labels(camera_).empty();
+    const bool done =
+        empty ||
+        (labeled
+             ? budget.spend(
+                   TimeBudget::Part::Spots,
+                   [&] { spots_[camera_] = search.spotsOf(camera_, observation_.labels(camera_)); },
+                   must)
+             : budget.spend(
+                   TimeBudget::Part::Labels, [&] { labelBand(); }, must));
+    if (!done) {
+      return false;
+    }
+    camera_ += labeled ? 1 : 0;
+    must = must && empty;
+  }
+  observation_.setRadius(radius_);
+  return budget.spend(
+      TimeBudget::Part::Candidates,
+      [&] {
+        candidates_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit, bounds_);
+      },
+      must);
+}
+
+std::vector<Candidate> advanceSearch(std::unique_ptr<SlicedSearch>& search,
+                                     const CandidateSearch& candidates, TimeBudget& budget,
+                                     std::size_t limit, bool urgent) {
+  if (!search->advance(candidates, budget, std::min(limit, kMaxCandidatesOnBudget), urgent)) {
+    return {};
+  }
+  auto found = search->candidates();
+  search.reset();
+  return found;
+}
+
+} // namespace dewpoint::tracking

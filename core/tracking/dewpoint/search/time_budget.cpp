@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/search/time_budget.h"
+
+#include "core/base/statistics.h"
+
+#include <algorithm>
+
+namespace dewpoint::tracking {
+namespace {
+
+// Judgments (docs/method-dewpoint.md, section 9).
+
+constexpr std::size_t kRemembered = 15; ///< measured times of a part
+/// Share of the budget for updates; the rest is for work that can wait, and a reserve.
+constexpr double kUpdateShare = 0.6;
+/// Share of the budget after which no deferrable work may be expected to end.
+constexpr double kFullShare = 0.8;
+/// Factors of the number of particles per iteration, least and largest: down at once, up slowly, as
+/// a budget must be kept, not met on average.
+constexpr double kFastestFall = 0.25;
+constexpr double kFastestRise = 1.1;
+constexpr double kFewestParticles = 10.0; ///< per target
+
+} // namespace
+
+void TimeBudget::set(double milliseconds) {
+  if (milliseconds != limit_) {
+    *this = TimeBudget();
+    limit_ = milliseconds;
+  }
+}
+
+void TimeBudget::begin() {
+  if (limited()) {
+    begin_ = std::chrono::steady_clock::now();
+    optional_ = 0.0;
+  }
+}
+
+double TimeBudget::elapsed() const {
+  if (!limited()) {
+    return 0.0;
+  }
+  const std::chrono::duration<double, std::milli> passed =
+      std::chrono::steady_clock::now() - begin_;
+  return passed.count();
+}
+
+bool TimeBudget::affords(Part part) {
+  if (!limited()) {
+    return true;
+  }
+  History& history = histories_[static_cast<std::size_t>(part)];
+  const double expected = upperMedian(history.times);
+  const bool fits = elapsed() + expected <= kFullShare * limit_;
+  history.deferrals = fits ? 0 : history.deferrals + 1;
+  return fits || history.deferrals > kMaxDeferrals;
+}
+
+void TimeBudget::record(Part part, double milliseconds) {
+  if (!limited()) {
+    return;
+  }
+  History& history = histories_[static_cast<std::size_t>(part)];
+  history.deferrals = 0;
+  optional_ += milliseconds;
+  if (history.times.size() < kRemembered) {
+    history.times.push_back(milliseconds);
+    return;
+  }
+  history.times[history.next] = milliseconds;
+  history.next = (history.next + 1) % kRemembered;
+}
+
+void TimeBudget::endOfUpdates(double most) {
+  const double taken = elapsed() - optional_;
+  if (taken <= 0.0) {
+    return;
+  }
+  const double now = particles_ > 0.0 ? std::min(particles_, most) : most;
+  const double factor = std::clamp(kUpdateShare * limit_ / taken, kFastestFall, kFastestRise);
+  particles_ = std::clamp(now * factor, kFewestParticles, std::max(most, kFewestParticles));
+}
+
+std::optional<double> TimeBudget::particles() const {
+  return particles_ > 0.0 ? std::optional(particles_) : std::nullopt;
+}
+
+} // namespace dewpoint::tracking

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/track/bernoulli_track.h"
+
+#include "core/filter/adaptive_size.h"
+#include "core/filter/constant_velocity.h"
+#include "core/filter/evenly_picked.h"
+#include "core/tracking/dewpoint/track/hypothesis_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::tracking {
+namespace {
+
+// Reasons: docs/method-dewpoint.md, sections 5, 6 and 9; those without a derivation are judgments.
+
+constexpr std::size_t kMaxCandidates = 10; ///< per search
+/// Probability that an absent target appears within one frame.
+constexpr double kBirthProbability = 0.2;
+constexpr double kBirthSpeed = 1.5; ///< m/s, standard deviation along each axis
+/// Least log likelihood ratio of a birth.
+constexpr double kMinLogLikelihoodRatio = 2.0;
+/// Probability of a hypothesis at a given position. Origin not recorded.
+constexpr double kInitialProbability = 0.98;
+/// Radii, standard deviation of a given position along each axis. Origin not recorded.
+constexpr double kInitialSigmaRadii = 0.1;
+/// Largest size misfit (squared standard deviations) that counts against an initial hypothesis.
+constexpr double kMaxSizeMisfit = 20.0;
+/// Radii, edge of the cubes in which KLD-sampling counts the particles.
+constexpr double kBinRadii = 0.5;
+/// Relative standard deviation of a radius that is estimated from the images.
+constexpr double kRadiusSigma = 0.2;
+/// Meters, radius of a target that is searched for while its radius is not known. Origin not
+/// recorded.
+constexpr double kAssumedRadius = 0.03;
+
+} // namespace
+
+BernoulliTrack::BernoulliTrack(const Target& target) : target_(target) {
+  restart({}, 0);
+}
+
+void BernoulliTrack::setTarget(const Target& target) {
+  const bool radiusChanged = target.radius != target_.radius;
+  target_ = target;
+  for (TrackHypothesis& hypothesis : hypotheses_) {
+    if (radiusChanged && target.radius > 0.0) {
+      hypothesis.radius = target.radius;
+    }
+    hypothesis.logRadiusVariance = target.radius > 0.0 ? 0.0 : kRadiusSigma * kRadiusSigma;
+  }
+  predicted_ = hypotheses_;
+}
+
+void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
+  searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
+  identityAmbiguity_ = 0.0;
+  nextStream_ = 1;
+  hypotheses_.clear();
+  predicted_.clear();
+  searchParticles_.restart(searchPrior_, settings_.maxParticles, {seed, 0, 0}, bounds_);
+}
+
+double BernoulliTrack::assumedRadius() const {
+  return target_.radius > 0.0 ? target_.radius : kAssumedRadius;
+}
+
+void BernoulliTrack::predict(double interval, const RandomKey& key) {
+  const ConstantVelocity motion{interval, settings_.accelerationSigma};
+  const double survival = std::exp(-interval / settings_.survivalTime);
+  for (TrackHypothesis& hypothesis : hypotheses_) {
+    dewpoint::tracking::predict(hypothesis, motion, key);
+    hypothesis.probability *= survival;
+  }
+  if (const TrackHypothesis* confirmed = confident()) {
+    searchPrior_.confirm(
+        {confirmed->position(), confirmed->gaussian.covariance.topLeftCorner<3, 3>()});
+  } else {
+    searchPrior_.widen(interval, settings_.searchSize);
+  }
+  predicted_ = hypotheses_;
+}
+
+Eigen::Index BernoulliTrack::particleCount(const TrackHypothesis& hypothesis) const {
+  if (settings_.kldError <= 0.0 || hypothesis.states.rows() == 0) {
+    return settings_.maxParticles;
+  }
+  const auto bins = occupiedBins(hypothesis.states, kBinRadii * hypothesis.radius);
+  return std::clamp(kldSampleSize(bins, settings_.kldError),
+                    std::min(settings_.minParticles, settings_.maxParticles),
+                    settings_.maxParticles);
+}
+
+void BernoulliTrack::update(SphereObservation& observation, const CandidateSource& search,
+                            const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
+                            ThreadTeam& team) {
+  hypotheses_ = predicted_;
+  removeOccupied(occupied);
+  if (hypotheses_.empty()) {
+    identityAmbiguity_ = 0.0; // the next hypothesis is a new track
+  }
+  std::vector<double> logMasses;
+  updateHypotheses(observation, key, team, logMasses);
+  removeOutside(logMasses);
+  if (createsHypotheses_ && mustSearch(hypotheses_, logMasses)) {
+    if (confident() == nullptr) {
+      searchParticles_.update(searchPrior_, settings_.maxParticles, assumedRadius(), bounds_,
+                              observation, key, team);
+    }
+    addNewHypotheses(observation, search, occupied, key, team, logMasses);
+  }
+  normalizeMasses(hypotheses_, logMasses);
+  mergeAndPrune(hypotheses_);
+}
+
+void BernoulliTrack::updateHypotheses(SphereObservation& observation, const RandomKey& key,
+                                      ThreadTeam& team, std::vector<double>& logMasses) {
+  for (TrackHypothesis& hypothesis : hypotheses_) {
+    double factor =
+        measurementUpdate(hypothesis, observation, particleCount(hypothesis), key, team);
+    factor -= evidenceBeyondSaturation(hypothesis);
+    logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
+  }
+}
+
+void BernoulliTrack::removeOutside(std::vector<double>& logMasses) {
+  for (std::size_t k = hypotheses_.size(); bounds_ && k-- > 0;) {
+    if (!bounds_->contains(hypotheses_[k].position(), hypotheses_[k].radius)) {
+      const auto at = static_cast<std::ptrdiff_t>(k);
+      hypotheses_.erase(hypotheses_.begin() + at);
+      logMasses.erase(logMasses.begin() + at);
+    }
+  }
+  if (bounds_ && hypotheses_.empty()) {
+    identityAmbiguity_ = 0.0; // the next hypothesis is a new track
+  }
+}
+
+void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
+                                      const std::vector<OccupiedSphere>& occupied,
+                                      const RandomKey& key, ThreadTeam& team,
+                                      std::vector<double>& logMasses) {
+  const bool radiusKnown = target_.radius > 0.0;
+  observation.setRadius(target_.radius);
+  const double birth = absenceProbability(hypotheses_) * kBirthProbability;
+  const bool first = hypotheses_.empty();
+  for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
+    OutlinePrior prior;
+    prior.center = candidate.center;
+    prior.radius = candidate.radius;
+    prior.logRadiusVariance = radiusKnown ? 0.0 : kRadiusSigma * kRadiusSigma;
+    prior.information = Eigen::Matrix3d::Identity() / (settings_.searchSize * settings_.searchSize);
+    const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());
+    if (!fit.found) {
+      continue;
+    }
+    observation.setRadius(fit.radius);
+    const double logLikelihoodRatio =
+        observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
+    const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& other) {
+      return (other.position() - fit.center).norm() < fit.radius;
+    });
+    const double density = searchPrior_.birthDensity(fit.center, settings_.searchSize, bounds_);
+    if (known || isOccupied(fit.center, fit.radius, occupied) ||
+        logLikelihoodRatio < kMinLogLikelihoodRatio || density <= 0.0) {
+      continue;
+    }
+    hypotheses_.push_back(createHypothesis(fit, observation, key, team));
+    logMasses.push_back(std::log(birth * density * evidenceVolume(fit.radius)) +
+                        logLikelihoodRatio - evidenceBeyondSaturation(hypotheses_.back()));
+  }
+  if (first) {
+    scoreInitialHypotheses(observation, logMasses);
+  }
+}
+
+void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
+                                            std::vector<double>& logMasses) const {
+  // Saturation protects a target that is partly hidden from a distractor that is not. Where nothing
+  // is tracked yet there is nothing to protect, and what fits better is likelier to be the target.
+  for (std::size_t k = 0; k < hypotheses_.size(); ++k) {
+    const TrackHypothesis& one = hypotheses_[k];
+    const double full =
+        std::min(one.logLikelihoodRatio + explainedRingGain(hypotheses_, k, observation),
+                 one.fullyVisibleLogLikelihoodRatio);
+    const double size = 0.5 * std::min(one.sizeMisfit, kMaxSizeMisfit);
+    logMasses[k] += full - size - (one.logLikelihoodRatio - evidenceBeyondSaturation(one));
+  }
+}
+
+TrackHypothesis BernoulliTrack::newHypothesis(const Gaussian3& position, double radius,
+                                              double logRadiusVariance) {
+  TrackHypothesis hypothesis;
+  hypothesis.stream = nextStream_++ % 4096U; // see firstIndex() in track_hypothesis.cpp
+  hypothesis.radius = radius;
+  hypothesis.logRadiusVariance = target_.radius > 0.0 ? 0.0 : logRadiusVariance;
+  hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
+  hypothesis.gaussian.covariance.setZero();
+  hypothesis.gaussian.covariance.topLeftCorner<3, 3>() = position.covariance;
+  hypothesis.gaussian.covariance.diagonal().tail<3>().setConstant(kBirthSpeed * kBirthSpeed);
+  return hypothesis;
+}
+
+TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
+                                                 SphereObservation& observation,
+                                                 const RandomKey& key, ThreadTeam& team) {
+  TrackHypothesis hypothesis =
+      newHypothesis({fit.center, fit.covariance}, fit.radius, fit.logRadiusVariance);
+  observation.setRadius(fit.radius);
+  hypothesis.logLikelihoodRatio =
+      observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.fullyVisibleLogLikelihoodRatio =
+      observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.outlineFound = true;
+  hypothesis.sizeMisfit = target_.radius > 0.0 ? fit.sizeMisfit : 0.0;
+  hypothesis.measurement = {fit.center, fit.covariance};
+  drawParticles(hypothesis, observation, settings_.minParticles, key, team);
+  return hypothesis;
+}
+
+void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius,
+                                  SphereObservation& observation, const RandomKey& key,
+                                  ThreadTeam& team) {
+  OutlineFit fit;
+  fit.center = position;
+  fit.radius = radius;
+  fit.covariance =
+      Eigen::Matrix3d::Identity() * (kInitialSigmaRadii * radius) * (kInitialSigmaRadii * radius);
+  fit.logRadiusVariance = kRadiusSigma * kRadiusSigma;
+  hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
+  hypotheses_.front().probability = kInitialProbability;
+}
+
+void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
+                             const RandomKey& key, ThreadTeam& team) {
+  const double radius = best() != nullptr ? best()->radius : assumedRadius();
+  TrackHypothesis hypothesis = newHypothesis(position, radius, kRadiusSigma * kRadiusSigma);
+  hypothesis.probability = kInitialProbability;
+  drawPrior(hypothesis, settings_.maxParticles, key, team);
+  predicted_.assign(1, hypothesis);
+  measurementUpdate(hypothesis, observation, settings_.maxParticles, key, team);
+  hypotheses_.assign(1, std::move(hypothesis));
+  identityAmbiguity_ = 0.0;
+}
+
+void BernoulliTrack::removeOccupied(const std::vector<OccupiedSphere>& occupied) {
+  if (confident() != nullptr) {
+    return;
+  }
+  const auto taken = [&](const TrackHypothesis& hypothesis) {
+    return isOccupied(hypothesis.position(), hypothesis.radius, occupied);
+  };
+  std::erase_if(hypotheses_, taken);
+  std::erase_if(predicted_, taken);
+}
+
+void BernoulliTrack::resolveIdentity(bool identicalTargets) {
+  const auto ambiguity = resolveAmbiguity(hypotheses_);
+  if (!ambiguity) {
+    return;
+  }
+  if (!identicalTargets) {
+    identityAmbiguity_ = std::max(identityAmbiguity_, *ambiguity);
+  }
+  const auto dropped = [&](const TrackHypothesis& other) {
+    return std::none_of(hypotheses_.begin(), hypotheses_.end(),
+                        [&](const TrackHypothesis& left) { return left.stream == other.stream; });
+  };
+  std::erase_if(predicted_, dropped);
+}
+
+void BernoulliTrack::suppressBest() {
+  if (!hypotheses_.empty()) {
+    hypotheses_.front().probability *= 1e-3;
+    mergeAndPrune(hypotheses_);
+  }
+}
+
+const TrackHypothesis* BernoulliTrack::best() const {
+  return hypotheses_.empty() ? nullptr : &hypotheses_.front();
+}
+
+const TrackHypothesis* BernoulliTrack::confident() const {
+  const TrackHypothesis* likeliest = best();
+  return likeliest != nullptr && likeliest->probability > 0.5 ? likeliest : nullptr;
+}
+
+std::optional<OccupiedSphere> BernoulliTrack::expectedSphere() const {
+  if (const TrackHypothesis* likeliest = best()) {
+    return OccupiedSphere{likeliest->position(), likeliest->radius};
+  }
+  const auto last = searchPrior_.lastPosition();
+  return last ? std::optional(OccupiedSphere{*last, assumedRadius()}) : std::nullopt;
+}
+
+SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
+  const TrackHypothesis* likeliest = best();
+  return likeliest == nullptr || likeliest->states.rows() == 0
+             ? sphereEstimateFrom(searchParticles_)
+             : sphereEstimateFrom(*likeliest, identityAmbiguity_, observation);
+}
+
+void BernoulliTrack::particles(int limit, Eigen::ArrayXXd& positions,
+                               Eigen::ArrayXd& weights) const {
+  const TrackHypothesis* confirmed = confident();
+  const Eigen::ArrayXXd& states =
+      confirmed != nullptr ? confirmed->states : searchParticles_.states();
+  const Eigen::ArrayXd& all =
+      confirmed != nullptr ? confirmed->weights : searchParticles_.weights();
+  pickEvenly(states, all, limit, 3, positions, weights);
+}
+
+std::size_t BernoulliTrack::memoryBytes() const {
+  auto numbers = searchParticles_.states().size() + searchParticles_.weights().size();
+  for (const auto* hypotheses : {&hypotheses_, &predicted_}) {
+    for (const TrackHypothesis& hypothesis : *hypotheses) {
+      numbers += hypothesis.states.size() + hypothesis.weights.size();
+    }
+  }
+  return sizeof(double) * static_cast<std::size_t>(numbers);
+}
+
+} // namespace dewpoint::tracking

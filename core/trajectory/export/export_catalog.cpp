@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/export/export_catalog.h"
+
+#include "core/trajectory/export/export_encoders.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+namespace dewpoint::trajectory {
+namespace {
+
+constexpr TableRequest kAsRecorded{};
+constexpr TableRequest kBiomechanics{WorldAxes::YUp, LengthUnit::Meter, true};
+constexpr TableRequest kMotionCapture{WorldAxes::ZUp, LengthUnit::Millimeter, true};
+
+constexpr std::array kFormats{
+    ExportFormat{"csv", "CSV, one row per target and time", ".csv",
+                 "time, frame, target, position, standard deviations, covariance, cameras, ESS, "
+                 "valid, filled",
+                 kAsRecorded, true, false, encoders::tidyCsv},
+    ExportFormat{"csv-wide", "CSV, one row per time (spreadsheets)", ".csv",
+                 "time, frame, then three columns per target; an empty cell is a gap", kAsRecorded,
+                 false, false, encoders::wideCsv},
+    ExportFormat{"tum", "TUM (evo)", ".tum",
+                 "timestamp, position, no rotation; one file per target; gaps are left out",
+                 kAsRecorded, false, false, encoders::tum},
+    ExportFormat{"trc", "TRC (OpenSim)", ".trc",
+                 "frame, time, three columns per marker; an empty cell is a gap", kBiomechanics,
+                 false, false, encoders::trc},
+    ExportFormat{"c3d", "C3D (motion capture)", ".c3d",
+                 "points as floating-point numbers; the residual is the standard deviation",
+                 kMotionCapture, false, true, encoders::c3d},
+    ExportFormat{"npz", "NPZ (NumPy)", ".npz",
+                 "arrays t, frame, xyz, cov, filled, cameras, ess, names; NaN is a gap",
+                 kAsRecorded, true, true, encoders::npz},
+    ExportFormat{"vtp", "VTP (ParaView, paths)", ".vtp",
+                 "a line per path with time, speed, covariance at its points", kAsRecorded, true,
+                 false, encoders::vtp},
+    ExportFormat{"pvd", "PVD (ParaView, over time)", ".pvd",
+                 "a collection of one VTP file per time, with a point per target", kAsRecorded,
+                 true, false, encoders::pvd},
+    ExportFormat{"jsonl", "JSON lines", ".jsonl",
+                 "one object per time: t, frame, targets with id, xyz, cov, cams", kAsRecorded,
+                 true, false, encoders::jsonLines},
+};
+
+} // namespace
+
+std::span<const ExportFormat> exportFormats() {
+  return kFormats;
+}
+
+Result<const ExportFormat*> exportFormat(std::string_view id) {
+  std::string known;
+  for (const ExportFormat& format : kFormats) {
+    if (format.id == id) {
+      return &format;
+    }
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", format.id);
+  }
+  return failure(ErrorCode::NotFound, "", "format", fmt::format("{}; known are {}", id, known));
+}
+
+} // namespace dewpoint::trajectory

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/csv_text.h"
+#include "core/trajectory/export/export_encoders.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace dewpoint::trajectory::encoders {
+namespace {
+
+std::string covarianceCells(const ExportCell& cell) {
+  if (!cell.covariance) {
+    return std::string(9, ',');
+  }
+  const Eigen::Matrix3d& c = *cell.covariance;
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    text += ',' + covarianceText(std::sqrt(std::max(0.0, c(axis, axis))));
+  }
+  for (const auto& [row, column] : {std::pair{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}) {
+    text += ',' + covarianceText(c(row, column));
+  }
+  return text;
+}
+
+std::string positionCells(const Eigen::Vector3d& p) {
+  return fmt::format(",{},{},{}", lengthText(p.x()), lengthText(p.y()), lengthText(p.z()));
+}
+
+std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
+  std::string text =
+      cell.present
+          ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position), covarianceCells(cell),
+                        cell.cameras, covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
+          : std::string(13, ',') + "0,,0,0";
+  if (table.best) {
+    text += cell.best ? positionCells(*cell.best) : std::string(3, ',');
+  }
+  if (table.corrected) {
+    text += cell.corrected ? ",1" : ",0";
+  }
+  return text + '\n';
+}
+
+} // namespace
+
+Files tidyCsv(const ExportTable& table, const std::string& /*name*/) {
+  std::string text = commentHeader(table);
+  text += fmt::format("time_s,frame,target,x_{0},y_{0},z_{0},sx_{0},sy_{0},sz_{0},cov_xx_{0}2,"
+                      "cov_xy_{0}2,cov_xz_{0}2,cov_yy_{0}2,cov_yz_{0}2,cov_zz_{0}2,cameras,ess,"
+                      "valid,filled",
+                      table.unitName());
+  text += table.best ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName()) : "";
+  text += table.corrected ? ",corrected\n" : "\n";
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
+    for (std::size_t target = 0; target < table.targets.size(); ++target) {
+      text += fmt::format("{},{},{}", timeText(table.times[row]), table.frames[row],
+                          csvCell(table.targets[target]));
+      text += tidyRow(table.cells[target][row], table);
+    }
+  }
+  return std::vector{ExportFile{"", std::move(text)}};
+}
+
+Files wideCsv(const ExportTable& table, const std::string& /*name*/) {
+  std::string text = commentHeader(table) + "time_s,frame";
+  for (const std::string& target : table.targets) {
+    for (const char* axis : {"x", "y", "z"}) {
+      text += ',' + csvCell(fmt::format("{}_{}_{}", target, axis, table.unitName()));
+    }
+  }
+  text += '\n';
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
+    text += fmt::format("{},{}", timeText(table.times[row]), table.frames[row]);
+    for (const auto& column : table.cells) {
+      const ExportCell& cell = column[row];
+      for (int axis = 0; axis < 3; ++axis) {
+        text += ',' + (cell.present ? lengthText(cell.position[axis]) : std::string());
+      }
+    }
+    text += '\n';
+  }
+  return std::vector{ExportFile{"", std::move(text)}};
+}
+
+} // namespace dewpoint::trajectory::encoders

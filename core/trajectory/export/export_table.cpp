@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/export/export_table.h"
+
+#include "core/base/statistics.h"
+#include "core/trajectory/export/path_interpolation.h"
+#include "core/trajectory/smoother.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace dewpoint::trajectory {
+namespace {
+
+/// Rows farther apart than this many usual distances have others missing between them.
+constexpr double kUneven = 1.1;
+/// More rows than this are a mistake in the rate.
+constexpr double kMostRows = 2e7;
+
+tl::unexpected<Error> unusable(std::string field, std::string detail) {
+  return failure(ErrorCode::BadValue, "", std::move(field), std::move(detail));
+}
+
+Result<std::vector<std::string>> chosenTargets(const Trajectory& trajectory,
+                                               const ExportOptions& options) {
+  std::vector<std::string> all;
+  for (const TrajectorySample& sample : trajectory.samples) {
+    if (std::ranges::find(all, sample.target) == all.end()) {
+      all.push_back(sample.target);
+    }
+  }
+  if (options.targets.empty()) {
+    return all;
+  }
+  for (const std::string& name : options.targets) {
+    if (std::ranges::find(all, name) == all.end()) {
+      std::string known;
+      for (const std::string& target : all) {
+        known += (known.empty() ? "" : ", ") + target;
+      }
+      return failure(
+          ErrorCode::NotFound, "", "targets",
+          fmt::format("{}; the trajectory has {}", name, known.empty() ? "none" : known));
+    }
+  }
+  std::erase_if(all, [&](const std::string& name) {
+    return std::ranges::find(options.targets, name) == options.targets.end();
+  });
+  return all;
+}
+
+bool isWithin(const TrajectorySample& sample, const ExportOptions& options) {
+  const auto sampleAt = [&](const SpanEnd& end) {
+    return end.isFrame ? static_cast<double>(sample.frame) : sample.time;
+  };
+  return !(options.from && sampleAt(*options.from) < options.from->value) &&
+         !(options.to && sampleAt(*options.to) > options.to->value);
+}
+
+ExportCell cellOf(const TrajectorySample& sample) {
+  ExportCell cell;
+  cell.present = sample.valid;
+  if (cell.present) {
+    cell.position = sample.position;
+    if (sample.covariance.allFinite() && !sample.covariance.isZero(0.0)) {
+      cell.covariance = sample.covariance;
+    }
+    if (sample.best && sample.best->allFinite()) {
+      cell.best = sample.best;
+    }
+    cell.effectiveSampleSize = sample.effectiveSampleSize;
+    cell.cameras = sample.cameras;
+    cell.corrected = sample.corrected;
+  }
+  return cell;
+}
+
+/// The table as recorded: the samples of the chosen targets and span. `after` are the samples that
+/// are exported, `live` what was known during the run.
+Result<ExportTable> recordedTable(const Trajectory& live, const Trajectory& after,
+                                  const ExportOptions& options) {
+  const auto targets = chosenTargets(live, options);
+  if (!targets) {
+    return tl::make_unexpected(targets.error());
+  }
+  ExportTable table;
+  table.targets = *targets;
+  std::map<std::string, std::size_t> columns;
+  for (const std::string& name : table.targets) {
+    columns.emplace(name, columns.size());
+  }
+  std::map<double, std::size_t> rows;
+  std::vector<const TrajectorySample*> chosen;
+  for (const TrajectorySample& sample : after.samples) {
+    if (!columns.contains(sample.target)) {
+      continue;
+    }
+    if (!std::isfinite(sample.time)) {
+      return unusable("time_s", "an export needs the time of each sample");
+    }
+    if (isWithin(sample, options)) {
+      rows.emplace(sample.time, 0);
+    }
+  }
+  if (rows.empty()) {
+    return unusable("span", "there is no sample of the chosen targets in the chosen span");
+  }
+  for (auto& [time, row] : rows) {
+    row = table.times.size();
+    table.times.push_back(time);
+    table.frames.push_back(static_cast<std::int64_t>(row));
+  }
+  table.cells.assign(table.targets.size(), std::vector<ExportCell>(rows.size()));
+  for (std::size_t k = 0; k < after.samples.size(); ++k) {
+    const TrajectorySample& sample = after.samples[k];
+    const auto column = columns.find(sample.target);
+    if (column == columns.end() || !isWithin(sample, options)) {
+      continue;
+    }
+    if (sample.valid && !sample.position.allFinite()) {
+      return unusable(fmt::format("target {}, frame {}", sample.target, sample.frame),
+                      "the position is not a finite number");
+    }
+    const std::size_t row = rows.at(sample.time);
+    if (sample.frame >= 0) {
+      table.frames[row] = sample.frame;
+    }
+    ExportCell& cell = table.cells[column->second][row];
+    cell = cellOf(sample);
+    cell.filled = cell.present && !live.samples[k].valid;
+    if (cell.filled && options.gaps == GapRule::Leave) {
+      cell = ExportCell();
+    }
+  }
+  return table;
+}
+
+/// The usual number of rows per second.
+double usualRate(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    steps.push_back(times[k] - times[k - 1]);
+  }
+  if (steps.empty()) {
+    return 0.0;
+  }
+  // Times of 30 frames/s are often rounded to milliseconds or less.
+  const double rate = 1.0 / upperMedian(std::move(steps));
+  return std::abs(rate - std::round(rate)) < 0.002 * rate ? std::round(rate) : rate;
+}
+
+bool isEven(const std::vector<double>& times, double rate) {
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const double step = (times[k] - times[k - 1]) * rate;
+    if (step > kUneven || step < 2.0 - kUneven) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// One target's cells that hold something, between which others are found.
+class Column {
+public:
+  Column(const ExportTable& table, std::size_t target, double longestStep)
+      : cells_(table.cells[target]), times_(table.times), longestStep_(longestStep) {
+    for (std::size_t row = 0; row < cells_.size(); ++row) {
+      if (cells_[row].present) {
+        rows_.push_back(row);
+      }
+    }
+  }
+
+  /// The cell at a time; `filled` if that is in a gap.
+  ExportCell at(double time) const {
+    const auto next =
+        std::ranges::lower_bound(rows_, time, {}, [&](std::size_t row) { return times_[row]; });
+    if (next != rows_.end() && times_[*next] - time < 1e-6) {
+      return cells_[*next];
+    }
+    if (next != rows_.begin() && time - times_[*std::prev(next)] < 1e-6) {
+      return cells_[*std::prev(next)];
+    }
+    if (next == rows_.begin() || next == rows_.end()) {
+      return {};
+    }
+    const auto last = std::prev(next);
+    const std::size_t a = *last;
+    const std::size_t b = *next;
+    if (times_[b] - times_[a] > longestStep_) {
+      return {};
+    }
+    return between(a, b, last == rows_.begin() ? a : *std::prev(last),
+                   std::next(next) == rows_.end() ? b : *std::next(next), time);
+  }
+
+private:
+  TimedPosition positionAt(std::size_t row) const { return {times_[row], cells_[row].position}; }
+
+  ExportCell between(std::size_t a, std::size_t b, std::size_t before, std::size_t after,
+                     double time) const {
+    // A place on the far side of another gap says little of the slope.
+    const auto neighbor = [&](std::size_t row, std::size_t end) {
+      return row != end && std::abs(times_[row] - times_[end]) <= times_[b] - times_[a] + 1e-6
+                 ? std::optional(positionAt(row))
+                 : std::nullopt;
+    };
+    ExportCell cell;
+    cell.present = true;
+    cell.filled = b > a + 1 || cells_[a].filled || cells_[b].filled;
+    cell.position =
+        interpolated(neighbor(before, a), positionAt(a), positionAt(b), neighbor(after, b), time);
+    const double share = (time - times_[a]) / (times_[b] - times_[a]);
+    // Within a gap nobody knows how far it is off; between neighboring frames, whose errors are
+    // alike, no more than they are.
+    if (b == a + 1 && cells_[a].covariance && cells_[b].covariance) {
+      cell.covariance = (1.0 - share) * *cells_[a].covariance + share * *cells_[b].covariance;
+    }
+    const ExportCell& nearest = cells_[share < 0.5 ? a : b];
+    cell.effectiveSampleSize = nearest.effectiveSampleSize;
+    cell.corrected = nearest.corrected;
+    cell.cameras = b == a + 1 ? std::min(cells_[a].cameras, cells_[b].cameras) : 0;
+    return cell;
+  }
+
+  const std::vector<ExportCell>& cells_;
+  const std::vector<double>& times_;
+  double longestStep_;
+  std::vector<std::size_t> rows_;
+};
+
+/// The same at other times; gaps are filled if asked for.
+ExportTable atTimes(const ExportTable& table, std::vector<double> times,
+                    std::vector<std::int64_t> frames, const ExportOptions& options) {
+  ExportTable result = table;
+  result.times = std::move(times);
+  result.frames = std::move(frames);
+  const double usualStep = table.rate > 0.0 ? 1.0 / table.rate : 0.0;
+  const double longest = options.gaps == GapRule::Fill
+                             ? std::max(options.longestGap + 1e-6, kUneven * usualStep)
+                             : 1.5 * usualStep;
+  for (std::size_t target = 0; target < table.targets.size(); ++target) {
+    const Column column(table, target, longest);
+    auto& cells = result.cells[target];
+    cells.clear();
+    for (const double time : result.times) {
+      cells.push_back(column.at(time));
+    }
+  }
+  return result;
+}
+
+Result<ExportTable> resampled(const ExportTable& table, double rate, const ExportOptions& options) {
+  const double span = table.times.back() - table.times.front();
+  if (!std::isfinite(rate) || rate <= 0.0 || span * rate > kMostRows) {
+    return unusable("rate", fmt::format("{} rows per second cannot be written", rate));
+  }
+  std::vector<double> times;
+  std::vector<std::int64_t> frames;
+  // A little more than the span, so that rounding does not take the last row.
+  for (std::int64_t k = 0; static_cast<double>(k) <= span * rate + 1e-3; ++k) {
+    times.push_back(table.times.front() + static_cast<double>(k) / rate);
+    frames.push_back(k);
+  }
+  ExportTable result = atTimes(table, std::move(times), std::move(frames), options);
+  result.rate = rate;
+  return result;
+}
+
+void turnAndScale(ExportTable& table) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  if (table.axes == WorldAxes::YUp) {
+    turn << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  }
+  const double scale = table.unit == LengthUnit::Meter ? 1.0 : 1000.0;
+  for (auto& column : table.cells) {
+    for (ExportCell& cell : column) {
+      cell.position = scale * (turn * cell.position);
+      if (cell.covariance) {
+        const Eigen::Matrix3d rotated = turn * *cell.covariance * turn.transpose();
+        cell.covariance = scale * scale * rotated;
+        table.covariance = true;
+      }
+      if (cell.best) {
+        cell.best = Eigen::Vector3d(scale * (turn * *cell.best));
+        table.best = true;
+      }
+      table.corrected = table.corrected || cell.corrected;
+    }
+  }
+}
+
+void describe(ExportTable& table, const Trajectory& trajectory, const ExportOptions& options) {
+  table.entries = trajectory.header.entries;
+  table.entries.emplace_back("estimates", options.smooth ? "smoothed after the run" : "live");
+  if (options.gaps == GapRule::Fill) {
+    table.entries.emplace_back("gaps", fmt::format("filled up to {} s", options.longestGap));
+  }
+  if (options.rate) {
+    table.entries.emplace_back("resampled", fmt::format("{} Hz", *options.rate));
+  }
+  if (!options.date.empty()) {
+    table.entries.emplace_back("exported", options.date);
+  }
+}
+
+} // namespace
+
+std::size_t ExportTable::gapCount() const {
+  std::size_t count = 0;
+  for (const auto& column : cells) {
+    count += static_cast<std::size_t>(
+        std::ranges::count_if(column, [](const ExportCell& cell) { return !cell.present; }));
+  }
+  return count;
+}
+
+Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
+                                    const TableRequest& usual,
+                                    const std::function<bool(double)>& progress) {
+  const Trajectory after = options.smooth
+                               ? smoothed(trajectory, SmootherOptions{options.longestGap, progress})
+                               : Trajectory();
+  auto table = recordedTable(trajectory, options.smooth ? after : trajectory, options);
+  if (!table) {
+    return table;
+  }
+  table->rate = usualRate(table->times);
+  table->recordedRate = table->rate;
+  const double span = table->times.back() - table->times.front();
+  table->recordedRows = 1 + static_cast<std::size_t>(std::lround(span * table->rate));
+  const bool mustBeEven = usual.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
+  if (options.rate || mustBeEven) {
+    table = resampled(*table, options.rate.value_or(table->rate), options);
+  } else if (options.gaps == GapRule::Fill) {
+    table = atTimes(*table, table->times, table->frames, options);
+  }
+  if (!table) {
+    return table;
+  }
+  if (table->gapCount() == table->targets.size() * table->rowCount()) {
+    return unusable("span", "the chosen targets are nowhere known in the chosen span");
+  }
+  table->axes = options.axes.value_or(usual.axes);
+  table->unit = options.unit.value_or(usual.unit);
+  table->header = options.header;
+  turnAndScale(*table);
+  describe(*table, trajectory, options);
+  return table;
+}
+
+} // namespace dewpoint::trajectory

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/track/bernoulli_track.h"
+#include "tests/observation/drawn_spheres.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+namespace dewpoint::tests {
+namespace {
+
+using drawn::Ball;
+
+const Eigen::Vector3d kThere = drawn::kMiddle;
+constexpr double kRadius = 0.035;
+constexpr double kFrame = 1.0 / 30.0; ///< seconds
+
+/// A track in front of two cameras that have no image until show(): until then it changes by the
+/// passing of time alone, because the likelihood is flat.
+class BernoulliTrackTest : public ::testing::Test {
+protected:
+  BernoulliTrackTest()
+      : rig_(drawn::rigAround(2, 2)), backgrounds_(2), images_(2), observation_(rig_),
+        track_(Target{"ball", kRadius, drawn::kRed}) {
+    for (std::size_t k = 0; k < rig_.size(); ++k) {
+      for (int frame = 0; frame < 20; ++frame) {
+        backgrounds_[k].learn(drawn::wall(rig_[k]), {});
+      }
+    }
+    track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
+  }
+  void show(const std::vector<Ball>& balls) {
+    for (std::size_t k = 0; k < rig_.size(); ++k) {
+      images_[k] = drawn::draw(rig_[k], balls);
+      observation_.setImage(k, images_[k], 0.0, backgrounds_[k], classifier_);
+    }
+  }
+  void initializeAt(const Eigen::Vector3d& position = kThere) {
+    track_.initializeAt(position, kRadius, observation_, key_, team_);
+  }
+  void predict(double interval) {
+    track_.predict(interval, key_);
+    ++key_.frame;
+  }
+  /// Another frame, in which the search finds `candidates`.
+  void update(std::vector<Candidate> candidates = {},
+              const std::vector<OccupiedSphere>& occupied = {}) {
+    const auto search = [&](SphereObservation&, bool, std::size_t) {
+      ++searches_;
+      return candidates;
+    };
+    track_.update(observation_, search, occupied, key_, team_);
+  }
+  double probability() const { return track_.best()->probability; }
+
+  CameraRig rig_;
+  ColorClassifier classifier_{drawn::kRed};
+  std::vector<BackgroundModel> backgrounds_;
+  std::vector<cv::Mat> images_;
+  SphereObservation observation_;
+  BernoulliTrack track_;
+  ThreadTeam team_;
+  RandomKey key_{11, 0, 0};
+  int searches_ = 0;
+};
+
+// An initialized hypothesis has 0.98. After 1 s of a survival time of 5 s, e^-0.2 of it is left; a
+// measurement without images changes nothing: absence takes the rest.
+TEST_F(BernoulliTrackTest, WithoutImagesExistenceDecaysWithTheSurvivalTime) {
+  initializeAt();
+  EXPECT_EQ(probability(), 0.98);
+  predict(1.0);
+  EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-12);
+  update();
+  EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-9);
+  EXPECT_NE(track_.confident(), nullptr);
+  // A second iteration on the same frame counts nothing twice.
+  update();
+  EXPECT_NEAR(probability(), 0.98 * std::exp(-0.2), 1e-9);
+  predict(2.5); // 3.5 s in all: e^-0.7, less than one half
+  update();
+  EXPECT_NEAR(probability(), 0.98 * std::exp(-0.7), 1e-9);
+  EXPECT_EQ(track_.confident(), nullptr);
+}
+
+TEST_F(BernoulliTrackTest, WhatNobodyCanSeeIsSearchedFor) {
+  initializeAt();
+  predict(kFrame);
+  update();
+  EXPECT_EQ(searches_, 1);
+  track_.setCreatesHypotheses(false);
+  update();
+  EXPECT_EQ(searches_, 1);
+}
+
+TEST_F(BernoulliTrackTest, WhatIsFullySeenIsNotSearchedFor) {
+  show({Ball{kThere}});
+  initializeAt();
+  predict(kFrame);
+  update();
+  EXPECT_EQ(searches_, 0);
+  EXPECT_GT(probability(), 0.999);
+}
+
+// 0.98 e^-0.2 = 0.80 is likelier than not, 0.98 e^-0.8 = 0.44 is not. Radii of 35 mm and 0.7 of
+// their sum: 49 mm.
+TEST_F(BernoulliTrackTest, AnOccupiedPositionIsRemovedUnlessItIsLikelierThanNot) {
+  const auto besideBy = [](double distance) {
+    return std::vector{OccupiedSphere{kThere + Eigen::Vector3d(distance, 0.0, 0.0), kRadius}};
+  };
+  initializeAt();
+  predict(1.0);
+  track_.removeOccupied(besideBy(0.0));
+  EXPECT_NE(track_.best(), nullptr);
+  initializeAt();
+  predict(4.0);
+  track_.removeOccupied(besideBy(0.050));
+  ASSERT_NE(track_.best(), nullptr);
+  track_.removeOccupied(besideBy(0.048));
+  EXPECT_EQ(track_.best(), nullptr);
+  update(); // what was predicted for this frame is removed too
+  EXPECT_EQ(track_.best(), nullptr);
+}
+
+TEST_F(BernoulliTrackTest, WhatIsSuppressedHasAThousandthLeft) {
+  initializeAt();
+  track_.suppressBest();
+  EXPECT_NEAR(probability(), 0.98e-3, 1e-15);
+  track_.restart({}, 2);
+  track_.suppressBest(); // nothing to suppress
+  EXPECT_EQ(track_.best(), nullptr);
+}
+
+// No hypothesis is left, the target appears with 0.2 within a frame, and a fully seen ball has by
+// far more evidence than any volume takes away.
+TEST_F(BernoulliTrackTest, ATrackIsCreatedWhereTheSearchFindsIt) {
+  show({Ball{kThere}});
+  predict(kFrame);
+  update({{kThere + Eigen::Vector3d(0.004, 0.0, 0.0), kRadius, 0.0}});
+  ASSERT_NE(track_.confident(), nullptr);
+  EXPECT_LT((track_.best()->position() - kThere).norm(), 1e-3);
+  EXPECT_TRUE(track_.expectedSphere());
+}
+
+TEST_F(BernoulliTrackTest, NoTrackIsCreatedAtAnOccupiedPositionNorTwiceAtOne) {
+  show({Ball{kThere}});
+  const Candidate here{kThere, kRadius, 0.0};
+  predict(kFrame);
+  update({here}, {{kThere, kRadius}});
+  EXPECT_EQ(track_.best(), nullptr);
+  update({here, here});
+  EXPECT_EQ(track_.hypotheses().size(), 1U);
+}
+
+/// All positions whose x is at least `x` meters beyond that of kThere, within a meter.
+WorldBox boundsFrom(double x) {
+  return {kThere + Eigen::Vector3d(x, -1.0, -1.0), kThere + Eigen::Vector3d(1.0, 1.0, 1.0)};
+}
+
+TEST_F(BernoulliTrackTest, NoTrackIsCreatedOutsideTheBounds) {
+  show({Ball{kThere}});
+  track_.setBounds(boundsFrom(0.05));
+  predict(kFrame);
+  update({{kThere, kRadius, 0.0}});
+  EXPECT_EQ(track_.best(), nullptr);
+  const SphereEstimate searched = track_.estimate(observation_);
+  EXPECT_FALSE(searched.valid);
+  EXPECT_TRUE(boundsFrom(0.05).contains(searched.mean, 1e-9)) << searched.mean.transpose();
+  track_.setBounds(boundsFrom(-1.0));
+  update({{kThere, kRadius, 0.0}});
+  EXPECT_NE(track_.confident(), nullptr);
+}
+
+TEST_F(BernoulliTrackTest, ATrackEndsMoreThanARadiusOutsideTheBounds) {
+  initializeAt();
+  predict(kFrame);
+  track_.setBounds(boundsFrom(0.9 * kRadius));
+  update();
+  EXPECT_NE(track_.best(), nullptr);
+  track_.setBounds(boundsFrom(1.1 * kRadius));
+  update();
+  EXPECT_EQ(track_.best(), nullptr);
+}
+
+TEST_F(BernoulliTrackTest, StartsWithinTheBounds) {
+  track_.setBounds(boundsFrom(0.2));
+  track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
+  Eigen::ArrayXXd positions;
+  Eigen::ArrayXd weights;
+  track_.particles(1000, positions, weights);
+  ASSERT_GT(positions.rows(), 0);
+  EXPECT_GE(positions.col(0).minCoeff(), kThere.x() + 0.2);
+  EXPECT_LE(positions.col(0).maxCoeff(), kThere.x() + 0.5 + 1e-12);
+}
+
+/// Two equal balls side by side, as far from the middle of the start volume: nothing tells which is
+/// the target.
+class TwoEqualBalls : public BernoulliTrackTest {
+protected:
+  TwoEqualBalls() {
+    show({Ball{kLeft}, Ball{kRight}});
+    for (int frame = 0; frame < 8; ++frame) {
+      predict(kFrame);
+      update({{kLeft, kRadius, 0.0}, {kRight, kRadius, 0.0}});
+    }
+  }
+  const Eigen::Vector3d kLeft = kThere + Eigen::Vector3d(-0.1, 0.1, 0.0);
+  const Eigen::Vector3d kRight = kThere + Eigen::Vector3d(0.1, -0.1, 0.0);
+};
+
+// The ambiguity is the share that the rival had; the estimate's existence is what is left of the
+// sum.
+TEST_F(TwoEqualBalls, AreResolvedAndTheAmbiguityStays) {
+  ASSERT_EQ(track_.hypotheses().size(), 2U);
+  const double first = track_.hypotheses()[0].probability;
+  const double second = track_.hypotheses()[1].probability;
+  track_.resolveIdentity(false);
+  ASSERT_EQ(track_.hypotheses().size(), 1U);
+  EXPECT_NEAR(probability(), first + second, 1e-12);
+  const SphereEstimate estimate = track_.estimate(observation_);
+  EXPECT_NEAR(estimate.existenceProbability, first,
+              1e-9); // (first + second) (1 - second / (first + second))
+  EXPECT_TRUE(estimate.valid);
+  update(); // the rival is gone for good
+  EXPECT_EQ(track_.hypotheses().size(), 1U);
+}
+
+TEST_F(TwoEqualBalls, AreBothRightWhereBothAreTargets) {
+  const double both = track_.hypotheses()[0].probability + track_.hypotheses()[1].probability;
+  track_.resolveIdentity(true);
+  ASSERT_EQ(track_.hypotheses().size(), 1U);
+  EXPECT_NEAR(track_.estimate(observation_).existenceProbability, both, 1e-9);
+}
+
+TEST_F(BernoulliTrackTest, ForgetsEverythingAtARestart) {
+  initializeAt();
+  predict(kFrame);
+  EXPECT_TRUE(track_.expectedSphere());
+  track_.restart({}, 3);
+  EXPECT_TRUE(track_.hypotheses().empty());
+  EXPECT_FALSE(track_.expectedSphere());
+  EXPECT_FALSE(track_.estimate(observation_).valid);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/empty_room_loader.h"
+
+#include "core/session/run/empty_rooms.h"
+#include "ui/jobs/background_job.h"
+#include "ui/text/error_sentence.h"
+
+#include <functional>
+#include <utility>
+
+namespace dewpoint::ui {
+
+BackgroundLoader::BackgroundLoader(QObject* parent)
+    : QObject(parent), job_(new BackgroundJob(this)) {
+  connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
+    if (cancelled && wanted_) {
+      start(); // it was changed again meanwhile
+    }
+  });
+}
+
+BackgroundLoader::~BackgroundLoader() = default;
+
+void BackgroundLoader::load(const Project& project) {
+  wanted_ = std::make_shared<const Project>(project);
+  ++generation_;
+  if (job_->isRunning()) {
+    job_->cancel();
+  } else {
+    start();
+  }
+}
+
+void BackgroundLoader::forget() {
+  wanted_.reset();
+  ++generation_;
+}
+
+void BackgroundLoader::start() {
+  job_->start(
+      [this, generation = generation_, project = std::exchange(wanted_, nullptr)](const auto&) {
+        auto rooms = loadEmptyRooms(*project);
+        return std::function<void()>([this, generation, project, rooms = std::move(rooms)] {
+          if (generation != generation_) {
+            return; // of another project, or changed again
+          }
+          if (!rooms) {
+            Q_EMIT failed(errorSentence(rooms.error()));
+            return;
+          }
+          std::vector<std::string> files;
+          for (const ProjectCamera& camera : project->cameras) {
+            files.push_back(camera.emptyRoom);
+          }
+          Q_EMIT loaded(files, *rooms);
+        });
+      });
+}
+
+} // namespace dewpoint::ui
