@@ -201,6 +201,12 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/observation/boxes/a.h", "\"core/observation/people/b.h\""), 1U);
   EXPECT_EQ(complaints("core/observation/sphere/a.h", "\"core/observation/boxes/b.h\""), 1U);
   EXPECT_EQ(complaints("core/observation/people/a.h", "\"core/observation/sphere/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/color/a.h", "\"core/color/likelihood/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/color/likelihood/a.h", "\"core/color/b.h\""), 0U);
+  EXPECT_EQ(complaints("core/trajectory/a.h", "\"core/trajectory/export/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/trajectory/a.h", "\"core/trajectory/figure/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/trajectory/export/a.h", "\"core/trajectory/figure/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/trajectory/figure/a.h", "\"core/trajectory/export/b.h\""), 0U);
   EXPECT_EQ(complaints("core/tracking/a.h", "\"core/tracking/dewpoint/b.h\""), 1U);
   EXPECT_EQ(complaints("core/tracking/barrera/a.h", "\"core/tracking/boxes/b.h\""), 1U);
   EXPECT_EQ(complaints("core/tracking/boxes/a.h", "\"core/tracking/people/b.h\""), 1U);
@@ -219,9 +225,11 @@ TEST(SourceRules, RoomsOfAFloorKeepTheirOrder) {
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"core/experiment/clips/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/clips/a.h", "\"core/experiment/suite/b.h\""), 1U);
   EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"core/experiment/suite/b.h\""), 1U);
-  const std::string baselines = "\"core/experiment/baselines/";
-  EXPECT_EQ(complaints("core/experiment/studies/a.h", baselines + "baseline_kalman.h\""), 1U);
-  EXPECT_EQ(complaints("core/experiment/studies/a.h", baselines + "box_follower.h\""), 0U);
+  EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"core/experiment/baselines/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"core/experiment/boxes/b.h\""), 0U);
+  EXPECT_EQ(complaints("core/experiment/boxes/a.h", "\"core/experiment/baselines/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/boxes/a.h", "\"core/experiment/scenarios/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/metrics/a.h", "\"core/experiment/boxes/b.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/surface/a.h", "\"core/simulation/room/b.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/room/a.h", "\"core/simulation/sensor/b.h\""), 1U);
   EXPECT_EQ(complaints("core/simulation/sensor/a.h", "\"core/simulation/people/b.h\""), 1U);
@@ -247,8 +255,18 @@ TEST(SourceRules, RoomsInsideARoomKeepTheirOrder) {
   EXPECT_EQ(complaints(scenarios + "catalog/a.h", "\"" + scenarios + "people/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "catalog/a.h", "\"" + scenarios + "wild/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "people/a.h", "\"" + scenarios + "targets/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"" + scenarios + "catalog/b.h\""), 0U);
   EXPECT_EQ(complaints("core/experiment/suite/a.h", "\"" + scenarios + "draft/b.h\""), 1U);
+  EXPECT_EQ(complaints("core/experiment/studies/a.h", "\"" + scenarios + "catalog/b.h\""), 1U);
   EXPECT_EQ(complaints(scenarios + "cellar/a.h", "<vector>"), 1U) << "no such room";
+
+  const std::string dewpoint = "core/tracking/dewpoint/";
+  EXPECT_EQ(complaints(dewpoint + "a.h", "\"" + dewpoint + "track/b.h\""), 0U);
+  EXPECT_EQ(complaints(dewpoint + "track/a.h", "\"" + dewpoint + "search/b.h\""), 0U);
+  EXPECT_EQ(complaints(dewpoint + "search/a.h", "\"" + dewpoint + "track/b.h\""), 1U);
+  EXPECT_EQ(complaints(dewpoint + "search/a.h", "\"" + dewpoint + "b.h\""), 1U);
+  EXPECT_EQ(complaints(dewpoint + "track/a.h", "\"" + dewpoint + "b.h\""), 1U);
+  EXPECT_EQ(complaints("core/tracking/catalog/a.h", "\"" + dewpoint + "track/b.h\""), 1U);
 }
 
 TEST(SourceRules, RoomsOfTheWindowKeepTheirOrder) {

@@ -29,6 +29,8 @@ const std::map<std::string, Names, std::less<>>& floorTable() {
 
 const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTable() {
   static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
+      {"color", {{"", {}}, {"likelihood", {""}}}},
+      {"trajectory", {{"", {}}, {"export", {""}}, {"figure", {"", "export"}}}},
       {"observation",
        {{"background", {}}, {"boxes", {}}, {"sphere", {"background"}}, {"people", {"boxes"}}}},
       {"calibration",
@@ -44,7 +46,9 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
        {{"", {}},
         {"barrera", {""}},
         {"boxes", {""}},
-        {"dewpoint", {""}},
+        {"dewpoint/search", {""}},
+        {"dewpoint/track", {"", "dewpoint/search"}},
+        {"dewpoint", {"", "dewpoint/search", "dewpoint/track"}},
         {"people", {""}},
         {"catalog", {"", "barrera", "boxes", "dewpoint", "people"}}}},
       {"session",
@@ -63,16 +67,17 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
       {"experiment",
        {{"metrics", {}},
         {"report", {}},
-        {"scenarios", {}},
+        {"boxes", {}},
+        {"scenarios", {"boxes"}},
         {"scenarios/wild", {"scenarios"}},
         {"scenarios/draft", {"scenarios", "scenarios/wild"}},
         {"scenarios/targets", {"scenarios", "scenarios/draft"}},
         {"scenarios/catalog", {"scenarios", "scenarios/draft", "scenarios/targets"}},
         {"scenarios/people", {"scenarios", "scenarios/draft"}},
-        {"clips", {"scenarios"}},
-        {"baselines", {"scenarios"}},
-        {"suite", {"baselines", "metrics", "report", "scenarios"}},
-        {"studies", {"metrics", "report", "scenarios", "scenarios/people"}}}},
+        {"clips", {"boxes", "scenarios"}},
+        {"baselines", {"boxes", "scenarios"}},
+        {"suite", {"baselines", "boxes", "metrics", "report", "scenarios", "scenarios/catalog"}},
+        {"studies", {"boxes", "metrics", "report", "scenarios", "scenarios/people"}}}},
   };
   return kTable;
 }

@@ -30,10 +30,6 @@ bool calibrationArrow(const std::string& from, const std::string& to);
 /// A tracker takes frames, so the value type Frame is open to it and to what stands on it.
 inline constexpr std::string_view kFrameHeader = "core/capture/frame.h";
 
-/// The studies compare boxes with OpenCV's followers. Of the other baselines, and of all that
-/// stands on them, they know nothing: the window is built without (CMakeLists.txt).
-inline constexpr std::string_view kFollowerHeader = "core/experiment/boxes/box_follower.h";
-
 /// The value types that core/session hands out; besides core/session and core/base, the window
 /// sees nothing else of core.
 const Names& windowHeaders();

@@ -81,8 +81,7 @@ std::string coreArrow(const std::string& floor, const std::string& room,
   const std::string other = roomInCore(target);
   const auto& rooms = roomTable().at(floor);
   const bool known = rooms.contains(room) && rooms.contains(other);
-  const bool followerAllowed = room == "studies" && include == kFollowerHeader;
-  return known && (room == other || rooms.at(room).contains(other) || followerAllowed)
+  return known && (room == other || rooms.at(room).contains(other))
              ? ""
              : "room '" + room + "' of core/" + floor + " may not include room '" + other + "'";
 }
