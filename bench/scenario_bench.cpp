@@ -3,6 +3,7 @@
 // What a set of frames of the accuracy suite costs to render, by grade: two cameras at QVGA, one
 // ball, one thread. Rendering is no part of what the suite reports of a method, but most of what a
 // run of it takes.
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/scenarios/scenario.h"
 
 #include <benchmark/benchmark.h>

@@ -7,6 +7,7 @@
 #include "core/experiment/clips/clip_catalog.h"
 #include "core/experiment/clips/real_scenarios.h"
 #include "core/experiment/report/seed_blocks.h"
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/suite/image_clip_run.h"
 #include "core/experiment/suite/suite_report.h"
 #include "core/experiment/suite/suite_runner.h"

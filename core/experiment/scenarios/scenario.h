@@ -106,7 +106,4 @@ struct ScenarioDeclaration {
   std::function<Result<BoxClip>()> clip = nullptr;
 };
 
-/// All scenarios, in the order of the report.
-const std::vector<ScenarioDeclaration>& scenarioCatalog();
-
 } // namespace dewpoint::experiment

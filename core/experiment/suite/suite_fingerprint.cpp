@@ -3,6 +3,7 @@
 
 #include "core/experiment/report/fingerprint.h"
 #include "core/experiment/report/seed_blocks.h"
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/suite/suite_runner.h"
 
 #include <algorithm>

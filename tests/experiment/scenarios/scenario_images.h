@@ -4,6 +4,7 @@
 
 #include "core/base/time.h"
 #include "core/color/match_image.h"
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/geometry/projector.h"
 

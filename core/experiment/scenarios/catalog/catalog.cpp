@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/scenarios/catalog/catalog.h"
+
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/scenario_draft.h"
 
 namespace dewpoint::experiment {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S0: one ball on a cluttered desk, nothing else of its color. S1: balls that look the same.
 // S10: the same with a ball whose size methods are not told.
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/scenario_places.h"
 #include "core/simulation/scene/scene.h"
 

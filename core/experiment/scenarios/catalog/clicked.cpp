@@ -2,6 +2,7 @@
 // S22: balls of seven colors, whose range is learned from one sloppy click in the first images.
 #include "core/color/color_learning.h"
 #include "core/color/color_sample.h"
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/scenario_places.h"
 #include "core/simulation/scene/scene.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S20: light that is not that of one white lamp, and exposures that are not fixed.
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/grade_model.h"
 #include "core/experiment/scenarios/draft/scenario_places.h"
 #include "core/simulation/room/light.h"

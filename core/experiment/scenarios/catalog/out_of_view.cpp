@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S17: balls that leave images, hover on their borders, and go behind furniture.
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/targets/excursion.h"
 #include "core/experiment/scenarios/targets/hidden_share.h"
 #include "core/simulation/scene/rigs.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of the suite in which method dewpoint once failed. Seeds for tuning.
 #include "core/experiment/baselines/baseline_methods.h"
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "tests/tracking/sphere_of.h"
 

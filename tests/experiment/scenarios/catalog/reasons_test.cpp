@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What method dewpoint says of why a target is not held, in scenarios of the suite.
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/session/run/tracking_run.h"
 #include "core/tracking/catalog/method_catalog.h"

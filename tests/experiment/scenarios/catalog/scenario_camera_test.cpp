@@ -3,6 +3,7 @@
 // where it stands, S16.
 #include "core/base/time.h"
 #include "core/experiment/baselines/baseline_blobs.h"
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/draft_frames.h"
 #include "core/experiment/scenarios/pink_target.h"
 #include "core/simulation/sensor/camera_drift.h"

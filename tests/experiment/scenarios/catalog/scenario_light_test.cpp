@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenarios about light that is not that of one white lamp, and about exposures that are not fixed:
 // S20.
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/grade_model.h"
 #include "core/simulation/room/light.h"
 #include "tests/experiment/scenarios/scenario_drafts.h"

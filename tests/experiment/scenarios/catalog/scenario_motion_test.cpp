@@ -2,6 +2,7 @@
 #include "core/base/time.h"
 #include "core/color/match_image.h"
 #include "core/experiment/baselines/baseline_blobs.h"
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/scenarios/scenario.h"
 
 #include <gtest/gtest.h>

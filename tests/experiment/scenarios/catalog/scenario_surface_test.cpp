@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenarios whose ball is not a whole ball of one color before a room of other colors: S11 to S13.
+#include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/targets/hidden_share.h"
 #include "core/geometry/ray.h"
 #include "tests/experiment/scenarios/scenario_drafts.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cameras, furniture and people of grade `wild`.
+#include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/experiment/scenarios/wild/wild_rig.h"
 #include "core/experiment/scenarios/wild/wild_room.h"
