@@ -21,7 +21,7 @@ namespace dewpoint::tracking {
 class Tracker {
 public:
   virtual ~Tracker() = default;
-  /// Removes all tracks and starts from scratch; background images stay.
+  /// Removes all tracks and starts from scratch; empty rooms stay.
   virtual void restart(std::uint64_t seed) = 0;
   virtual int iterationsPerFrame() const = 0;
   /// Null releases the images of the last frame.

@@ -71,13 +71,13 @@ public:
   virtual void setVolumeOfInterest(const std::optional<WorldBox>& volume) = 0;
 };
 
-/// Uses images of the scene without targets.
-class BackgroundImages {
+/// Uses what it is told of the empty room: images of the scene without targets.
+class EmptyRoomKnowing {
 public:
-  virtual ~BackgroundImages() = default;
+  virtual ~EmptyRoomKnowing() = default;
   /// One image per camera (CV_8UC3, in the order of the rig), empty where it is not known. Takes
   /// effect at the next restart; methods for people then need no learning phase.
-  virtual void setBackgroundImages(const std::vector<cv::Mat>& images) = 0;
+  virtual void setEmptyRooms(const std::vector<cv::Mat>& images) = 0;
 };
 
 /// Can be copied during a run, so that the run can go back.

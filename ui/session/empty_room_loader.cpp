@@ -10,8 +10,7 @@
 
 namespace dewpoint::ui {
 
-BackgroundLoader::BackgroundLoader(QObject* parent)
-    : QObject(parent), job_(new BackgroundJob(this)) {
+EmptyRoomLoader::EmptyRoomLoader(QObject* parent) : QObject(parent), job_(new BackgroundJob(this)) {
   connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     if (cancelled && wanted_) {
       start(); // it was changed again meanwhile
@@ -19,9 +18,9 @@ BackgroundLoader::BackgroundLoader(QObject* parent)
   });
 }
 
-BackgroundLoader::~BackgroundLoader() = default;
+EmptyRoomLoader::~EmptyRoomLoader() = default;
 
-void BackgroundLoader::load(const Project& project) {
+void EmptyRoomLoader::load(const Project& project) {
   wanted_ = std::make_shared<const Project>(project);
   ++generation_;
   if (job_->isRunning()) {
@@ -31,12 +30,12 @@ void BackgroundLoader::load(const Project& project) {
   }
 }
 
-void BackgroundLoader::forget() {
+void EmptyRoomLoader::forget() {
   wanted_.reset();
   ++generation_;
 }
 
-void BackgroundLoader::start() {
+void EmptyRoomLoader::start() {
   job_->start(
       [this, generation = generation_, project = std::exchange(wanted_, nullptr)](const auto&) {
         auto rooms = loadEmptyRooms(*project);

@@ -19,13 +19,12 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Reads the pictures of a project's background images beside the window; a run takes them and goes
-/// on.
-class BackgroundLoader : public QObject {
+/// Reads the pictures of a project's empty rooms beside the window; a run takes them and goes on.
+class EmptyRoomLoader : public QObject {
   Q_OBJECT
 public:
-  explicit BackgroundLoader(QObject* parent = nullptr);
-  ~BackgroundLoader() override;
+  explicit EmptyRoomLoader(QObject* parent = nullptr);
+  ~EmptyRoomLoader() override;
 
   /// Reads those of this project instead of those that are being read.
   void load(const Project& project);

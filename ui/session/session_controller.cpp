@@ -24,12 +24,12 @@ namespace dewpoint::ui {
 SessionController::SessionController(ProjectOpener opener, Document& document, Selection& selection,
                                      QObject* parent)
     : QObject(parent), loader_(new ProjectLoader(std::move(opener), this)),
-      backgrounds_(new BackgroundLoader(this)), document_(document), selection_(selection) {
+      emptyRooms_(new EmptyRoomLoader(this)), document_(document), selection_(selection) {
   connect(loader_, &ProjectLoader::opened, this, &SessionController::applyOpened);
   connect(loader_, &ProjectLoader::failed, this, &SessionController::openFailed);
   connect(loader_, &ProjectLoader::openingChanged, this, &SessionController::openingChanged);
-  connect(backgrounds_, &BackgroundLoader::failed, this, &SessionController::failed);
-  connect(backgrounds_, &BackgroundLoader::loaded, this,
+  connect(emptyRooms_, &EmptyRoomLoader::failed, this, &SessionController::failed);
+  connect(emptyRooms_, &EmptyRoomLoader::loaded, this,
           [this](const auto& files, const auto& rooms) {
             if (bridge_ != nullptr) {
               bridge_->session().setEmptyRooms(files, rooms);
@@ -86,7 +86,7 @@ void SessionController::connectDocument() {
           Qt::QueuedConnection);
   connect(&document_, &Document::emptyRoomsChanged, this, [this] {
     if (bridge_ != nullptr) {
-      backgrounds_->load(document_.project());
+      emptyRooms_->load(document_.project());
     }
   });
   connect(&document_, &Document::sourcesChanged, this, &SessionController::reopen,
@@ -153,7 +153,7 @@ void SessionController::close() {
 
 void SessionController::endRun() {
   SessionBridge* over = std::exchange(bridge_, nullptr);
-  backgrounds_->forget();
+  emptyRooms_->forget();
   shown_.reset();
   filledFrom_.reset();
   filled_.reset();

@@ -15,7 +15,7 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-class BackgroundLoader;
+class EmptyRoomLoader;
 class Document;
 class Selection;
 class SessionBridge;
@@ -111,7 +111,7 @@ private:
   void applyCalibration();
 
   ProjectLoader* loader_;
-  BackgroundLoader* backgrounds_;
+  EmptyRoomLoader* emptyRooms_;
   Document& document_;
   Selection& selection_;
   SessionBridge* bridge_ = nullptr;

@@ -109,8 +109,8 @@ TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr d
                             int threadCount) {
   TrackingRun run;
   run.tracker_ = std::move(tracker);
-  if (auto* const background = tracking::capability<BackgroundImages>(*run.tracker_)) {
-    background->setBackgroundImages(definition->emptyRooms);
+  if (auto* const knowing = tracking::capability<EmptyRoomKnowing>(*run.tracker_)) {
+    knowing->setEmptyRooms(definition->emptyRooms);
   }
   auto* const bounded = tracking::capability<VolumeBounded>(*run.tracker_);
   if (bounded != nullptr && definition->volumeOfInterest) {
@@ -155,9 +155,9 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
   if (calibrated != nullptr && definition->rig != before->rig && *definition->rig != *before->rig) {
     calibrated->setCameras(*definition->rig);
   }
-  auto* const background = tracking::capability<BackgroundImages>(*tracker_);
-  if (background != nullptr && !areSameRooms(definition->emptyRooms, before->emptyRooms)) {
-    background->setBackgroundImages(definition->emptyRooms);
+  auto* const knowing = tracking::capability<EmptyRoomKnowing>(*tracker_);
+  if (knowing != nullptr && !areSameRooms(definition->emptyRooms, before->emptyRooms)) {
+    knowing->setEmptyRooms(definition->emptyRooms);
   }
 }
 

@@ -23,7 +23,7 @@ class DewpointTracker final : public Tracker,
                               public CameraCalibrated,
                               public VolumeBounded,
                               public PositionCorrecting,
-                              public BackgroundImages,
+                              public EmptyRoomKnowing,
                               public ParticleCloud,
                               public CameraExplaining,
                               public PositionProposing,
@@ -44,7 +44,7 @@ public:
   /// Distractors are tracked anywhere: what they explain in the images is no evidence inside.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
   void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) override;
-  void setBackgroundImages(const std::vector<cv::Mat>& images) override;
+  void setEmptyRooms(const std::vector<cv::Mat>& images) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;
   void beginFrame(FrameSetPtr frames) override;

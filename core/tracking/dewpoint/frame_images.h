@@ -31,7 +31,7 @@ public:
 
   /// Images without targets, per camera; empty where not known. Known from the next
   /// resetBackgrounds() on.
-  void setBackgroundImages(const std::vector<cv::Mat>& images);
+  void setEmptyRooms(const std::vector<cv::Mat>& images);
   void resetBackgrounds();
   /// The light of now becomes the one that colors are relative to.
   void resetReferenceLight();

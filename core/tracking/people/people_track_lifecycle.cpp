@@ -60,7 +60,7 @@ void PeopleTrackLifecycle::setCameras(const CameraRig& rig) {
   prepare();
 }
 
-void PeopleTrackLifecycle::setBackgroundImages(const std::vector<cv::Mat>& images) {
+void PeopleTrackLifecycle::setEmptyRooms(const std::vector<cv::Mat>& images) {
   cameras_.setEmptyRooms(images);
 }
 

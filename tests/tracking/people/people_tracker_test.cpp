@@ -154,7 +154,7 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   for (const auto& frame : empty->frames) {
     rooms.push_back(frame->image);
   }
-  capability<BackgroundImages>(run.tracker())->setBackgroundImages(rooms);
+  capability<EmptyRoomKnowing>(run.tracker())->setEmptyRooms(rooms);
   run.tracker().restart(2);
   ThreadTeam team(1);
   EXPECT_EQ(placing->addPerson({0.4, 0.1, 0.85}), 1);
