@@ -43,14 +43,14 @@ void Bell::waitBeyond(std::uint64_t known, Clock::time_point deadline) {
 }
 
 /// What the camera's thread alone knows.
-struct CameraThread::Progress {
+struct LiveCameraThread::Progress {
   std::int64_t frames = 0;
   std::optional<Clock::time_point> lastGrab;
   Clock::duration pause = kFirstPause;
 };
 
-CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
-                           std::shared_ptr<Bell> bell, Clock::time_point zero)
+LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory,
+                                   std::shared_ptr<Bell> bell, Clock::time_point zero)
     : shared_(std::make_shared<Shared>()) {
   shared_->camera = camera;
   shared_->shape = {camera.name, camera.rotateDegrees, camera.width, camera.height,
@@ -68,18 +68,18 @@ CameraThread::CameraThread(const LiveCamera& camera, LiveStreamFactory factory,
   });
 }
 
-CameraThread::~CameraThread() {
+LiveCameraThread::~LiveCameraThread() {
   if (thread_.joinable()) {
     requestStop();
     joinUntil(Clock::now() + kReadPatience);
   }
 }
 
-void CameraThread::requestStop() {
+void LiveCameraThread::requestStop() {
   thread_.request_stop();
 }
 
-void CameraThread::joinUntil(Clock::time_point deadline) {
+void LiveCameraThread::joinUntil(Clock::time_point deadline) {
   if (!thread_.joinable()) {
     return;
   }
@@ -93,12 +93,12 @@ void CameraThread::joinUntil(Clock::time_point deadline) {
   }
 }
 
-bool CameraThread::delivers() const {
+bool LiveCameraThread::delivers() const {
   std::scoped_lock lock(shared_->mutex);
   return shared_->connected && !shared_->problem && Clock::now() - shared_->lastGrab < kSilence;
 }
 
-std::optional<Error> CameraThread::problem() const {
+std::optional<Error> LiveCameraThread::problem() const {
   std::scoped_lock lock(shared_->mutex);
   if (shared_->problem) {
     return shared_->problem;
@@ -114,7 +114,7 @@ std::optional<Error> CameraThread::problem() const {
                                   : "no answer for two seconds; still waiting"};
 }
 
-void CameraThread::setProblem(Shared& shared, Error problem) {
+void LiveCameraThread::setProblem(Shared& shared, Error problem) {
   {
     std::scoped_lock lock(shared.mutex);
     shared.problem = std::move(problem);
@@ -123,7 +123,7 @@ void CameraThread::setProblem(Shared& shared, Error problem) {
 }
 
 /// Without a connection: never had one, or lost it.
-void CameraThread::setDown(Shared& shared, const std::string& detail) {
+void LiveCameraThread::setDown(Shared& shared, const std::string& detail) {
   {
     std::scoped_lock lock(shared.mutex);
     shared.connected = false;
@@ -134,7 +134,7 @@ void CameraThread::setDown(Shared& shared, const std::string& detail) {
   shared.bell->ring();
 }
 
-void CameraThread::run(const std::stop_token& stop, Shared& shared) {
+void LiveCameraThread::run(const std::stop_token& stop, Shared& shared) {
   Progress progress;
   while (!stop.stop_requested()) {
     try {
@@ -154,8 +154,8 @@ void CameraThread::run(const std::stop_token& stop, Shared& shared) {
   }
 }
 
-void CameraThread::readAll(const std::stop_token& stop, Shared& shared, LiveStream& stream,
-                           Progress& progress) {
+void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, LiveStream& stream,
+                               Progress& progress) {
   {
     std::scoped_lock lock(shared.mutex);
     shared.connected = true;
@@ -171,8 +171,8 @@ void CameraThread::readAll(const std::stop_token& stop, Shared& shared, LiveStre
   }
 }
 
-void CameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
-                           Progress& progress) {
+void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::time_point grabbed,
+                               Progress& progress) {
   progress.pause = kFirstPause;
   if (progress.lastGrab && grabbed > *progress.lastGrab) {
     const double interval = std::chrono::duration<double>(grabbed - *progress.lastGrab).count();

@@ -33,16 +33,16 @@ private:
 
 /// Opens one camera, reads it, and opens it again when it is lost, in a thread of its own. What
 /// the thread touches is shared with it, so that a read that never returns can be left behind.
-class CameraThread {
+class LiveCameraThread {
 public:
   using Clock = std::chrono::steady_clock;
 
   /// `bell` rings on each new frame and each change of state; times count from `zero`.
-  CameraThread(const LiveCamera& camera, LiveStreamFactory factory, std::shared_ptr<Bell> bell,
-               Clock::time_point zero);
-  ~CameraThread();
-  CameraThread(CameraThread&&) noexcept = default;
-  CameraThread& operator=(CameraThread&&) = delete;
+  LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory, std::shared_ptr<Bell> bell,
+                   Clock::time_point zero);
+  ~LiveCameraThread();
+  LiveCameraThread(LiveCameraThread&&) noexcept = default;
+  LiveCameraThread& operator=(LiveCameraThread&&) = delete;
 
   void requestStop();
   /// Waits for the thread until the deadline, then abandons it.

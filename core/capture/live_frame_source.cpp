@@ -28,9 +28,9 @@ FramePtr inTime(FramePtr frame, TimeStamp delay) {
       Frame{frame->index, frame->captureTime - delay, frame->image});
 }
 
-class LiveCameras final : public FrameSetSource {
+class LiveFrameSource final : public FrameSetSource {
 public:
-  LiveCameras(const std::vector<LiveCamera>& cameras, const LiveStreamFactory& factory) {
+  LiveFrameSource(const std::vector<LiveCamera>& cameras, const LiveStreamFactory& factory) {
     cameras_.reserve(cameras.size());
     for (const LiveCamera& camera : cameras) {
       cameras_.emplace_back(camera, factory, bell_, zero_);
@@ -38,12 +38,12 @@ public:
     }
   }
 
-  ~LiveCameras() override {
-    for (CameraThread& camera : cameras_) {
+  ~LiveFrameSource() override {
+    for (LiveCameraThread& camera : cameras_) {
       camera.requestStop();
     }
     const auto deadline = Clock::now() + kStopPatience;
-    for (CameraThread& camera : cameras_) {
+    for (LiveCameraThread& camera : cameras_) {
       camera.joinUntil(deadline);
     }
   }
@@ -60,14 +60,14 @@ private:
 
   Clock::time_point zero_ = Clock::now();
   std::shared_ptr<Bell> bell_ = std::make_shared<Bell>();
-  std::vector<CameraThread> cameras_;
+  std::vector<LiveCameraThread> cameras_;
   std::vector<TimeStamp> delay_; ///< of the cameras
   std::int64_t sets_ = 0;
   TimeStamp last_{};
 };
 
-double LiveCameras::framesPerSecond() const {
-  for (const CameraThread& camera : cameras_) {
+double LiveFrameSource::framesPerSecond() const {
+  for (const LiveCameraThread& camera : cameras_) {
     if (camera.framesPerSecond() > 0) {
       return camera.framesPerSecond();
     }
@@ -77,10 +77,10 @@ double LiveCameras::framesPerSecond() const {
 
 /// When the frames at hand make a set: now when all cameras that deliver have one, else as soon as
 /// the first has waited long enough; far in the future while there is none.
-Clock::time_point LiveCameras::dueTime() const {
+Clock::time_point LiveFrameSource::dueTime() const {
   auto first = Clock::time_point::max();
   bool complete = true;
-  for (const CameraThread& camera : cameras_) {
+  for (const LiveCameraThread& camera : cameras_) {
     const auto since = camera.waitingSince();
     if (since) {
       first = std::min(first, *since);
@@ -94,7 +94,7 @@ Clock::time_point LiveCameras::dueTime() const {
   return complete ? first : first + kTogether;
 }
 
-Result<FrameSetPtr> LiveCameras::next() {
+Result<FrameSetPtr> LiveFrameSource::next() {
   const auto deadline = Clock::now() + kLongestWait;
   for (;;) {
     const auto rings = bell_->rings();
@@ -107,7 +107,7 @@ Result<FrameSetPtr> LiveCameras::next() {
   auto set = std::make_shared<FrameSet>();
   set->index = sets_++;
   TimeStamp newest{};
-  for (CameraThread& camera : cameras_) {
+  for (LiveCameraThread& camera : cameras_) {
     set->frames.push_back(inTime(camera.take().value_or(nullptr), delay_[set->frames.size()]));
     if (set->frames.back()) {
       newest = std::max(newest, set->frames.back()->captureTime);
@@ -121,17 +121,17 @@ Result<FrameSetPtr> LiveCameras::next() {
   return set;
 }
 
-std::int64_t LiveCameras::droppedFrames() const {
+std::int64_t LiveFrameSource::droppedFrames() const {
   std::int64_t sum = 0;
-  for (const CameraThread& camera : cameras_) {
+  for (const LiveCameraThread& camera : cameras_) {
     sum += camera.dropped();
   }
   return sum;
 }
 
-std::vector<Error> LiveCameras::notices() const {
+std::vector<Error> LiveFrameSource::notices() const {
   std::vector<Error> list;
-  for (const CameraThread& camera : cameras_) {
+  for (const LiveCameraThread& camera : cameras_) {
     if (auto problem = camera.problem()) {
       list.push_back(std::move(*problem));
     }
@@ -154,7 +154,7 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
     }
   }
   try {
-    return std::make_unique<LiveCameras>(cameras, factory);
+    return std::make_unique<LiveFrameSource>(cameras, factory);
   } catch (const std::exception& problem) { // the system has no more threads
     return failure(ErrorCode::DeviceUnavailable, "", "camera", problem.what());
   }

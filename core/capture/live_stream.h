@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/capture/frame_source.h"
 #include "core/capture/live_camera.h"
 
 #include <opencv2/core/mat.hpp>
@@ -10,7 +9,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace dewpoint::capture {
 
@@ -35,9 +33,5 @@ Status checkLocation(const LiveCamera& camera);
 
 /// The connection through OpenCV that fits the camera's location.
 LiveStreamPtr makeVideoStream(const LiveCamera& camera);
-
-/// As openLive(cameras), but with other connections (devices of another kind, or fakes in tests).
-Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
-                                                 const LiveStreamFactory& factory);
 
 } // namespace dewpoint::capture

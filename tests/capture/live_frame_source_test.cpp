@@ -139,7 +139,7 @@ TEST(NewestSlot, nothingIsLostUncountedBetweenThreads) {
   EXPECT_EQ(taken + slot.dropped(), kValues);
 }
 
-TEST(LiveCameras, deliversAMovingPictureFromTheNetwork) {
+TEST(LiveFrameSource, deliversAMovingPictureFromTheNetwork) {
   const MjpegServer left(movingSquare);
   const MjpegServer right(movingSquare);
   const auto source = openLive({camera(left.address()), camera(right.address(), "right")});
@@ -177,7 +177,7 @@ TEST(LiveCameras, deliversAMovingPictureFromTheNetwork) {
   EXPECT_GT((*source)->framesPerSecond(), 0);
 }
 
-TEST(LiveCameras, aServerThatDiesIsNoticedAndComesBack) {
+TEST(LiveFrameSource, aServerThatDiesIsNoticedAndComesBack) {
   auto server = std::make_unique<MjpegServer>(movingSquare);
   const auto port = server->port();
   const auto source = openLive({camera(server->address())});
@@ -196,7 +196,7 @@ TEST(LiveCameras, aServerThatDiesIsNoticedAndComesBack) {
   EXPECT_TRUE((*source)->notices().empty());
 }
 
-TEST(LiveCameras, aCameraThatIsNotThereLeavesTheOthersAlone) {
+TEST(LiveFrameSource, aCameraThatIsNotThereLeavesTheOthersAlone) {
   auto present = std::make_shared<FakeDevice>();
   auto absent = std::make_shared<FakeDevice>();
   absent->present = false;
@@ -224,7 +224,7 @@ TEST(LiveCameras, aCameraThatIsNotThereLeavesTheOthersAlone) {
   EXPECT_TRUE((*source)->notices().empty());
 }
 
-TEST(LiveCameras, aWrongSizeIsNoticedAndNotPassedOn) {
+TEST(LiveFrameSource, aWrongSizeIsNoticedAndNotPassedOn) {
   auto device = std::make_shared<FakeDevice>();
   device->width = 32;
   LiveCamera rotated = camera("0");
@@ -246,7 +246,7 @@ TEST(LiveCameras, aWrongSizeIsNoticedAndNotPassedOn) {
   EXPECT_TRUE((*source)->notices().empty());
 }
 
-TEST(LiveCameras, countsFramesNobodyLookedAt) {
+TEST(LiveFrameSource, countsFramesNobodyLookedAt) {
   auto device = std::make_shared<FakeDevice>();
   const auto source = openLive({camera("0")}, makes({device}));
   ASSERT_TRUE(source);
@@ -260,7 +260,7 @@ TEST(LiveCameras, countsFramesNobodyLookedAt) {
   EXPECT_GE(second->frames[0]->index, first->frames[0]->index + 6); // five dropped between
 }
 
-TEST(LiveCameras, aReadThatHangsDoesNotBlockTheEnd) {
+TEST(LiveFrameSource, aReadThatHangsDoesNotBlockTheEnd) {
   auto device = std::make_shared<FakeDevice>();
   auto opened = openLive({camera("0")}, makes({device}));
   ASSERT_TRUE(opened);
@@ -277,7 +277,7 @@ TEST(LiveCameras, aReadThatHangsDoesNotBlockTheEnd) {
   }
 }
 
-TEST(LiveCameras, settingsThatCannotWorkAreRefused) {
+TEST(LiveFrameSource, settingsThatCannotWorkAreRefused) {
   for (const char* location : {"", "gst:", "video.mp4", "/dev/videoX", "-1", "ftp://host/a"}) {
     const auto source = openLive({camera(location)});
     ASSERT_FALSE(source) << location;
@@ -292,7 +292,7 @@ TEST(LiveCameras, settingsThatCannotWorkAreRefused) {
   EXPECT_EQ(openLive({}).error().code, ErrorCode::MissingKey);
 }
 
-TEST(LiveCameras, aMissingDeviceIsANotice) {
+TEST(LiveFrameSource, aMissingDeviceIsANotice) {
   const auto source = openLive({camera("/dev/video987")}); // no machine has so many
   ASSERT_TRUE(source);
   ASSERT_TRUE(waitFor(**source, [&](const FrameSet&) { return !(*source)->notices().empty(); }));
