@@ -22,7 +22,7 @@ struct Share {
 };
 
 /// The rows that an exposure is for, as an area of the image.
-cv::Rect rowsOf(const CameraView& view, const Exposure& exposure) {
+cv::Rect rowsOf(const RoomView& view, const Exposure& exposure) {
   const int first = std::max(0, exposure.firstRow);
   const int end = std::min(view.height, exposure.endRow);
   return {0, first, view.width, std::max(0, end - first)};
@@ -66,7 +66,7 @@ std::optional<float> hitSphere(const Body& body, const Vector3f& origin,
   return along - std::sqrt(root);
 }
 
-Share sample(const CameraView& view, const Body& body, const Vector3f& direction, float limit) {
+Share sample(const RoomView& view, const Body& body, const Vector3f& direction, float limit) {
   if (!body.box) {
     const auto distance = hitSphere(body, view.center, direction);
     if (!distance || *distance >= limit) {
@@ -98,7 +98,7 @@ Share sample(const CameraView& view, const Body& body, const Vector3f& direction
   return {litColor(body, view.center + enter * direction, normal), 1.0F};
 }
 
-bool onEdge(const CameraView& view, const Body& body, int column, int row) {
+bool onEdge(const RoomView& view, const Body& body, int column, int row) {
   if (body.box) {
     return true;
   }
@@ -110,7 +110,7 @@ bool onEdge(const CameraView& view, const Body& body, int column, int row) {
   return std::abs(aside - body.radius) < 1.2F * pixel;
 }
 
-void addInstant(const CameraView& view, const Body& body, const cv::Rect& area,
+void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
                 std::vector<Share>& shares) {
   auto share = shares.begin();
   for (int row = area.y; row < area.y + area.height; ++row) {
@@ -138,7 +138,7 @@ void addInstant(const CameraView& view, const Body& body, const cv::Rect& area,
   }
 }
 
-void castShadow(const CameraView& view, const Body& body, const cv::Rect& rows, cv::Mat& image) {
+void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv::Mat& image) {
   // Only the shadow on the desk (z = 0) is drawn; a sphere around it bounds its pixels.
   const Vector3f lamp = lampOf(body);
   if (body.box || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
@@ -185,7 +185,7 @@ Body shadowBody(const Body& body) {
 
 } // namespace
 
-void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
+void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
                  cv::Mat& image) {
   const double time = exposure.time;
   const double half = 0.5 * exposure.seconds;

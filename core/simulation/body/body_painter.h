@@ -34,7 +34,7 @@ using BodiesAt = std::function<std::vector<Body>(double)>;
 
 /// Draws bodies, their soft shadows on z = 0 and their motion blur into `image` (CV_32FC3), which
 /// shows the room at rest as `view` sees it. Presence is that at the center of the exposure.
-void paintBodies(const CameraView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
+void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
                  cv::Mat& image);
 
 } // namespace dewpoint::simulation

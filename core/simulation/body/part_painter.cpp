@@ -21,7 +21,7 @@ struct Contribution {
 };
 
 /// The pixels that can show a part.
-cv::Rect boundsOf(const CameraView& view, const MovingPart& part) {
+cv::Rect boundsOf(const RoomView& view, const MovingPart& part) {
   const auto ball = [&](const Vector3f& center, float radius) {
     return view.boundsOfSphere(center.cast<double>(), radius);
   };
@@ -42,7 +42,7 @@ cv::Rect boundsOf(const CameraView& view, const MovingPart& part) {
 }
 
 /// The pixels that can show each part at one of three instants of an exposure.
-std::vector<cv::Rect> boundsOf(const CameraView& view, const std::array<Parts, 3>& instants,
+std::vector<cv::Rect> boundsOf(const RoomView& view, const std::array<Parts, 3>& instants,
                                const cv::Rect& within) {
   std::vector<cv::Rect> areas(instants[0].size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<cv::Rect> boundsOf(const CameraView& view, const std::array<Parts, 3
 }
 
 /// Pixels that the fastest point of any part travels between two instants, by shift and turn.
-double travelPx(const CameraView& view, const Parts& from, const Parts& to) {
+double travelPx(const RoomView& view, const Parts& from, const Parts& to) {
   double most = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const float turned = (to[i].axes - from[i].axes).rowwise().norm().maxCoeff();
@@ -69,7 +69,7 @@ double travelPx(const CameraView& view, const Parts& from, const Parts& to) {
 /// Draws one instant.
 class InstantPainter {
 public:
-  InstantPainter(const CameraView& view, const Parts& parts, const std::vector<cv::Rect>& areas,
+  InstantPainter(const RoomView& view, const Parts& parts, const std::vector<cv::Rect>& areas,
                  const Shading& shading)
       : view_(view), parts_(parts), areas_(areas), shading_(shading) {}
 
@@ -145,7 +145,7 @@ private:
     }
   }
 
-  const CameraView& view_;
+  const RoomView& view_;
   const Parts& parts_;
   const std::vector<cv::Rect>& areas_;
   const Shading& shading_;
@@ -167,7 +167,7 @@ void blend(const cv::Rect& area, const std::vector<Contribution>& contributions,
 
 } // namespace
 
-void paintParts(const CameraView& view, const PartsAt& partsAt, const Exposure& exposure,
+void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& exposure,
                 const cv::Rect& within, const Shading& shading, cv::Mat& image) {
   const double half = 0.5 * exposure.seconds;
   const std::array<Parts, 3> instants{partsAt(exposure.time - half), partsAt(exposure.time),

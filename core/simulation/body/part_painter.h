@@ -31,7 +31,7 @@ using PartsAt = std::function<std::vector<MovingPart>(double)>;
 /// Draws the parts of one body with their motion blur into `within` of `image` (CV_32FC3), which
 /// shows what is behind the body. The parts hide each other point by point; what of the room at
 /// rest is nearer hides them. Edges of parts and borders of colors are smoothed.
-void paintParts(const CameraView& view, const PartsAt& partsAt, const Exposure& exposure,
+void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& exposure,
                 const cv::Rect& within, const Shading& shading, cv::Mat& image);
 
 } // namespace dewpoint::simulation

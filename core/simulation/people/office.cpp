@@ -32,7 +32,7 @@ OfficeRenderer::OfficeRenderer(OfficeScene scene, simulation::ViewCache& views)
 }
 
 OfficeRenderer::OfficeRenderer(OfficeScene scene,
-                               std::vector<std::shared_ptr<const simulation::CameraView>> views)
+                               std::vector<std::shared_ptr<const simulation::RoomView>> views)
     : scene_(std::move(scene)), views_(std::move(views)) {}
 
 cv::Mat OfficeRenderer::painted(std::size_t camera, std::int64_t frame, cv::Mat* who) const {

@@ -39,8 +39,7 @@ public:
   /// The views of the empty office come from `views`, so that many scenes share them.
   OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
   /// With the views of the scene's cameras on the room at rest, in their order.
-  OfficeRenderer(OfficeScene scene,
-                 std::vector<std::shared_ptr<const simulation::CameraView>> views);
+  OfficeRenderer(OfficeScene scene, std::vector<std::shared_ptr<const simulation::RoomView>> views);
 
   const OfficeScene& scene() const { return scene_; }
   /// CV_8UC3, BGR: a pure function of its arguments. `who`: as paintPeople().
@@ -63,7 +62,7 @@ private:
   cv::Mat painted(std::size_t camera, std::int64_t frame, cv::Mat* who) const;
 
   OfficeScene scene_;
-  std::vector<std::shared_ptr<const simulation::CameraView>> views_;
+  std::vector<std::shared_ptr<const simulation::RoomView>> views_;
 };
 
 } // namespace dewpoint::simulation

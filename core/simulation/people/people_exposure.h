@@ -26,7 +26,7 @@ std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows);
 /// Draws people as paintPeople() does in all of the light, as a shutter sees them whose frame is
 /// taken at `light.field.time`: each row collects light for its own exposure, so that those who
 /// move are blurred, and slanted by a rolling shutter. `image` (CV_32FC3): the room at that time.
-void exposePeople(const CameraView& view, const PeopleAt& people, const PeopleLight& light,
+void exposePeople(const RoomView& view, const PeopleAt& people, const PeopleLight& light,
                   const Shutter& shutter, cv::Mat& image);
 
 } // namespace dewpoint::simulation

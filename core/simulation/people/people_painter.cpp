@@ -61,7 +61,7 @@ private:
   }
 };
 
-cv::Rect boundsOf(const CameraView& view, const BodyPart& part) {
+cv::Rect boundsOf(const RoomView& view, const BodyPart& part) {
   if (part.shape == PartShape::Box) {
     return view.boundsOfSphere(part.center.cast<double>(), part.halfSize.norm());
   }
@@ -86,7 +86,7 @@ Vector3f colorAt(const BodyPart& part, const Vector3f& point) {
 /// Calls `enter(row, column, pixel, distance)` for the pixels whose ray enters the part, at a
 /// distance along `ray` in meters.
 template <class Enter>
-void forEachPixelOf(const CameraView& view, const BodyPart& part, const PartRay& ray,
+void forEachPixelOf(const RoomView& view, const BodyPart& part, const PartRay& ray,
                     const Enter& enter) {
   const cv::Rect area = boundsOf(view, part);
   for (int row = area.y; row < area.y + area.height; ++row) {
@@ -103,7 +103,7 @@ void forEachPixelOf(const CameraView& view, const BodyPart& part, const PartRay&
 
 class Canvas {
 public:
-  Canvas(const CameraView& view, cv::Mat& image, cv::Mat* who)
+  Canvas(const RoomView& view, cv::Mat& image, cv::Mat* who)
       : view_(view), image_(image), who_(who), depth_(view.distances) {}
 
   /// `lit(point, normal, color)`: the color that is seen of a surface of a color in full light.
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  const CameraView& view_;
+  const RoomView& view_;
   cv::Mat& image_;
   cv::Mat* who_;
   std::vector<float> depth_;
@@ -133,8 +133,7 @@ private:
 
 /// Adds the shadow that a part casts on the floor, as that of a ball: `covered` becomes the share
 /// of the lamp that is hidden, per pixel.
-void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lamp,
-               cv::Mat& covered) {
+void addShadow(const RoomView& view, const BodyPart& part, const Vector3f& lamp, cv::Mat& covered) {
   constexpr float kPanel = 0.35F; // radius of the office's lamp, meters: of a panel of 0.6 x 0.6 m
   constexpr float kBelowLamp = 0.3F; // meters: nearer to it shadows would be endless
   const float radius = std::cbrt(part.halfSize.prod());
@@ -153,7 +152,7 @@ void addShadow(const CameraView& view, const BodyPart& part, const Vector3f& lam
 }
 
 /// The share of the lamp that people hide, per pixel (CV_32FC1).
-cv::Mat shadowsOf(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+cv::Mat shadowsOf(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                   const Vector3f& lamp) {
   cv::Mat covered = cv::Mat::zeros(view.height, view.width, CV_32FC1);
   for (const auto& parts : people) {
@@ -186,7 +185,7 @@ void paintAll(const std::vector<std::vector<BodyPart>>& people, Canvas& canvas, 
 
 } // namespace
 
-cv::Mat wholeSilhouette(const CameraView& view, const std::vector<BodyPart>& parts) {
+cv::Mat wholeSilhouette(const RoomView& view, const std::vector<BodyPart>& parts) {
   cv::Mat mask = cv::Mat::zeros(view.height, view.width, CV_8UC1);
   for (const BodyPart& part : parts) {
     if (part.ofBody) {
@@ -199,7 +198,7 @@ cv::Mat wholeSilhouette(const CameraView& view, const std::vector<BodyPart>& par
   return mask;
 }
 
-void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const Vector3f& lamp, cv::Mat& image, cv::Mat* who) {
   if (who != nullptr) {
     *who = cv::Mat::zeros(image.size(), CV_8UC1);
@@ -217,7 +216,7 @@ void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>
            });
 }
 
-void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const PeopleLight& light, cv::Mat& image) {
   if (people.empty()) {
     return;

@@ -16,7 +16,7 @@ namespace dewpoint::simulation {
 /// floor (z = 0). `people`: the parts of each of them; furniture is drawn like a person, of parts
 /// that are of no body. `who`, unless null, becomes CV_8UC1: 0 for the room, loads and furniture,
 /// else 1 + the index of the person whose body is seen.
-void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const Vector3f& lamp, cv::Mat& image, cv::Mat* who = nullptr);
 
 /// The light that people walk in where it is more than that of the room's lamp.
@@ -29,11 +29,11 @@ struct PeopleLight {
 
 /// The same in all of the light: further lamps light people, too, and reach into their shadows; the
 /// moving shadow falls on them. `image`: from backgroundAt() with the same light and time.
-void paintPeople(const CameraView& view, const std::vector<std::vector<BodyPart>>& people,
+void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const PeopleLight& light, cv::Mat& image);
 
 /// The whole silhouette of a body as `view` sees it when nothing stands before it: CV_8UC1, 255 on
 /// the body, else 0. Loads and furniture are left out.
-cv::Mat wholeSilhouette(const CameraView& view, const std::vector<BodyPart>& parts);
+cv::Mat wholeSilhouette(const RoomView& view, const std::vector<BodyPart>& parts);
 
 } // namespace dewpoint::simulation

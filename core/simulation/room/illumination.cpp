@@ -24,7 +24,7 @@ cv::Vec3f pixelOf(const Vector3f& color) {
 }
 
 /// The neighbor of a pixel along one axis of the image whose distance is more like its own.
-int likerNeighbor(const CameraView& view, int column, int row, bool across) {
+int likerNeighbor(const RoomView& view, int column, int row, bool across) {
   const int here = across ? column : row;
   const int last = (across ? view.width : view.height) - 1;
   const float distance = view.distances[view.index(column, row)];
@@ -63,7 +63,7 @@ Vector3f LightField::at(const Vector3f& point, const Vector3f& normal) const {
   return Vector3f::Constant(room) + lightOfLamps(here, point, normal);
 }
 
-Vector3f surfaceNormal(const CameraView& view, int column, int row) {
+Vector3f surfaceNormal(const RoomView& view, int column, int row) {
   const Vector3f& direction = view.directions[view.index(column, row)];
   const auto pointAt = [&](int c, int r) -> Vector3f {
     const std::size_t pixel = view.index(c, r);
@@ -79,7 +79,7 @@ Vector3f surfaceNormal(const CameraView& view, int column, int row) {
   return normal.dot(direction) > 0.0F ? Vector3f(-normal.normalized()) : normal.normalized();
 }
 
-RelitBackground relit(const CameraView& view, const Illumination& illumination) {
+RelitBackground relit(const RoomView& view, const Illumination& illumination) {
   RelitBackground result{cv::Mat::zeros(view.height, view.width, CV_32FC3),
                          cv::Mat::zeros(view.height, view.width, CV_32FC3)};
   for (int row = 0; row < view.height; ++row) {
@@ -105,7 +105,7 @@ RelitBackground relit(const CameraView& view, const Illumination& illumination) 
   return result;
 }
 
-cv::Mat backgroundAt(const CameraView& view, const RelitBackground& background,
+cv::Mat backgroundAt(const RoomView& view, const RelitBackground& background,
                      const Illumination& illumination, double time) {
   cv::Mat image = background.ambient + background.direct;
   if (!illumination.shadow) {

@@ -69,12 +69,12 @@ struct RelitBackground {
 };
 
 /// Surface normal at a pixel, from the distances around it: unit vector, world, towards the camera.
-Vector3f surfaceNormal(const CameraView& view, int column, int row);
+Vector3f surfaceNormal(const RoomView& view, int column, int row);
 
-RelitBackground relit(const CameraView& view, const Illumination& illumination);
+RelitBackground relit(const RoomView& view, const Illumination& illumination);
 
 /// The image of the room at rest (CV_32FC3) at a time.
-cv::Mat backgroundAt(const CameraView& view, const RelitBackground& background,
+cv::Mat backgroundAt(const RoomView& view, const RelitBackground& background,
                      const Illumination& illumination, double time);
 
 } // namespace dewpoint::simulation

@@ -48,14 +48,14 @@ std::array<float, 2> subpixel(int sample, int side) {
   return {offset(column), offset(row)};
 }
 
-CameraView::CameraView(const Camera& camera, const Room& room)
+RoomView::RoomView(const Camera& camera, const Room& room)
     : projector(camera), width(camera.intrinsics.width), height(camera.intrinsics.height),
       center(camera.center().cast<float>()) {
   castRays(camera);
   seeRoom(room);
 }
 
-void CameraView::castRays(const Camera& camera) {
+void RoomView::castRays(const Camera& camera) {
   Camera atOrigin = camera;
   atOrigin.cameraFromWorld.setIdentity();
   const Projector lens(atOrigin);
@@ -71,7 +71,7 @@ void CameraView::castRays(const Camera& camera) {
   }
 }
 
-Vector3f CameraView::direction(int column, int row, float right, float down) const {
+Vector3f RoomView::direction(int column, int row, float right, float down) const {
   const Vector3f& here = directions[index(column, row)];
   const int nextColumn = column + 1 < width ? column + 1 : std::max(0, column - 1);
   const int nextRow = row + 1 < height ? row + 1 : std::max(0, row - 1);
@@ -85,7 +85,7 @@ Vector3f CameraView::direction(int column, int row, float right, float down) con
   return there.normalized();
 }
 
-void CameraView::seeRoom(const Room& room) {
+void RoomView::seeRoom(const Room& room) {
   constexpr int kSide = 2; // 2x2 samples per pixel; chosen: what is at rest is rendered once
   distances.assign(directions.size(), std::numeric_limits<float>::infinity());
   lit.assign(directions.size(), 0.0F);
@@ -112,7 +112,7 @@ void CameraView::seeRoom(const Room& room) {
   }
 }
 
-cv::Rect CameraView::boundsOfSphere(const Eigen::Vector3d& sphere, double radius) const {
+cv::Rect RoomView::boundsOfSphere(const Eigen::Vector3d& sphere, double radius) const {
   constexpr int kPoints = 32;     // of the silhouette; between two it bulges by 0.5 % of the radius
   constexpr double kMargin = 2.0; // pixels; more than the silhouette bulges between the points
   const Eigen::Vector3d eye = center.cast<double>();

@@ -16,10 +16,10 @@ namespace dewpoint::simulation {
 /// the pixel's own center, in pixels.
 std::array<float, 2> subpixel(int sample, int side);
 
-/// One camera of a scene, with everything that does not change from frame to frame. All arrays are
-/// row by row, one entry per pixel.
-struct CameraView {
-  CameraView(const Camera& camera, const Room& room);
+/// What one camera sees of a room at rest: everything that does not change from frame to frame. All
+/// arrays are row by row, one entry per pixel.
+struct RoomView {
+  RoomView(const Camera& camera, const Room& room);
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

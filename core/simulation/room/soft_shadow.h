@@ -25,7 +25,7 @@ struct ShadowCaster {
 /// below the ball: `covered` is the share of the lamp that an edge of half width `blur` leaves
 /// hidden there, 0 to 1, smooth; `pixel` is view.index(column, row).
 template <class Shade>
-void forEachShadedPixel(const CameraView& view, const cv::Rect& area, const ShadowCaster& caster,
+void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const ShadowCaster& caster,
                         const Shade& shade) {
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column) {

@@ -24,7 +24,7 @@ std::string keyOf(const Camera& camera, Furnishing furnishing) {
 
 } // namespace
 
-std::shared_ptr<const CameraView> ViewCache::view(const Camera& camera, Furnishing furnishing) {
+std::shared_ptr<const RoomView> ViewCache::view(const Camera& camera, Furnishing furnishing) {
   std::shared_ptr<Entry> entry;
   {
     const std::lock_guard lock(mutex_);
@@ -34,9 +34,8 @@ std::shared_ptr<const CameraView> ViewCache::view(const Camera& camera, Furnishi
     }
     entry = slot;
   }
-  std::call_once(entry->once, [&] {
-    entry->view = std::make_shared<const CameraView>(camera, Room(furnishing));
-  });
+  std::call_once(entry->once,
+                 [&] { entry->view = std::make_shared<const RoomView>(camera, Room(furnishing)); });
   return entry->view;
 }
 

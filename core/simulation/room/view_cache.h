@@ -14,12 +14,12 @@ namespace dewpoint::simulation {
 /// background. May be used by several threads; a view does not change once it exists.
 class ViewCache {
 public:
-  std::shared_ptr<const CameraView> view(const Camera& camera, Furnishing furnishing);
+  std::shared_ptr<const RoomView> view(const Camera& camera, Furnishing furnishing);
 
 private:
   struct Entry {
     std::once_flag once;
-    std::shared_ptr<const CameraView> view;
+    std::shared_ptr<const RoomView> view;
   };
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Entry>> entries_;

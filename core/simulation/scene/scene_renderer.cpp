@@ -16,7 +16,7 @@ namespace dewpoint::simulation {
 namespace {
 
 using simulation::Body;
-using simulation::CameraView;
+using simulation::RoomView;
 using simulation::Vector3f;
 
 /// Width, height and thickness of the occluder, halved; meters; chosen: larger than a ball.
@@ -30,7 +30,7 @@ struct SceneRenderer::Parts {
   std::vector<Body> bodiesAt(double time) const;
 
   Scene scene;
-  std::vector<CameraView> views;
+  std::vector<RoomView> views;
   Eigen::Matrix3f occluderAxes = Eigen::Matrix3f::Identity(); ///< rows: its axes in the world
 };
 
@@ -38,7 +38,7 @@ SceneRenderer::Parts::Parts(Scene theScene) : scene(std::move(theScene)) {
   const simulation::Room room(scene.clutter ? simulation::Furnishing::ClutteredDesk
                                             : simulation::Furnishing::Desk);
   const auto count = static_cast<std::int64_t>(scene.cameras.size());
-  std::vector<std::optional<CameraView>> built(scene.cameras.size());
+  std::vector<std::optional<RoomView>> built(scene.cameras.size());
   ThreadTeam team(threadsForTasks(scene.cameras.size()));
   team.forEachRange(count, [&](std::int64_t begin, std::int64_t end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
@@ -84,7 +84,7 @@ SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
 cv::Mat SceneRenderer::render(int camera, std::int64_t frame) const {
-  const CameraView& view = parts_->views.at(static_cast<std::size_t>(camera));
+  const RoomView& view = parts_->views.at(static_cast<std::size_t>(camera));
   cv::Mat image = view.background.clone();
   simulation::paintBodies(
       view, [this](double time) { return parts_->bodiesAt(time); },

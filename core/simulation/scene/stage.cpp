@@ -40,7 +40,7 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
   return bodies;
 }
 
-std::shared_ptr<const CameraView> viewAt(const Stage& stage, std::size_t camera, double time) {
+std::shared_ptr<const RoomView> viewAt(const Stage& stage, std::size_t camera, double time) {
   for (const MovedCamera& move : stage.moves) {
     if (move.camera == camera && time >= move.since) {
       return move.view;
@@ -49,7 +49,7 @@ std::shared_ptr<const CameraView> viewAt(const Stage& stage, std::size_t camera,
   return stage.views.at(camera);
 }
 
-const RelitView* relitOf(const Stage& stage, const CameraView& view) {
+const RelitView* relitOf(const Stage& stage, const RoomView& view) {
   const auto found = std::ranges::find_if(
       stage.relit, [&](const RelitView& relitView) { return relitView.view.get() == &view; });
   return found != stage.relit.end() ? &*found : nullptr;
@@ -76,7 +76,7 @@ std::vector<std::vector<BodyPart>> peopleAt(const Stage& stage, double time) {
 }
 
 /// The room as a camera that has rotated sees it, without the bodies.
-cv::Mat roomAt(const Stage& stage, const CameraView& view, double time,
+cv::Mat roomAt(const Stage& stage, const RoomView& view, double time,
                const Eigen::Matrix3d& rotation, const Shutter& shutter) {
   const RelitView* other = relitOf(stage, view);
   cv::Mat image = other != nullptr ? backgroundAt(view, other->background, stage.illumination, time)
@@ -94,7 +94,7 @@ cv::Mat roomAt(const Stage& stage, const CameraView& view, double time,
 /// The light at the sensor, before noise.
 cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const SensorModel& sensor) {
   const auto shown = viewAt(stage, camera, time);
-  const CameraView& view = *shown;
+  const RoomView& view = *shown;
   const Light light = stage.light ? stage.light(camera, time) : Light{};
   if (light.dark) {
     return cv::Mat::zeros(view.height, view.width, CV_32FC3);
@@ -120,7 +120,7 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
 }
 
 /// How much lighter other light makes a background on average, per channel (BGR).
-Eigen::Vector3d meanGain(const CameraView& view, const RelitBackground& background) {
+Eigen::Vector3d meanGain(const RoomView& view, const RelitBackground& background) {
   const cv::Scalar before = cv::mean(view.background);
   const cv::Scalar after = cv::mean(background.ambient) + cv::mean(background.direct);
   Eigen::Vector3d gain;
@@ -137,7 +137,7 @@ void prepareLight(Stage& stage) {
   if (stage.illumination.plain()) {
     return;
   }
-  const auto add = [&](const std::shared_ptr<const CameraView>& view) {
+  const auto add = [&](const std::shared_ptr<const RoomView>& view) {
     RelitBackground background = relit(*view, stage.illumination);
     const Eigen::Vector3d gain = meanGain(*view, background);
     stage.relit.push_back({view, std::move(background), gain});

@@ -64,12 +64,12 @@ struct Light {
 struct MovedCamera {
   std::size_t camera = 0;
   double since = 0.0; ///< seconds
-  std::shared_ptr<const CameraView> view;
+  std::shared_ptr<const RoomView> view;
 };
 
 /// What a camera sees at rest under the stage's illumination; made by prepareLight().
 struct RelitView {
-  std::shared_ptr<const CameraView> view;
+  std::shared_ptr<const RoomView> view;
   RelitBackground background;
   Eigen::Vector3d meanGain = Eigen::Vector3d::Ones(); ///< of its mean color (BGR)
 };
@@ -79,7 +79,7 @@ struct RelitView {
 struct Stage {
   std::uint64_t seed = 1; ///< of the sensor noise
   std::vector<StageBody> bodies;
-  std::vector<std::shared_ptr<const CameraView>> views; ///< one per camera
+  std::vector<std::shared_ptr<const RoomView>> views; ///< one per camera
   std::vector<MovedCamera> moves;
   std::function<Light(std::size_t camera, double time)> light; ///< none: full light
   std::vector<cv::Mat> unevenness; ///< CV_32FC3 gain per pixel, one per camera; empty: even light

@@ -25,8 +25,7 @@ Eigen::Vector3d rotatedAbout(const Eigen::Vector3d& center, const Eigen::Matrix3
   return center + rotation * (point - center);
 }
 
-cv::Mat rotatedImage(const CameraView& view, const cv::Mat& image,
-                     const Eigen::Matrix3d& rotation) {
+cv::Mat rotatedImage(const RoomView& view, const cv::Mat& image, const Eigen::Matrix3d& rotation) {
   // Four pixels well inside the image, where every lens shows something.
   const std::array<cv::Point, 4> pixels{cv::Point{view.width / 4, view.height / 4},
                                         cv::Point{3 * view.width / 4, view.height / 4},

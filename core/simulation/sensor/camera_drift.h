@@ -27,6 +27,6 @@ Eigen::Vector3d rotatedAbout(const Eigen::Vector3d& center, const Eigen::Matrix3
 /// The image (CV_32FC3) of `view`'s camera rotated by `rotation`, from that of the camera at rest:
 /// a homography, exact for a pinhole and to a few hundredths of a pixel for a lens and the few
 /// milliradians that this is meant for. The border repeats its last pixels.
-cv::Mat rotatedImage(const CameraView& view, const cv::Mat& image, const Eigen::Matrix3d& rotation);
+cv::Mat rotatedImage(const RoomView& view, const cv::Mat& image, const Eigen::Matrix3d& rotation);
 
 } // namespace dewpoint::simulation

@@ -23,12 +23,12 @@ using simulation::Vector3f;
 const Vector3f kPink{145.0F, 85.0F, 245.0F};
 
 /// A small camera that looks along the world's Y at (0.5, 0.5, 0.15).
-std::shared_ptr<const simulation::CameraView> smallView() {
+std::shared_ptr<const simulation::RoomView> smallView() {
   static const auto view = [] {
     Camera camera;
     camera.intrinsics = {160, 120, 175.0, 175.0, 79.5, 59.5};
     camera.cameraFromWorld = lookAt({0.5, 0.0, 0.195}, {0.5, 0.5, 0.15});
-    return std::make_shared<const simulation::CameraView>(
+    return std::make_shared<const simulation::RoomView>(
         camera, simulation::Room(simulation::Furnishing::Desk));
   }();
   return view;

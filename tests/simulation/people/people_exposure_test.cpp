@@ -15,13 +15,13 @@ namespace {
 using namespace dewpoint::simulation;
 
 /// One camera in the office's wall, which sees people at y = 1 from head to foot.
-const CameraView& exposureView() {
+const RoomView& exposureView() {
   static const auto view = [] {
     Camera camera;
     camera.name = "camera 1";
     camera.intrinsics = {160, 120, 115.0, 115.0, 79.5, 59.5};
     camera.cameraFromWorld = lookAt({0.0, -3.3, 0.9}, {0.0, 3.0, 0.9});
-    return std::make_unique<const CameraView>(camera, Room(Furnishing::Office));
+    return std::make_unique<const RoomView>(camera, Room(Furnishing::Office));
   }();
   return *view;
 }

@@ -12,11 +12,11 @@ namespace {
 using namespace dewpoint::simulation;
 
 /// 80 x 60 pixels, one meter before the middle of the desk, looking along +Y.
-std::shared_ptr<const CameraView> viewOf(const Room& room) {
+std::shared_ptr<const RoomView> viewOf(const Room& room) {
   Camera camera;
   camera.intrinsics = {80, 60, 87.5, 87.5, 39.5, 29.5};
   camera.cameraFromWorld = lookAt({0.5, -0.5, 0.35}, {0.5, 0.5, 0.35});
-  return std::make_shared<const CameraView>(camera, room);
+  return std::make_shared<const RoomView>(camera, room);
 }
 
 TEST(RoomDesign, AddsFurnitureWallsAndALamp) {

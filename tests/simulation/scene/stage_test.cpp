@@ -23,9 +23,8 @@ Camera smallCamera() {
   return camera;
 }
 
-std::shared_ptr<const CameraView> smallView() {
-  static const auto view =
-      std::make_shared<const CameraView>(smallCamera(), Room(Furnishing::Desk));
+std::shared_ptr<const RoomView> smallView() {
+  static const auto view = std::make_shared<const RoomView>(smallCamera(), Room(Furnishing::Desk));
   return view;
 }
 
@@ -103,7 +102,7 @@ TEST(CameraDrift, ShowsWhatTheRotatedCameraSees) {
       rotated.cameraFromWorld.linear() * rotationAt(stage.sensors[0].drift, late);
   rotated.cameraFromWorld.translation() = -(rotated.cameraFromWorld.linear() * center);
   Stage other = stageWithBall(0.0);
-  other.views = {std::make_shared<const CameraView>(rotated, Room(Furnishing::Desk))};
+  other.views = {std::make_shared<const RoomView>(rotated, Room(Furnishing::Desk))};
   const cv::Mat expected = renderStage(other, 0, 0.0, 0);
   // An edge pixel more or less of the 120 moves the center by 0.05 pixels.
   EXPECT_LT((pinkCenter(image) - pinkCenter(expected)).norm(), 0.3);
@@ -122,7 +121,7 @@ TEST(CameraDrift, ShowsWhatTheRotatedCameraSees) {
 }
 
 TEST(Illumination, KnowsTheSurfacesOfTheRoom) {
-  const CameraView& view = *smallView();
+  const RoomView& view = *smallView();
   // Row 110: 50.5 pixels below the axis, so 0.35 m below the camera at 1.21 m: the desk.
   EXPECT_GT(surfaceNormal(view, 80, 110).z(), 0.99F);
   // The far wall, y = 2.3: it faces -Y. Row 40 is above everything on the desk.
@@ -130,7 +129,7 @@ TEST(Illumination, KnowsTheSurfacesOfTheRoom) {
 }
 
 TEST(Illumination, GainAndLampsAddUp) {
-  const CameraView& view = *smallView();
+  const RoomView& view = *smallView();
   Illumination light;
   light.roomGain = 0.5F;
   const RelitBackground half = relit(view, light);

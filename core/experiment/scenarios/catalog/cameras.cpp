@@ -70,7 +70,7 @@ Camera bumped(Camera camera, Draws& draws) {
 
 /// The ball is in the moved camera's image as well, in every frame from `frame` on.
 bool staysVisibleSince(const ScenarioDraft& draft, std::int64_t frame,
-                       const simulation::CameraView& view) {
+                       const simulation::RoomView& view) {
   const simulation::StageBody& ball = draft.stage.bodies[draft.targets.front()];
   for (; frame < draft.frameCount; ++frame) {
     if (!fullyVisible(view, ball.path(draft.timeOf(frame)), ball.radius)) {
@@ -90,7 +90,7 @@ bool withBump(ScenarioDraft& draft) {
   const auto camera = static_cast<std::size_t>(which);
   for (int i = 0; i < kBumps; ++i) {
     // Not from the cache: no other run has this view.
-    const auto view = std::make_shared<const simulation::CameraView>(
+    const auto view = std::make_shared<const simulation::RoomView>(
         bumped(draft.rig[camera], draft.draws), *draft.room);
     if (staysVisibleSince(draft, frame, *view)) {
       // Half a frame early, so that the frame's whole exposure is after it.

@@ -25,7 +25,7 @@ bool cleanDesk(ScenarioDraft& draft, bool fast) {
 }
 
 /// What hides the target is S2's matter: a twin before the target leaves its middle free.
-bool leavesTargetVisible(const simulation::CameraView& view, const Eigen::Vector3d& target,
+bool leavesTargetVisible(const simulation::RoomView& view, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& distractor) {
   const Eigen::Vector3d eye = view.center.cast<double>();
   return (distractor - eye).norm() > (target - eye).norm() ||

@@ -139,7 +139,7 @@ RoundPath drawSmallPath(Draws& draws, const Eigen::Vector3d& low, const Eigen::V
 
 /// The way from `center` along `direction` to the border of a camera's image; nothing if it is
 /// longer than half a meter.
-std::optional<Eigen::Vector3d> wayToBorder(const simulation::CameraView& view,
+std::optional<Eigen::Vector3d> wayToBorder(const simulation::RoomView& view,
                                            const Eigen::Vector3d& center,
                                            const Eigen::Vector3d& direction) {
   constexpr double kMost = 0.5; // meters; chosen: farther off is the room's clutter

@@ -124,7 +124,7 @@ ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int at
   const auto room = std::make_shared<const simulation::Room>(recipe.furnishing, design);
   // Not from the cache: no other run has these views.
   for (const Camera& camera : draft.rig) {
-    draft.stage.views.push_back(std::make_shared<const simulation::CameraView>(camera, *room));
+    draft.stage.views.push_back(std::make_shared<const simulation::RoomView>(camera, *room));
   }
   draft.room = room;
   draft.stage.illumination.lamp = room->lamp();

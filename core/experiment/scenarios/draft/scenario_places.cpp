@@ -17,8 +17,8 @@ namespace {
 /// Whether all points of the outline are in the image and `isShown(column, row, distance)`; the
 /// distance is that of the center.
 template <typename IsShown>
-bool isOutlineShown(const simulation::CameraView& view, const Eigen::Vector3d& center,
-                    double radius, const IsShown& isShown) {
+bool isOutlineShown(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius,
+                    const IsShown& isShown) {
   constexpr int kPoints = 12;     // of the outline, every 30 degrees; chosen
   constexpr double kMargin = 1.1; // of the radius: a little of what is around it is seen as well
   const Eigen::Vector3d eye = view.center.cast<double>();
@@ -49,15 +49,14 @@ bool isOutlineShown(const simulation::CameraView& view, const Eigen::Vector3d& c
 
 } // namespace
 
-bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& center,
-                  double radius) {
+bool fullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius) {
   return isOutlineShown(view, center, radius, [&](int column, int row, double distance) {
     // What lies beside a ball on the desk may be a little nearer than its middle.
     return view.distances[view.index(column, row)] >= distance - 0.5 * radius;
   });
 }
 
-bool withinImage(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius) {
+bool withinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius) {
   return isOutlineShown(view, center, radius, [](int, int, double) { return true; });
 }
 
@@ -79,7 +78,7 @@ bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, doub
   return true;
 }
 
-bool apart(const simulation::CameraView& view, const Eigen::Vector3d& one, double oneRadius,
+bool apart(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
            const Eigen::Vector3d& other, double otherRadius, double gap) {
   const Eigen::Vector3d eye = view.center.cast<double>();
   const Eigen::Vector3d toOne = one - eye;

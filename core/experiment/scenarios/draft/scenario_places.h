@@ -34,16 +34,16 @@ struct RoundPath {
 };
 
 /// True if the sphere's whole outline lies in the camera's image and nothing at rest hides it.
-bool fullyVisible(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius);
+bool fullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
 /// True if the sphere's whole outline lies in the camera's image, hidden or not.
-bool withinImage(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius);
+bool withinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
 /// As fullyVisible(), in every camera.
 bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius);
 /// The same at every frame of the draft.
 bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius);
 
 /// True if the outlines of two spheres are apart in the camera's image, by `gap` radians.
-bool apart(const simulation::CameraView& view, const Eigen::Vector3d& one, double oneRadius,
+bool apart(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
            const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
 
 /// A path on the desk that stays in all images; `fast`: a round in kFastRound.

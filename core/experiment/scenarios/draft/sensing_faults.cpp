@@ -35,7 +35,7 @@ void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
     return;
   }
   for (std::size_t camera = 0; camera < faults.cameras.size(); ++camera) {
-    const simulation::CameraView& view = *stage.views[camera];
+    const simulation::RoomView& view = *stage.views[camera];
     const UnevenLight& light = faults.cameras[camera].unevenLight;
     stage.unevenness.push_back(simulation::unevenLight({view.width, view.height}, light.vignette,
                                                        light.right, light.down));

@@ -66,7 +66,7 @@ simulation::Vector3f placeCameras(const std::string& name, PeopleRecording& reco
     const simulation::Room room(simulation::Furnishing::Office, office.design);
     for (const Camera& camera : scene.cameras) {
       // Not from the cache: no other scene has these views.
-      recording.views.push_back(std::make_shared<const simulation::CameraView>(camera, room));
+      recording.views.push_back(std::make_shared<const simulation::RoomView>(camera, room));
     }
     return room.lamp();
   }

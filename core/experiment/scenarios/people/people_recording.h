@@ -20,7 +20,7 @@ struct PeopleRecording {
   Grade grade = Grade::Ideal;
   OfficeScene scene; ///< its cameras are the true ones
   CameraRig rig;     ///< the cameras as methods believe them
-  std::vector<std::shared_ptr<const simulation::CameraView>> views; ///< of the true cameras
+  std::vector<std::shared_ptr<const simulation::RoomView>> views; ///< of the true cameras
   /// The images of frame k as they come: late, with time stamps that are off, null where a frame is
   /// dropped. A pure function.
   std::function<FrameSetPtr(std::int64_t)> frames;

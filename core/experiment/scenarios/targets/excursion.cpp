@@ -20,8 +20,7 @@ Eigen::Vector3d Excursion::operator()(double time) const {
   return base(time) + away * ((1.0 - turned) * out + turned * back);
 }
 
-Showing showingOf(const simulation::CameraView& view, const Eigen::Vector3d& center,
-                  double radius) {
+Showing showingOf(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius) {
   if (view.boundsOfSphere(center, radius).empty()) {
     return Showing::Nothing;
   }

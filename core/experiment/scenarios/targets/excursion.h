@@ -27,7 +27,7 @@ struct Excursion {
 
 /// How much of a ball an image shows, as far as its borders and what is at rest in the room go.
 enum class Showing { Nothing, Part, Whole };
-Showing showingOf(const simulation::CameraView& view, const Eigen::Vector3d& center, double radius);
+Showing showingOf(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
 
 /// Adds the events UnseenBegin and UnseenEnd of each camera with `isSeen(camera, frame)`, and those
 /// of all cameras together (camera -1) where none sees the target.

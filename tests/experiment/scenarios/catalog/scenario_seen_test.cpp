@@ -147,7 +147,7 @@ std::vector<Eigen::Vector3d> ballsAt(const ScenarioDraft& draft, double time) {
 /// Whether a point is behind a ball or something of the room as a camera sees it.
 bool isHidden(const ScenarioDraft& draft, std::size_t camera,
               const std::vector<Eigen::Vector3d>& balls, const Eigen::Vector3d& point) {
-  const simulation::CameraView& view = *draft.stage.views[camera];
+  const simulation::RoomView& view = *draft.stage.views[camera];
   const Eigen::Vector3d eye = draft.rig[camera].center();
   const auto pixel = view.projector.project(point);
   EXPECT_TRUE(pixel);
