@@ -9,8 +9,6 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <string>
-#include <utility>
 
 namespace dewpoint::color {
 namespace {
@@ -224,33 +222,6 @@ cv::Mat regionFrom(const cv::Mat& bgr, cv::Point click, const BgrColor& color, b
   return mask;
 }
 
-std::vector<BgrColor> colorsIn(const cv::Mat& bgr, const cv::Mat& mask) {
-  std::vector<BgrColor> colors;
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) != 0) {
-        colors.push_back(pixelAt(bgr, x, y));
-      }
-    }
-  }
-  return colors;
-}
-
-/// `count` of them, evenly picked by brightness, so that light and shade are all there.
-std::vector<BgrColor> evenlyPicked(std::vector<BgrColor> colors, std::size_t count) {
-  std::ranges::sort(colors, {}, [](const BgrColor& color) {
-    return std::pair(int(color[0]) + color[1] + color[2], color);
-  });
-  if (colors.size() <= count) {
-    return colors;
-  }
-  std::vector<BgrColor> picked;
-  for (std::size_t i = 0; i < count; ++i) {
-    picked.push_back(colors[(2 * i + 1) * colors.size() / (2 * count)]);
-  }
-  return picked;
-}
-
 } // namespace
 
 double colorDistance(const BgrColor& one, const BgrColor& other) {
@@ -266,6 +237,18 @@ double colorDistance(const BgrColor& one, const BgrColor& other) {
   square /= kShareNoise * kShareNoise + noise * noise + otherNoise * otherNoise;
   const double shading = std::log((sum + kDarkest) / (otherSum + kDarkest)) / kShadingScale;
   return std::sqrt(square + shading * shading);
+}
+
+std::vector<BgrColor> colorsIn(const cv::Mat& bgr, const cv::Mat& mask) {
+  std::vector<BgrColor> colors;
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (mask.at<std::uint8_t>(y, x) != 0) {
+        colors.push_back(pixelAt(bgr, x, y));
+      }
+    }
+  }
+  return colors;
 }
 
 BgrColor medianColor(std::vector<BgrColor> colors) {
@@ -315,25 +298,6 @@ cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample) {
                                       static_cast<int>(std::ceil(sample.height)))
                            : cv::Rect{};
   return growRegion(bgr, at, box);
-}
-
-Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample) {
-  if (bgr.empty() || bgr.type() != CV_8UC3) {
-    return failure(ErrorCode::BadValue, {}, "image", "a color image is expected");
-  }
-  const bool inside = sample.x >= 0.0 && sample.y >= 0.0 && sample.x + sample.width <= bgr.cols &&
-                      sample.y + sample.height <= bgr.rows && sample.width >= 0.0 &&
-                      sample.height >= 0.0 && std::lround(sample.x) < bgr.cols &&
-                      std::lround(sample.y) < bgr.rows;
-  if (!inside) { // NaN comes here too
-    return failure(ErrorCode::BadValue, {}, sample.isBox() ? "box" : "pixel",
-                   std::to_string(bgr.cols) + "x" + std::to_string(bgr.rows) +
-                       " pixels are in the image");
-  }
-  auto colors = colorsIn(bgr, regionOfSample(bgr, sample));
-  sample.area = static_cast<int>(colors.size());
-  sample.colors = evenlyPicked(std::move(colors), ColorSample::kMostColors);
-  return sample;
 }
 
 } // namespace dewpoint::color

@@ -31,6 +31,9 @@ cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 /// The region of a sample in an image, as takeSample() grew it.
 cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample);
 
+/// The colors of the pixels at which the mask (CV_8UC1, of the image's size) is not 0, row by row.
+std::vector<BgrColor> colorsIn(const cv::Mat& bgr, const cv::Mat& mask);
+
 /// The median per channel. At least one color.
 BgrColor medianColor(std::vector<BgrColor> colors);
 

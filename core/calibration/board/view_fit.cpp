@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/core/eigen.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,19 +27,6 @@ constexpr double kDoubtfulFactor = 3.0;
 constexpr double kUnseenPx = 1e3; // a corner that the model cannot show
 
 } // namespace
-
-Eigen::Isometry3d boardPoseOf(const cv::Mat& rotationVector, const cv::Mat& translation) {
-  cv::Mat matrix;
-  cv::Rodrigues(rotationVector, matrix);
-  Eigen::Matrix3d rotation;
-  Eigen::Vector3d shift;
-  cv::cv2eigen(matrix, rotation);
-  cv::cv2eigen(cv::Mat(translation.reshape(1, 3)), shift);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = rotation;
-  pose.translation() = shift;
-  return pose;
-}
 
 ViewFit fitView(const BoardDescription& board, const BoardView& view, const Camera& camera,
                 const Eigen::Isometry3d& cameraFromBoard) {
