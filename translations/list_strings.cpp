@@ -2,7 +2,7 @@
 // Prints what core declares for people's eyes as source text for lupdate: core knows no Qt, so
 // nothing there is marked for translation. script/translate runs it; see docs/translations.md.
 #include "core/base/error.h"
-#include "core/experiment/studies/study_experiments.h"
+#include "core/experiment/studies/figure_experiments.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <cstdio>

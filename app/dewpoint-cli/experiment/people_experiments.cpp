@@ -7,7 +7,8 @@
 #include "core/experiment/report/report_folder.h"
 #include "core/experiment/report/seed_blocks.h"
 #include "core/experiment/scenarios/grade.h"
-#include "core/experiment/studies/study_experiments.h"
+#include "core/experiment/studies/people_series.h"
+#include "core/experiment/studies/people_summary.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <CLI/CLI.hpp>

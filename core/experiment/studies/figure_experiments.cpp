@@ -6,6 +6,7 @@
 #include "core/experiment/studies/drift_figures.h"
 #include "core/experiment/studies/dynamics_figures.h"
 #include "core/experiment/studies/motion_figures.h"
+#include "core/experiment/studies/study_experiments.h"
 
 #include <algorithm>
 #include <array>

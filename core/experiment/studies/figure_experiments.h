@@ -32,10 +32,7 @@ struct FigureExperiment {
 
 /// Figures of the papers.
 std::span<const FigureExperiment> figureExperiments();
-/// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
-/// and people-<scenario> of every scene of people. The command line has all their options.
-std::span<const FigureExperiment> studyExperiments();
-/// Both, in the order of menus: by group, and within a group figures first.
+/// These and studyExperiments(), in the order of menus: by group, and within a group figures first.
 std::vector<const FigureExperiment*> listedExperiments();
 
 } // namespace dewpoint::experiment

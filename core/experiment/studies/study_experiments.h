@@ -2,19 +2,13 @@
 #pragma once
 
 #include "core/experiment/studies/figure_experiments.h"
-#include "core/experiment/studies/people_summary.h"
 
-#include <cstdint>
+#include <span>
 
 namespace dewpoint::experiment {
 
-/// Many seeds from setup.seed on, of each kind of clothes in turn. `progress` receives how many of
-/// how many scenes are done; when it returns false what there is comes back.
-Result<std::vector<PeopleTrial>>
-studyManyPeople(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
-                const std::function<bool(std::int64_t done, std::int64_t all)>& progress);
-/// Writes runs.csv, report.html and its pictures into a folder, which is made. FileUnwritable.
-Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTrial>& trials,
-                        const std::filesystem::path& folder);
+/// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
+/// and people-<scenario> of every scene of people. The command line has all their options.
+std::span<const FigureExperiment> studyExperiments();
 
 } // namespace dewpoint::experiment

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text_file.h"
 #include "core/experiment/scenarios/people/people_scenario.h"
+#include "core/experiment/studies/people_series.h"
 #include "core/experiment/studies/study_experiments.h"
 #include "core/tracking/catalog/method_catalog.h"
 
