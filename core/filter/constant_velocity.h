@@ -16,7 +16,7 @@ namespace dewpoint::filter {
 /// 6.3.2: the discrete white noise acceleration model).
 struct ConstantVelocity {
   double interval = 0.0;          ///< seconds from the last step to this one
-  double accelerationSigma = 8.0; ///< standard deviation along each axis, m/s²
+  double accelerationSigma = 0.0; ///< standard deviation along each axis, m/s²
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
     const double half = 0.5 * interval * interval;

@@ -23,7 +23,7 @@ struct BernoulliTrackSettings {
   Eigen::Index maxParticles = 500;
   Eigen::Index minParticles = 100;
   double kldError = 0.1;          ///< Kullback-Leibler distance; 0: always maxParticles
-  double accelerationSigma = 8.0; ///< m/s²
+  double accelerationSigma = 0.0; ///< m/s²; to be set: its default is with the parameters
   double survivalTime = 5.0;      ///< seconds
   double searchSize = 4.0;        ///< meters
 };

@@ -28,6 +28,9 @@ protected:
         backgrounds_[k].learn(drawn::wall(rig_[k]), {});
       }
     }
+    BernoulliTrackSettings settings;
+    settings.accelerationSigma = 8.0;
+    track_.configure(settings);
     track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
   }
   void show(const std::vector<Ball>& balls) {
