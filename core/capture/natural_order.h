@@ -7,7 +7,9 @@
 
 namespace dewpoint::capture {
 
-/// Whether `left` comes before `right` when numbers inside names count as numbers ("2" < "10").
+/// Whether `left` comes before `right` when numbers inside names count as numbers ("2" < "10") and
+/// all else by its bytes: the order of frames, which must not depend on what letters people take
+/// for the same.
 bool naturallyBefore(const std::string& left, const std::string& right);
 
 } // namespace dewpoint::capture

@@ -11,7 +11,8 @@ namespace dewpoint::setup {
 
 /// Whether a name comes before another one as people sort them: numbers by their value ("camera 2"
 /// before "camera 10"), letters whatever their case and accent (of Latin-1, in UTF-8), other
-/// characters before digits before letters. Equal ones by their bytes.
+/// characters before digits before letters. Equal ones by their bytes. For lists that people read;
+/// the frames of a folder of images have an order of their own, see naturallyBefore().
 bool comesBefore(const std::string& name, const std::string& other);
 
 /// Files by their names (without the folder), see comesBefore(): which one was chosen first means

@@ -17,8 +17,8 @@ constexpr double kFlatnessSigma = 0.5e-3; ///< meters
 constexpr double kStep = 1e-6;            ///< radians, meters: of derivatives
 constexpr double kCornerSigma = 0.3;      ///< pixels
 constexpr double kLeastSpread = 0.01;     ///< meters: cameras all in one place are not placed yet
-/// A former rig that leaves more than this, in pixels and in times of what the board itself leaves,
-/// was no knowledge.
+/// An initial rig that leaves more than this, in pixels and in times of what the board itself
+/// leaves, was no knowledge.
 constexpr double kMostSigma = 1.0;
 constexpr double kMostSigmas = 3.0;
 /// A solution that leaves more than this has errors that boards share, as of late images of a board

@@ -17,10 +17,10 @@ inline constexpr double kLeastGain = 30.0;
 
 /// What was seen and what was stated about it, before anything was solved or dropped.
 struct FaultQuestion {
-  /// Cameras: the former, initial rig with the lenses as given. Bodies: as typed. A fixed state of
+  /// Cameras: the initial rig with the lenses as given. Bodies: as typed. A fixed state of
   /// a board is the floor (or a wall) that defines the world.
   BundleProblem problem;
-  InitialRigSigma initialSigma;                    ///< how far the former rig may be off
+  InitialRigSigma initialSigma;                    ///< how far the initial rig may be off
   std::vector<std::array<int, 2>> imageSizes = {}; ///< of the videos, pixels; empty: not known
   std::optional<BoardDescription> board = {};      ///< of the first body
   bool focalUnknown = false; ///< focal lengths are to be found: they may differ

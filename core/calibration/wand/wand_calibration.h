@@ -101,7 +101,7 @@ struct WandProgress {
 using WandCallback = std::function<bool(const WandProgress&)>;
 
 /// Poses (focal lengths, k1, time offsets) of all cameras from a wand (a waved ball or stick),
-/// starting from a initial rig: bundle adjustment with robust losses, narrowed in steps, from
+/// starting from an initial rig: bundle adjustment with robust losses, narrowed in steps, from
 /// several starts; views that no solution explains are dropped one per instant and round. The world
 /// stays aligned to the initial rig unless floor touches or a fall say where up is. Deterministic.
 ///

@@ -12,6 +12,8 @@ namespace dewpoint::session {
 /// Is given every frame set that the tracking thread takes, in order, none left out; frames that
 /// are tracked again are not given again. Called in the tracking thread: it must return at once
 /// (hand the set to a queue) and must not throw.
+/// It is for whoever may miss no frame (a board or a wand that is searched for); views are
+/// connected by Workbench::connectView, and get the newest snapshot.
 using FrameTap = std::function<void(const FrameSetPtr&)>;
 
 /// Holds a tap, which may be set from any thread.

@@ -17,20 +17,20 @@ constexpr int kParticlesKept = 500;
 TimeTravel::TimeTravel(FrameSetSource& source, std::size_t bytes)
     : live_(source.isLive()), history_(HistoryLimits::of(bytes, live_)) {
   const std::size_t most = history_.limits().frames;
-  library_ = live_ ? liveFrames(most) : recordedFrames(source, most);
+  cache_ = live_ ? liveFrames(most) : recordedFrames(source, most);
 }
 
 void TimeTravel::clear() {
   history_.clear();
-  library_->clear();
+  cache_->clear();
   probe_.reset();
   probeNext_.reset();
 }
 
 void TimeTravel::beforeFrame(const FrameSetPtr& frames, const TrackingRun& run) {
-  library_->add(frames);
+  cache_->add(frames);
   if (live_) {
-    history_.forgetBefore(library_->oldest());
+    history_.forgetBefore(cache_->oldest());
   }
   history_.beforeFrame(frames->index, run);
 }
@@ -48,26 +48,26 @@ const TrackedFrame& TimeTravel::record(const TrackingRun& run) {
 }
 
 std::optional<std::int64_t> TimeTravel::nearest(std::int64_t frame) const {
-  const std::int64_t newest = library_->newest();
-  return newest < 0 ? std::nullopt : std::optional(std::clamp(frame, library_->oldest(), newest));
+  const std::int64_t newest = cache_->newest();
+  return newest < 0 ? std::nullopt : std::optional(std::clamp(frame, cache_->oldest(), newest));
 }
 
 std::optional<std::int64_t> TimeTravel::following(std::int64_t frame) const {
-  return frame < library_->newest() ? nearest(frame + 1) : std::nullopt;
+  return frame < cache_->newest() ? nearest(frame + 1) : std::nullopt;
 }
 
 Result<FrameSetPtr> TimeTravel::previewAt(std::int64_t frame, bool& preview) {
   bool exact = true;
-  const FrameSetPtr frames = library_->previewAt(frame, exact);
+  const FrameSetPtr frames = cache_->previewAt(frame, exact);
   preview = frames && !exact;
-  return frames ? frames : library_->at(frame);
+  return frames ? frames : cache_->at(frame);
 }
 
 HistoryState TimeTravel::state() const {
   HistoryState state;
-  state.first = library_->oldest();
-  state.last = library_->newest();
-  state.bytes = history_.bytes() + library_->bytes();
+  state.first = cache_->oldest();
+  state.last = cache_->newest();
+  state.bytes = history_.bytes() + cache_->bytes();
   state.mostBytes = history_.limits().sum();
   if (const TrackedFrame* newest = history_.newest()) {
     state.head = newest->frame;
@@ -76,7 +76,7 @@ HistoryState TimeTravel::state() const {
 }
 
 Status TimeTravel::repeat(TrackingRun& run, const TrackedFrame& trackedFrame) {
-  const auto frames = library_->at(trackedFrame.frame);
+  const auto frames = cache_->at(trackedFrame.frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
   }
@@ -101,7 +101,7 @@ bool TimeTravel::bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& n
   // A method that cannot be copied goes over everything again, as long as there are images.
   const auto& begun = history_.begun();
   const bool again =
-      begun && begun->frame < frame && begun->frame >= library_->oldest() && !run.canBeCopied();
+      begun && begun->frame < frame && begun->frame >= cache_->oldest() && !run.canBeCopied();
   next = again ? begun->frame : frame;
   if (again) {
     run.apply(begun->state.definition);

@@ -27,7 +27,7 @@ public:
   const TrackedFrame& record(const TrackingRun& run);
 
   /// Images of this frame; null when there are none (any more).
-  Result<FrameSetPtr> frames(std::int64_t frame) { return library_->at(frame); }
+  Result<FrameSetPtr> frames(std::int64_t frame) { return cache_->at(frame); }
   /// The frame that can be shown and is nearest to this one; nothing before the first.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// The next frame after this one that can be shown; nothing at the end.
@@ -73,7 +73,7 @@ private:
 
   bool live_;
   History history_;
-  std::unique_ptr<FrameCache> library_;
+  std::unique_ptr<FrameCache> cache_;
   std::optional<TrackingRun> probe_;      ///< of runAt()
   std::optional<std::int64_t> probeNext_; ///< the frame it would begin next
 };

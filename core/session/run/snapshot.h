@@ -92,7 +92,7 @@ struct TrackSnapshot {
   std::vector<TargetSnapshot> targets;
   std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
   std::int64_t frame = -1;                      ///< the one shown
-  bool past = false;                            ///< an other frame is shown than the run stands at
+  bool past = false;                            ///< another frame is shown than the run stands at
   bool tracked = false;                         ///< the frame shown was tracked
   /// The images are small previews, scaled up; the true ones follow at once unless another frame is
   /// requested.
