@@ -19,7 +19,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dewpoint::setup {
+namespace dewpoint::session {
 namespace {
 
 constexpr std::array<std::string_view, 3> kStart{"start_x", "start_y", "start_z"};
@@ -135,4 +135,4 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
   return tracked;
 }
 
-} // namespace dewpoint::setup
+} // namespace dewpoint::session

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace dewpoint::setup {
+namespace dewpoint::session {
 
 /// Frames per second of measured positions, unless given.
 inline constexpr double kPositionsPerSecond = 30.0;
@@ -30,4 +30,4 @@ bool isStartOfPositions(std::string_view key);
 Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterValues& parameters,
                                   std::uint64_t seed);
 
-} // namespace dewpoint::setup
+} // namespace dewpoint::session
