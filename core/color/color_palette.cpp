@@ -14,7 +14,7 @@ namespace {
 constexpr float kLightness = 0.5F; ///< weight: light and shade are on one object
 constexpr double kAlike = 10.0;    ///< distance in L*a*b* at which colors are still alike
 constexpr int kStep = 2;           ///< pixels, of those that the palette is made of
-constexpr int kRounds = 4;         ///< of k-means
+constexpr int kClusterRounds = 4;  ///< of k-means
 
 float squaredDistance(const cv::Vec3f& one, const cv::Vec3f& other) {
   const cv::Vec3f difference = one - other;
@@ -68,7 +68,7 @@ ColorPalette::Colors ColorPalette::farthestFirst(const cv::Mat& lab, cv::Point f
 }
 
 void ColorPalette::settle(Colors& colors, const cv::Mat& lab) {
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kClusterRounds; ++round) {
     Colors sums{};
     std::array<int, kColors> counts{};
     for (int y = 0; y < lab.rows; y += kStep) {

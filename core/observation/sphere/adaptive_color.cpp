@@ -11,7 +11,7 @@
 namespace dewpoint::observation {
 namespace {
 
-// Reasons: docs/method-dewpoint.md, section 10; those without a derivation are judgments.
+// Reasons: docs/method-dewpoint.md, section 8; those without a derivation are judgments.
 
 /// Radii; inside lies neither the blurred rim nor a small error of the position.
 constexpr double kInside = 0.85;

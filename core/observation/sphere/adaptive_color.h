@@ -46,7 +46,7 @@ public:
   bool follow(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
               const std::vector<SphereImage>& others, double share);
 
-  /// A third of a second; a judgment (docs/method-dewpoint.md, section 10).
+  /// A third of a second; a judgment (docs/method-dewpoint.md, section 8).
   static constexpr int kReferenceUpdates = 10;
 
 private:

@@ -25,7 +25,7 @@ struct OutlineSphere {
 /// (docs/method-dewpoint.md, section 4).
 inline constexpr double kSeenShare = 1.0 / 3.0;
 /// Share of a target's outline in its color at which nothing covers it. A judgment
-/// (docs/method-dewpoint.md, section 10).
+/// (docs/method-dewpoint.md, section 8).
 inline constexpr double kWholeShare = 0.85;
 
 /// All cameras' evidence for one target, a sphere of one color: the observation model of method

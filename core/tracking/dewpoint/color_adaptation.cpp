@@ -6,7 +6,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-// Judgments (docs/method-dewpoint.md, section 10).
+// Judgments (docs/method-dewpoint.md, section 8).
 
 /// Least existence of a target whose color is adapted.
 constexpr double kMinExistence = 0.95;

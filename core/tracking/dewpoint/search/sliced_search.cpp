@@ -7,7 +7,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-// Judgments (docs/method-dewpoint.md, section 9).
+// Judgments (docs/method-dewpoint.md, section 10).
 
 constexpr int kBands = 4; ///< pieces in which the labels of an image are made
 /// Within a budget; each candidate costs an outline fit.

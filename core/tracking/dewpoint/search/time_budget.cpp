@@ -8,7 +8,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-// Judgments (docs/method-dewpoint.md, section 9).
+// Judgments (docs/method-dewpoint.md, section 10).
 
 constexpr std::size_t kRemembered = 15; ///< measured times of a part
 /// Share of the budget for updates; the rest is for work that can wait, and a reserve.

@@ -21,7 +21,7 @@ public:
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
   /// Deferrals after which work is done anyway: a budget that leaves no time for it slows it down,
-  /// but does not stop it. A judgment (docs/method-dewpoint.md, section 9).
+  /// but does not stop it. A judgment (docs/method-dewpoint.md, section 10).
   static constexpr int kMaxDeferrals = 30;
 
   /// Sets the milliseconds per iteration; 0 is no limit. A change forgets all measured times.

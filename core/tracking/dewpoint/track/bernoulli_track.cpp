@@ -13,7 +13,7 @@
 namespace dewpoint::tracking {
 namespace {
 
-// Reasons: docs/method-dewpoint.md, sections 5, 6 and 9; those without a derivation are judgments.
+// Reasons: docs/method-dewpoint.md, sections 5, 6 and 10; those without a derivation are judgments.
 
 constexpr std::size_t kMaxCandidates = 10; ///< per search
 /// Probability that an absent target appears within one frame.
