@@ -72,6 +72,15 @@ std::vector<ActionDeclaration> editActions() {
       {"actionRemovePerson", group, QT_TRANSLATE_NOOP("Actions", "Remove this person"),
        QT_TRANSLATE_NOOP("Actions", "The person chosen in the table is not there"), nullptr,
        Qt::CTRL | Qt::Key_Delete},
+      {"actionCorrectPosition", group, QT_TRANSLATE_NOOP("Actions", "It is here"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Drag a target in the camera images to where it is in the frame shown: "
+                         "tracking goes on from there"),
+       nullptr, Qt::Key_X, true},
+      {"actionRemoveCorrection", group, QT_TRANSLATE_NOOP("Actions", "Remove the correction"),
+       QT_TRANSLATE_NOOP("Actions", "Take away where you said that the selected target is in the "
+                                    "frame shown; without a selected target, of all"),
+       nullptr, Qt::SHIFT | Qt::Key_X},
       {"actionShortcuts", group, QT_TRANSLATE_NOOP("Actions", "Shortcuts…"),
        QT_TRANSLATE_NOOP("Actions", "See and change all shortcuts"), nullptr,
        Qt::CTRL | Qt::Key_Comma},
@@ -187,6 +196,11 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Mark the particle of highest weight (MAP) of each target with "
                                     "a triangle, in all views"),
        nullptr, Qt::SHIFT | Qt::Key_E, true},
+      {"actionShowVolumeOfInterest", group,
+       QT_TRANSLATE_NOOP("Actions", "Show the volume of interest"),
+       QT_TRANSLATE_NOOP("Actions", "Show the box in which targets are searched for, in the images "
+                                    "and in the bird's-eye view"),
+       nullptr, Qt::SHIFT | Qt::Key_H, true},
       {"actionShowVolumes", group, QT_TRANSLATE_NOOP("Actions", "Show volumes of people"),
        QT_TRANSLATE_NOOP("Actions", "Show the hull that holds 95 % of each person, and the density "
                                     "of each on the floor"),
@@ -266,6 +280,7 @@ void declareWindowActions(ActionRegistry& registry) {
     }
   }
   registry.action("actionShowVolumes")->setChecked(true);
+  registry.action("actionShowVolumeOfInterest")->setChecked(true);
   auto* themes = new QActionGroup(&registry);
   for (const ActionId theme : std::initializer_list<ActionId>{
            "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {

@@ -14,6 +14,7 @@
 #include "ui/text/reason_text.h"
 #include "ui/widgets/dock_title.h"
 #include "ui/workbench/dock_manager.h"
+#include "ui/workbench/volume_layer.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -33,6 +34,12 @@ CameraDocks::CameraDocks(const Workbench& bench)
     explain();
   });
   connectActions();
+  connectVolume(bench_, this, [this](const std::optional<WorldBox>& volume) {
+    volume_ = volume;
+    for (CameraView* view : views_) {
+      view->setVolume(volume);
+    }
+  });
 }
 
 void CameraDocks::connectActions() {
@@ -49,6 +56,8 @@ void CameraDocks::connectActions() {
   bench_.needRun({"actionShowBest"}, [document = &bench_.document] {
     return document->methodFamily().hasBestParticle;
   });
+  bench_.needRun({"actionShowVolumeOfInterest"},
+                 [document = &bench_.document] { return document->presentation().searchesRoom; });
   bench_.onToggled("actionShowBest", this, [this](bool shown) {
     for (CameraView* view : views_) {
       view->setBestShown(shown);
@@ -89,6 +98,7 @@ void CameraDocks::make() {
     view->setMaskShown(mask);
     view->setEvidenceShown(evidence);
     view->setBestShown(best);
+    view->setVolume(volume_);
     view->setChosenTarget(bench_.selection.target());
     bench_.connectImageView(view);
     pick_->attach(camera, view);

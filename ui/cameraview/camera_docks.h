@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/world_box.h"
 #include "ui/workbench/workbench.h"
 
 #include <QObject>
 
+#include <optional>
 #include <vector>
 
 namespace dewpoint::ui {
@@ -38,6 +40,7 @@ private:
   ImagePickTool* pick_;
   std::vector<ViewDock*> docks_;
   std::vector<CameraView*> views_;
+  std::optional<WorldBox> volume_; ///< of interest, while it is shown
 };
 
 } // namespace dewpoint::ui

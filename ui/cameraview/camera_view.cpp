@@ -7,6 +7,7 @@
 #include "ui/cameraview/evidence_painter.h"
 #include "ui/cameraview/overlay_painter.h"
 #include "ui/cameraview/people_painter.h"
+#include "ui/cameraview/volume_painter.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/text/reason_text.h"
 
@@ -72,6 +73,11 @@ void CameraView::setEvidenceShown(bool shown) {
 
 void CameraView::setBestShown(bool shown) {
   bestShown_ = shown;
+  update();
+}
+
+void CameraView::setVolume(const std::optional<WorldBox>& volume) {
+  volume_ = volume;
   update();
 }
 
@@ -207,6 +213,9 @@ void CameraView::paintEvent(QPaintEvent*) {
 void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
   if (picture_.source.maps == shown_ && !picture_.motionMap.isNull()) {
     paintEvidence(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {}, placement_);
+  }
+  if (volume_ && shown_->rig && static_cast<std::size_t>(camera_) < shown_->rig->size()) {
+    paintVolume(painter, (*shown_->rig)[static_cast<std::size_t>(camera_)], *volume_, placement_);
   }
   paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
   paintPeopleTrouble(painter, *shown_, camera_, picture);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/world_box.h"
 #include "ui/cameraview/camera_picture.h"
 #include "ui/cameraview/overlay_painter.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/style/theme.h"
 
 #include <QWidget>
+
+#include <optional>
 
 namespace dewpoint::ui {
 
@@ -27,6 +30,8 @@ public:
   void setEvidenceShown(bool shown);
   /// The particle of highest weight of each target.
   void setBestShown(bool shown);
+  /// The volume of interest, as an outline; nothing: none.
+  void setVolume(const std::optional<WorldBox>& volume);
   /// The selected person stands out; -1: none.
   void setChosenTarget(int target);
   HoldState state() const { return state_; }
@@ -68,6 +73,7 @@ private:
   bool maskShown_ = false;
   bool evidenceShown_ = false;
   bool bestShown_ = false;
+  std::optional<WorldBox> volume_;
   int chosenTarget_ = -1;
   HoldState state_ = HoldState::NoImages;
   ImagePlacement placement_;

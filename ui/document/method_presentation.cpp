@@ -10,9 +10,12 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr MethodPresentation kColors{};
-constexpr MethodPresentation kBoxes{
-    .takesBoxes = true, .showsBoxes = true, .showsRoom = false, .hasOverlays = false};
-constexpr MethodPresentation kPeople{.countsPeople = true};
+constexpr MethodPresentation kBoxes{.takesBoxes = true,
+                                    .showsBoxes = true,
+                                    .showsRoom = false,
+                                    .hasOverlays = false,
+                                    .searchesRoom = false};
+constexpr MethodPresentation kPeople{.searchesRoom = false, .countsPeople = true};
 
 const MethodPresentation& presentationOf(TargetsFrom targets) {
   switch (targets) {

@@ -47,8 +47,8 @@ void WindowMenus::make() {
   makeProjectMenu();
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
-       "actionRemoveTarget", nullptr, "actionPlacePerson", "actionRemovePerson", nullptr,
-       "actionShortcuts"});
+       "actionRemoveTarget", nullptr, "actionCorrectPosition", "actionRemoveCorrection", nullptr,
+       "actionPlacePerson", "actionRemovePerson", nullptr, "actionShortcuts"});
   add(tr("&Calibration"), "menuCalibration",
       {"actionCalibrateByHand", "actionCalibrateBoard", "actionPrintBoard", "actionCalibrateWand",
        nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace", "actionResolveCamera",
@@ -74,11 +74,11 @@ void WindowMenus::makeProjectMenu() {
 }
 
 void WindowMenus::makeViewMenu() {
-  QMenu* view =
-      add(tr("&View"), "menuView",
-          {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence", "actionShowBest",
-           "actionShowVolumes", "actionShowMap", nullptr, "actionLookFromAbove",
-           "actionLookFromFront", "actionLookFree", nullptr, "actionResetLayout"});
+  QMenu* view = add(tr("&View"), "menuView",
+                    {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
+                     "actionShowBest", "actionShowVolumeOfInterest", "actionShowVolumes",
+                     "actionShowMap", nullptr, "actionLookFromAbove", "actionLookFromFront",
+                     "actionLookFree", nullptr, "actionResetLayout"});
   QMenu* views = view->addMenu(tr("Views"));
   views->setObjectName(QStringLiteral("menuViews"));
   connect(views, &QMenu::aboutToShow, this, [this, views] {

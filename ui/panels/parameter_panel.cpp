@@ -4,7 +4,9 @@
 #include "core/project/project.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/panels/volume_form.h"
 #include "ui/text/retranslation.h"
 
 #include <QComboBox>
@@ -41,6 +43,9 @@ void ParameterPanel::rebuild() {
     layout->addWidget(empty);
   } else {
     addMethodChoice();
+    if (document_.presentation().searchesRoom) {
+      layout->addWidget(new VolumeForm(document_, form_));
+    }
   }
   for (const ParameterDeclaration& declaration : project.parameters.declarations()) {
     auto* row = new ParameterRow(declaration, form_);

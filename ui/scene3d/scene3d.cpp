@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/scene3d.h"
 
+#include "core/geometry/projected_lines.h"
 #include "ui/scene3d/scene_parts.h"
 
 #include <cmath>
@@ -109,6 +110,25 @@ std::optional<Eigen::Vector3d> Scene3d::placeAtHeight(const Eigen::Vector2d& pla
   return there;
 }
 
+void Scene3d::showVolume(const std::optional<WorldBox>& volume) {
+  SceneParts& parts = *parts_;
+  std::vector<std::vector<Eigen::Vector3d>> lines;
+  if (volume) {
+    for (const auto& [from, to] : edgesOf(*volume)) {
+      lines.push_back({from, to});
+    }
+  }
+  const Eigen::AlignedBox3d before = parts.room();
+  parts.volume.show(lines);
+  if (!parts.room().isApprox(before)) {
+    parts.frameWanted = parts.frameWanted || !parts.moved;
+  }
+}
+
+void Scene3d::showSight(const std::vector<Eigen::Vector3d>& line) {
+  line.empty() ? parts_->sight.show({}) : parts_->sight.show({line});
+}
+
 void Scene3d::showPlanned(const CameraRig& cameras) {
   parts_->planned.show(cameras, parts_->frustumLength());
   parts_->planned.setPalette(parts_->plannedPalette());
@@ -164,6 +184,8 @@ void Scene3d::prepareFrame(int width, int height) {
   parts.frusta.prepareFrame(parts.scale);
   parts.planned.prepareFrame(parts.scale);
   parts.map.prepareFrame(parts.scale);
+  parts.volume.prepareFrame(parts.scale);
+  parts.sight.prepareFrame(parts.scale);
   parts.range.prepareFrame(parts.scale);
   for (const auto& target : parts.targets) {
     target->prepareFrame(parts.scale);

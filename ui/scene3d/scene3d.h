@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/planning/rig_map.h"
+#include "core/geometry/world_box.h"
 #include "core/session/run/snapshot.h"
 #include "ui/scene3d/map_look.h"
 
@@ -56,6 +57,11 @@ public:
   /// The point of this height (world z, meters) at a position in the picture; nothing when that is
   /// seen edge on.
   std::optional<Eigen::Vector3d> placeAtHeight(const Eigen::Vector2d& place, double height) const;
+  /// The volume of interest as a wire box; nothing: none. Stays until called again.
+  void showVolume(const std::optional<WorldBox>& volume);
+  /// A line of sight through the room, from point to point, meters; empty: none. Stays until called
+  /// again, and is never framed.
+  void showSight(const std::vector<Eigen::Vector3d>& line);
   /// Cameras that are not there (yet), drawn otherwise than those of the rig.
   void showPlanned(const CameraRig& cameras);
   /// Back to the empty grid.

@@ -97,6 +97,8 @@ void SceneParts::applyPalette() {
   planned.setPalette(plannedPalette());
   map.setPalette(palette());
   range.setPalette(palette());
+  volume.setColor(palette().text, 0.55);
+  sight.setColor(palette().truth, 0.8);
   for (const auto& target : targets) {
     target->setPalette(palette());
   }
@@ -223,6 +225,7 @@ void SceneParts::frame() {
 Eigen::AlignedBox3d SceneParts::room() const {
   Eigen::AlignedBox3d box = content;
   box.extend(map.volume());
+  box.extend(volume.extent());
   box.extend(Eigen::Vector3d(ground.extent().min().x(), ground.extent().min().y(), 0.0));
   box.extend(Eigen::Vector3d(ground.extent().max().x(), ground.extent().max().y(), 0.0));
   return box;

@@ -7,6 +7,7 @@
 #include "ui/scene3d/range_actor.h"
 #include "ui/scene3d/scene3d.h"
 #include "ui/scene3d/target_actors.h"
+#include "ui/scene3d/wire_actor.h"
 
 #include <vtkCamera.h>
 #include <vtkCullerCollection.h>
@@ -22,9 +23,13 @@ namespace dewpoint::ui {
 class SceneParts {
 public:
   using View = Scene3d::View;
+  // Thin beside targets and tails: they are not what is looked at.
+  static constexpr double kVolumeWidthPx = 1.2; ///< logical
+  static constexpr double kSightWidthPx = 1.6;
 
   SceneParts()
-      : ground(renderer), frusta(renderer), planned(renderer), map(renderer), range(renderer) {
+      : ground(renderer), frusta(renderer), planned(renderer), map(renderer),
+        volume(renderer, kVolumeWidthPx), sight(renderer, kSightWidthPx), range(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers ask for bounds that a cloud of bare points does not have.
     renderer->UseFXAAOn();
@@ -51,6 +56,8 @@ public:
   CameraFrusta frusta;
   CameraFrusta planned;
   MapActor map;
+  WireActor volume; ///< of interest
+  WireActor sight;  ///< a ray of a camera
   RangeActor range; ///< before the targets, which are drawn over it
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::shared_ptr<const CameraRig> rig;

@@ -7,6 +7,7 @@
 #include "ui/selection/selection.h"
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/workbench/dock_manager.h"
+#include "ui/workbench/volume_layer.h"
 #include "ui/workbench/workbench.h"
 
 #include <QMainWindow>
@@ -39,6 +40,8 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
                    &BirdsEyeView::setChosenTarget);
   bench.onToggled("actionShowBest", view, [view](bool shown) { view->setBestShown(shown); });
+  connectVolume(bench, view,
+                [view](const std::optional<WorldBox>& volume) { view->showVolume(volume); });
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
   bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
   bench.onTriggered("actionLookFree", view, [view] { view->lookFree(); });

@@ -14,6 +14,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,17 @@ public:
   const MapLook& mapLook() const { return map_.look(); }
   /// Cameras that are thought of: drawn otherwise than those of the snapshots.
   void showPlanned(const CameraRig& cameras);
+
+  /// The volume of interest; nothing: none.
+  void showVolume(const std::optional<WorldBox>& volume) {
+    scene_.showVolume(volume);
+    requestPicture();
+  }
+  /// A line of sight through the room, meters; empty: none.
+  void showSight(const std::vector<Eigen::Vector3d>& line) {
+    scene_.showSight(line);
+    requestPicture();
+  }
 
   /// The selected target; a person stands out. -1: none.
   void setChosenTarget(int target);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/volume_painter.h"
+
+#include "core/geometry/projected_lines.h"
+#include "ui/style/halo.h"
+
+#include <QPainter>
+#include <QPolygonF>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr double kEdgeOpacity = 0.7;
+constexpr double kEdgeWidth = 1.0; ///< widget units
+
+} // namespace
+
+void paintVolume(QPainter& painter, const Camera& camera, const WorldBox& volume,
+                 const ImagePlacement& placement) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setOpacity(kEdgeOpacity);
+  for (const ImageLine& line : projectedEdges(Projector(camera), volume)) {
+    QPolygonF stroke;
+    for (const Eigen::Vector2d& pixel : line) {
+      stroke << placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
+    }
+    withHalo(
+        painter, Qt::white, kEdgeWidth, [&] { painter.drawPolyline(stroke); }, Qt::DashLine);
+  }
+  painter.restore();
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/camera.h"
+#include "core/geometry/world_box.h"
+#include "ui/cameraview/overlay_painter.h"
+
+namespace dewpoint::ui {
+
+/// Draws the edges of the volume of interest as the camera sees them: thin, dashed and half
+/// transparent, so that what is in the image stays in front.
+void paintVolume(QPainter& painter, const Camera& camera, const WorldBox& volume,
+                 const ImagePlacement& placement);
+
+} // namespace dewpoint::ui

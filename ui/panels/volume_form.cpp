@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/volume_form.h"
+
+#include "core/geometry/seen_volume.h"
+#include "core/project/project.h"
+#include "core/project/project_rig.h"
+#include "ui/document/document.h"
+#include "ui/text/axis_names.h"
+#include "ui/widgets/named_widgets.h"
+#include "ui/widgets/number_field.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace dewpoint::ui {
+
+namespace {
+
+/// Meters. As far as a project may say it, in steps of the width of a hand.
+constexpr NumberRange kCoordinates{-1e4, 1e4, 0.1, 3};
+/// Where neither the project nor its cameras say anything.
+WorldBox unitBox() {
+  return {Eigen::Vector3d::Constant(-1.0), Eigen::Vector3d::Constant(1.0)};
+}
+
+} // namespace
+
+VolumeForm::VolumeForm(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), state_(new QLabel(this)),
+      fromCameras_(makeButton("volumeFromCameras", this)), none_(makeButton("volumeNone", this)) {
+  setObjectName(QStringLiteral("volumeForm"));
+  build();
+  connectFields();
+  refresh();
+}
+
+void VolumeForm::build() {
+  auto* title = new QLabel(tr("&Volume of interest"), this);
+  state_->setObjectName(QStringLiteral("volumeState"));
+  state_->setWordWrap(true);
+  state_->setForegroundRole(QPalette::PlaceholderText);
+  const std::array labels{new QLabel(tr("From X, Y, Z"), this), new QLabel(tr("To X, Y, Z"), this)};
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(6);
+  grid->addWidget(title, 0, 0, 1, 3);
+  grid->addWidget(state_, 1, 0, 1, 3);
+  for (std::size_t corner = 0; corner < fields_.size(); ++corner) {
+    const int row = 2 + 2 * static_cast<int>(corner);
+    grid->addWidget(labels[corner], row, 0, 1, 3);
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+      const QString name = QLatin1String(kAxes[axis]);
+      QDoubleSpinBox* field = makeNumberField(
+          (corner == 0 ? QStringLiteral("volumeFrom") : QStringLiteral("volumeTo")) + name,
+          kCoordinates, this);
+      field->setSuffix(QStringLiteral(" m"));
+      field->setAccessibleName(corner == 0 ? tr("Volume of interest from %1").arg(name)
+                                           : tr("Volume of interest to %1").arg(name));
+      field->setToolTip(corner == 0 ? tr("Where the volume of interest begins, in meters; targets "
+                                         "are searched for in it alone")
+                                    : tr("Where the volume of interest ends, in meters; targets "
+                                         "are searched for in it alone"));
+      grid->addWidget(field, row + 1, static_cast<int>(axis));
+      grid->setColumnStretch(static_cast<int>(axis), 1);
+      fields_[corner][axis] = field;
+    }
+    labels[corner]->setBuddy(fields_[corner][0]);
+  }
+  title->setBuddy(fields_[0][0]);
+  fromCameras_->setText(tr("From the cameras"));
+  fromCameras_->setToolTip(
+      tr("Search for targets in the box around what at least two cameras see"));
+  none_->setText(tr("None"));
+  none_->setToolTip(tr("Search for targets anywhere"));
+  grid->addWidget(fromCameras_, 6, 0, 1, 2);
+  grid->addWidget(none_, 6, 2);
+}
+
+void VolumeForm::connectFields() {
+  for (std::size_t corner = 0; corner < fields_.size(); ++corner) {
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+      connect(fields_[corner][axis], &QDoubleSpinBox::valueChanged, this,
+              [this, corner, axis](double meters) {
+                setCoordinate(corner, static_cast<int>(axis), meters);
+              });
+    }
+  }
+  connect(fromCameras_, &QPushButton::clicked, this, [this] {
+    if (const auto seen = seenVolume(rigOf(document_.project()))) {
+      set(tr("Set volume of interest"), *seen);
+    }
+  });
+  connect(none_, &QPushButton::clicked, this,
+          [this] { set(tr("Remove volume of interest"), std::nullopt); });
+  connect(&document_, &Document::volumeChanged, this, &VolumeForm::refresh);
+  connect(&document_, &Document::calibrationChanged, this, &VolumeForm::refresh);
+  connect(&document_, &Document::sourcesChanged, this, &VolumeForm::refresh);
+}
+
+std::optional<WorldBox> VolumeForm::shown() const {
+  const auto& own = document_.project().volumeOfInterest;
+  return own ? own : seenVolume(rigOf(document_.project()));
+}
+
+void VolumeForm::refresh() {
+  const bool isSet = document_.project().volumeOfInterest.has_value();
+  const auto volume = shown();
+  const WorldBox box = volume.value_or(unitBox());
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    showValue(*fields_[0][axis], box.min[static_cast<Eigen::Index>(axis)]);
+    showValue(*fields_[1][axis], box.max[static_cast<Eigen::Index>(axis)]);
+  }
+  state_->setText(isSet ? tr("Targets are searched for in this box alone.")
+                  : volume
+                      ? tr("None: targets are searched for anywhere. The numbers are what the "
+                           "cameras see; change one to search in a box.")
+                      : tr("None: targets are searched for anywhere. Change a number to search in "
+                           "a box."));
+  fromCameras_->setEnabled(isSet || volume);
+  none_->setEnabled(isSet);
+}
+
+void VolumeForm::setCoordinate(std::size_t corner, int axis, double meters) {
+  WorldBox box = shown().value_or(unitBox());
+  (corner == 0 ? box.min : box.max)[axis] = meters;
+  set(tr("Change volume of interest"), box,
+      "volume " + std::to_string(corner) + std::to_string(axis));
+}
+
+void VolumeForm::set(const QString& step, const std::optional<WorldBox>& volume,
+                     const std::string& mergeKey) {
+  const auto edited = document_.edit(
+      step, [&](Project& project) { project.volumeOfInterest = volume; }, mergeKey);
+  if (!edited) {
+    refresh(); // a box turned inside out: show what holds
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene3d/scene_actors.h"
+
+#include <Eigen/Geometry>
+#include <vtkPolyData.h>
+
+#include <vector>
+
+namespace dewpoint::ui {
+
+/// Thin lines in the room, of one color and of constant width on the screen.
+class WireActor {
+public:
+  /// `widthPx`: logical pixels.
+  WireActor(vtkRenderer* renderer, double widthPx);
+  ~WireActor();
+  WireActor(const WireActor&) = delete;
+  WireActor& operator=(const WireActor&) = delete;
+
+  /// One line for each list of points, meters; none: nothing is shown.
+  void show(const std::vector<std::vector<Eigen::Vector3d>>& lines);
+  /// The box around all that is shown; empty when nothing is.
+  const Eigen::AlignedBox3d& extent() const { return extent_; }
+  void setColor(const SceneColor& color, double opacity);
+  void prepareFrame(const ScreenScale& scale);
+
+private:
+  vtkRenderer* renderer_;
+  double widthPx_;
+  vtkNew<vtkPolyData> data_;
+  vtkSmartPointer<vtkActor> actor_;
+  Eigen::AlignedBox3d extent_;
+};
+
+} // namespace dewpoint::ui
