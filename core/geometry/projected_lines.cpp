@@ -11,7 +11,7 @@ namespace {
 constexpr double kFarOffPx = 1e4;    ///< from the image's corner, where nobody looks
 constexpr int kPiecesOfLine = 64;    ///< each is straight enough for the lenses there are
 constexpr int kPiecesOfRay = 256;    ///< more: it also passes close by the camera
-constexpr int kHalvings = 30;        ///< for the end of what is seen: to 1e-9 of a piece
+constexpr int kBisections = 30;      ///< for the end of what is seen: to 1e-9 of a piece
 constexpr double kRayReach = 1000.0; ///< meters, as far as clicks are taken to lie
 constexpr double kRayMiddle = 1.0;   ///< meters, half of the pieces lie nearer
 
@@ -25,7 +25,7 @@ std::vector<ImageLine> projectedCurve(const Projector& projector, const PointAt&
   };
   // The last pixel seen on the way from a share that is seen to one that is not.
   const auto borderFrom = [&](double seen, double unseen) {
-    for (int k = 0; k < kHalvings; ++k) {
+    for (int k = 0; k < kBisections; ++k) {
       const double middle = 0.5 * (seen + unseen);
       (pixelAt(middle) ? seen : unseen) = middle;
     }

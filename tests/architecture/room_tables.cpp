@@ -90,7 +90,7 @@ int windowFloor(const std::string& room) {
       {"workbench"},
       {"cameraview", "view3d", "plots", "timeline"},
       {"panels", "trajectory"},
-      {"calibration", "color", "people", "export", "experiments", "start"},
+      {"calibration", "color", "correction", "people", "export", "experiments", "start"},
       {"mainwindow"},
   };
   for (std::size_t floor = 0; floor < kFloors.size(); ++floor) {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dewpoint::ui {
 
@@ -19,10 +20,11 @@ namespace {
 constexpr double kStepsAcross = 64.0; ///< of an arrow key, over the width of the image
 constexpr double kArm = 14.0;         ///< of the cross, widget pixels
 
+constexpr QColor kStrokeColor(0xf0, 0xe4, 0x42);
+
 void stroke(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style) {
   withHalo(
-      painter, QColor("#f0e442"), 1.4, [&] { painter.drawPolygon(outline); }, style,
-      edgeHalo(170, 1.6));
+      painter, kStrokeColor, 1.4, [&] { painter.drawPolygon(outline); }, style, edgeHalo(170, 1.6));
 }
 
 } // namespace
@@ -44,8 +46,23 @@ bool ImagePickOverlay::eventFilter(QObject* watched, QEvent* event) {
 void ImagePickOverlay::setPicking(bool picking) {
   picking_ = picking;
   cross_.reset();
+  if (pointing_) {
+    pressed_.reset();
+  }
   update();
   setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void ImagePickOverlay::setGuides(std::vector<QPolygonF> lines, std::optional<QPointF> point) {
+  guideLines_ = std::move(lines);
+  guidePoint_ = point;
+  update();
+}
+
+void ImagePickOverlay::endPointing() {
+  if (pointing_) {
+    Q_EMIT pointingEnded();
+  }
 }
 
 void ImagePickOverlay::setRegions(std::vector<Region> regions) {
@@ -89,6 +106,11 @@ void ImagePickOverlay::mousePressEvent(QMouseEvent* event) {
   if (picking_ || sample) {
     pressed_ = event->position();
     now_ = event->position();
+    if (pointing_) {
+      update();
+      Q_EMIT grabbed(*pixelAt(now_));
+      Q_EMIT pointed(*pixelAt(now_));
+    }
   } else {
     Q_EMIT imageClicked(*pixelAt(event->position()));
   }
@@ -98,6 +120,9 @@ void ImagePickOverlay::mouseMoveEvent(QMouseEvent* event) {
   if (pressed_) {
     now_ = event->position();
     update();
+    if (pointing_) {
+      Q_EMIT pointed(nearestPixel(now_));
+    }
   }
 }
 
@@ -112,6 +137,11 @@ void ImagePickOverlay::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   const QPointF last = nearestPixel(event->position()); // a box may be drawn beyond the edge
+  if (pointing_) {
+    Q_EMIT picked(QRectF(last, QSizeF(0.0, 0.0)), event->modifiers());
+    endPointing();
+    return;
+  }
   const bool isBox =
       (event->position() - from).manhattanLength() >= 2 * QApplication::startDragDistance();
   Q_EMIT picked(isBox ? QRectF(*first, last).normalized() : QRectF(*first, QSizeF(0.0, 0.0)),
@@ -122,6 +152,7 @@ void ImagePickOverlay::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && pressed_) {
     pressed_.reset();
     update();
+    endPointing();
     return;
   }
   if (event->key() == Qt::Key_Escape && picking_) {
@@ -160,8 +191,10 @@ void ImagePickOverlay::moveCross(int key, bool fine) {
   const QSize image = view_->imageSize();
   const QPointF middle((image.width() - 1) / 2.0, (image.height() - 1) / 2.0);
   const double step = fine ? 1.0 : std::max(1.0, std::round(image.width() / kStepsAcross));
-  QPointF next = cross_.value_or(QPointF(std::floor(middle.x()), std::floor(middle.y())));
-  if (cross_) { // the first key only shows it
+  QPointF next = cross_.value_or(
+      crossStart_.value_or(QPointF(std::floor(middle.x()), std::floor(middle.y()))));
+  const bool moves = cross_.has_value();
+  if (moves) { // the first key only shows it
     next += QPointF(key == Qt::Key_Left    ? -step
                     : key == Qt::Key_Right ? step
                                            : 0.0,
@@ -172,6 +205,9 @@ void ImagePickOverlay::moveCross(int key, bool fine) {
   cross_ = QPointF(std::clamp(next.x(), 0.0, image.width() - 1.0),
                    std::clamp(next.y(), 0.0, image.height() - 1.0));
   update();
+  if (pointing_ && moves) {
+    Q_EMIT pointed(*cross_);
+  }
 }
 
 void ImagePickOverlay::focusInEvent(QFocusEvent* event) {
@@ -182,7 +218,9 @@ void ImagePickOverlay::focusInEvent(QFocusEvent* event) {
 }
 
 void ImagePickOverlay::focusOutEvent(QFocusEvent* event) {
-  cross_.reset();
+  if (std::exchange(cross_, std::nullopt) && !pressed_) {
+    endPointing();
+  }
   update();
   QWidget::focusOutEvent(event);
 }
@@ -215,26 +253,27 @@ void ImagePickOverlay::paintHint(QPainter& painter) const {
   painter.drawText(place, Qt::AlignCenter, hint_);
 }
 
-void ImagePickOverlay::paintEvent(QPaintEvent*) {
-  const bool hints = picking_ && !hint_.isEmpty() && !view_->imageSize().isEmpty();
-  if (!pressed_ && !cross_ && regions_.empty() && !hints) {
-    return;
+void ImagePickOverlay::paintCross(QPainter& painter, QPointF position) const {
+  for (const QPointF arm : {QPointF(kArm, 0.0), QPointF(0.0, kArm)}) {
+    stroke(painter, QPolygonF({position - arm, position - 0.3 * arm}), Qt::SolidLine);
+    stroke(painter, QPolygonF({position + 0.3 * arm, position + arm}), Qt::SolidLine);
   }
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  if (hints) {
-    paintHint(painter);
-  }
-  if (pressed_) {
-    stroke(painter, QPolygonF(QRectF(*pressed_, now_).normalized()), Qt::DashLine);
-  }
-  if (cross_) {
-    const QPointF at = positionOf(*cross_);
-    for (const QPointF arm : {QPointF(kArm, 0.0), QPointF(0.0, kArm)}) {
-      stroke(painter, QPolygonF({at - arm, at - 0.3 * arm}), Qt::SolidLine);
-      stroke(painter, QPolygonF({at + 0.3 * arm, at + arm}), Qt::SolidLine);
+}
+
+void ImagePickOverlay::paintGuides(QPainter& painter) const {
+  for (const QPolygonF& line : guideLines_) {
+    QPolygonF placed;
+    for (const QPointF& pixel : line) {
+      placed << positionOf(pixel);
     }
+    withHalo(painter, kStrokeColor, 1.2, [&] { painter.drawPolyline(placed); });
   }
+  if (guidePoint_) {
+    paintCross(painter, positionOf(*guidePoint_));
+  }
+}
+
+void ImagePickOverlay::paintRegions(QPainter& painter) const {
   for (const Region& region : regions_) {
     QPolygonF outline;
     for (const QPointF& pixel : region.outline) {
@@ -248,9 +287,38 @@ void ImagePickOverlay::paintEvent(QPaintEvent*) {
     label.moveLeft(std::clamp(label.left(), 0.0, std::max(0.0, width() - label.width())));
     label.moveTop(std::max(0.0, label.top()));
     painter.fillRect(label, QColor(0, 0, 0, 170));
-    painter.setPen(QColor("#f0e442"));
+    painter.setPen(kStrokeColor);
     painter.drawText(label, Qt::AlignCenter, region.text);
   }
+}
+
+void ImagePickOverlay::paintEvent(QPaintEvent*) {
+  const bool hints = picking_ && !hint_.isEmpty() && !view_->imageSize().isEmpty();
+  const bool guides = !guideLines_.empty() || guidePoint_;
+  if (!pressed_ && !cross_ && regions_.empty() && !hints && !guides) {
+    return;
+  }
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (guides) {
+    painter.save();
+    painter.setClipRect(
+        QRectF(view_->placement().corner, QSizeF(view_->imageSize()) * view_->placement().scale));
+    paintGuides(painter);
+    painter.restore();
+  }
+  if (hints) {
+    paintHint(painter);
+  }
+  if (pressed_ && pointing_) {
+    paintCross(painter, positionOf(nearestPixel(now_)));
+  } else if (pressed_) {
+    stroke(painter, QPolygonF(QRectF(*pressed_, now_).normalized()), Qt::DashLine);
+  }
+  if (cross_) {
+    paintCross(painter, positionOf(*cross_));
+  }
+  paintRegions(painter);
 }
 
 } // namespace dewpoint::ui

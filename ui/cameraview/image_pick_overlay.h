@@ -23,6 +23,15 @@ public:
 
   /// Whether a plain click picks; with Shift or Alt it always does.
   void setPicking(bool picking);
+  /// A drag moves a point instead of opening a box: grabbed(), pointed() on its way, and picked()
+  /// where it is let go.
+  void setPointing(bool pointing) { pointing_ = pointing; }
+  /// Where the cross of the keys begins, a pixel of the image; nothing: in its middle.
+  void setCrossStart(std::optional<QPointF> start) { crossStart_ = start; }
+  /// Thin lines over the image and a cross, in pixels of it.
+  void setGuides(std::vector<QPolygonF> lines, std::optional<QPointF> point);
+  const std::vector<QPolygonF>& guideLines() const { return guideLines_; }
+  const std::optional<QPointF>& guidePoint() const { return guidePoint_; }
   /// Regions of the image, in pixels, with a word each.
   struct Region {
     QPolygonF outline;
@@ -35,6 +44,11 @@ public:
 Q_SIGNALS:
   /// A click (an empty size) or a dragged box, in pixels of the image.
   void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
+  /// Of a point that is dragged: the mouse went down, and where the point is since, also by keys;
+  /// pixels of the image. At last picked() or not, and then that it is over.
+  void grabbed(const QPointF& pixel);
+  void pointed(const QPointF& pixel);
+  void pointingEnded();
   /// Esc: nothing more is to be pointed at.
   void cancelled();
   /// A plain click while nothing is being picked: the view was chosen.
@@ -60,12 +74,21 @@ private:
   QPointF nearestPixel(QPointF position) const;
   QPointF positionOf(QPointF pixel) const;
   void paintHint(QPainter& painter) const;
+  void paintCross(QPainter& painter, QPointF position) const;
+  void paintGuides(QPainter& painter) const;
+  void paintRegions(QPainter& painter) const;
+  /// Nothing is pointed at any more.
+  void endPointing();
   /// Whether the key moves the cross or points, when it is pressed here.
   bool isForCross(const QKeyEvent& event) const;
   void moveCross(int key, bool fine);
 
   CameraView* view_;
   bool picking_ = false;
+  bool pointing_ = false;
+  std::optional<QPointF> crossStart_;
+  std::vector<QPolygonF> guideLines_;
+  std::optional<QPointF> guidePoint_;
   std::vector<Region> regions_;
   QString hint_;
   std::optional<QPointF> pressed_; ///< widget

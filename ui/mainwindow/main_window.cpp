@@ -14,6 +14,7 @@
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/color_dock.h"
+#include "ui/correction/correction_mode.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/document/target_list_model.h"
@@ -123,6 +124,7 @@ void MainWindow::installFeatures() {
   auto* color = new ColorDock(bench, *cameras, targets);
   auto* people = new PeopleDock(bench, *cameras, *birdsEye, {targets.dock, color->dock()});
   connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
+  new CorrectionMode(bench, *cameras, *birdsEye, *trajectory);
   auto* calibration = new CalibrationMode(bench);
   installManualCalibration(bench, *calibration, *cameras);
   installBoardCalibration(bench, *calibration, *cameras);

@@ -94,14 +94,12 @@ void Timeline::append(const std::vector<FrameRecord>& records, bool restarted) {
 }
 
 void Timeline::clear() {
-  const std::vector<ProjectMarker> markers = model_.markers;
   model_ = TimelineModel{};
-  model_.markers = markers;
   scale_ = TimelineScale{};
   hovered_ = -1;
   wanted_.reset();
   place();
-  update();
+  updateMarkers();
 }
 
 int Timeline::camerasWithDropouts() const {
@@ -348,6 +346,7 @@ void Timeline::announceFrame() {
 
 void Timeline::updateMarkers() {
   model_.markers = document_.project().markers;
+  model_.corrections = document_.project().corrections;
   update();
 }
 

@@ -26,7 +26,8 @@ void showMenu(const Workbench& bench, const QPoint& place) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const ActionId id : std::initializer_list<ActionId>{
            "actionRerun", "actionNow", nullptr, "actionAddMark", "actionRemoveMark",
-           "actionPreviousMark", "actionNextMark", nullptr, "actionZoomToSpan"}) {
+           "actionPreviousMark", "actionNextMark", nullptr, "actionCorrectPosition",
+           "actionRemoveCorrection", nullptr, "actionZoomToSpan"}) {
     id.isSeparator() ? (void)menu->addSeparator() : menu->addAction(bench.action(id));
   }
   menu->popup(place);

@@ -67,6 +67,12 @@ double TimelineModel::secondsOf(qint64 frame) const {
              : static_cast<double>(frame) / framesPerSecond;
 }
 
+bool TimelineModel::isCorrected(std::size_t target, qint64 frame) const {
+  return std::ranges::any_of(corrections, [&](const PositionCorrection& correction) {
+    return correction.frame == frame && static_cast<std::size_t>(correction.target) == target;
+  });
+}
+
 QString TimelineModel::describe(qint64 frame) const {
   const QLocale locale;
   QString text = QCoreApplication::translate("Timeline", "Frame %1, %2")
@@ -85,6 +91,9 @@ QString TimelineModel::describe(qint64 frame) const {
                      numberText(static_cast<double>(entry.existenceProbability), 2));
     if (const QString reason = reasonText(entry.reasons, cameras); !reason.isEmpty()) {
       text += QStringLiteral(" – ") + reason;
+    }
+    if (isCorrected(k, frame)) {
+      text += QStringLiteral(" – ") + QCoreApplication::translate("Timeline", "corrected");
     }
   }
   return text;

@@ -17,6 +17,7 @@ struct TimelineModel {
   QStringList targets;
   QStringList cameras;
   std::vector<ProjectMarker> markers;
+  std::vector<PositionCorrection> corrections; ///< by rising frame
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;
@@ -34,6 +35,8 @@ struct TimelineModel {
   double secondsOf(qint64 frame) const;
   /// Whether any frame lacks the image of this camera.
   bool hasDropouts(std::size_t camera) const { return (missing_ >> camera & 1U) != 0; }
+  /// Whether the user has said where this target is at this frame.
+  bool isCorrected(std::size_t target, qint64 frame) const;
   /// "Frame 132, 4.400 s: ball held (0.99) · …".
   QString describe(qint64 frame) const;
 

@@ -4,6 +4,7 @@
 #include "ui/style/theme.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
+#include "ui/timeline/correction_marks.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -388,6 +389,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
   }
   painter.setRenderHint(QPainter::Antialiasing);
   paintSelectedRange(painter, scale, rows, selection, palette);
+  paintCorrections(painter, model, scale, rows, palette);
   paintMarkers(painter, model, scale, rows, palette);
   paintHead(painter, model, scale, rows, selection, palette);
   paintHovered(painter, scale, rows, hovered, palette);

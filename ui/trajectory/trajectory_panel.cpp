@@ -108,10 +108,13 @@ void TrajectoryPanel::makeTable() {
   onRetranslate(table_, [this] {
     table_->setAccessibleName(tr("Trajectory"));
     const QFontMetrics metrics = table_->fontMetrics();
+    const QString widestState =
+        std::ranges::max(TrajectoryModel::tr("○ not held"), TrajectoryModel::tr("◆ corrected"), {},
+                         [&](const QString& text) { return metrics.horizontalAdvance(text); });
     for (int column = 0; column < TrajectoryModel::ColumnCount; ++column) {
       const QString title = model_->headerData(column, Qt::Horizontal).toString();
       const QString widest = column == TrajectoryModel::Target ? QStringLiteral("pink ball 1")
-                             : column == TrajectoryModel::Held ? TrajectoryModel::tr("○ not held")
+                             : column == TrajectoryModel::Held ? widestState
                                                                : QStringLiteral("0000.00");
       table_->setColumnWidth(column, 16 + std::max(metrics.horizontalAdvance(title),
                                                    metrics.horizontalAdvance(widest)));
@@ -155,18 +158,29 @@ void TrajectoryPanel::connectViews() {
     selection_.requestFrame(
         model_->log().rows()[static_cast<std::size_t>(index.row())].sample.frame);
   });
-  QAction* copy = actions_.action("actionTrajectoryCopy");
-  connect(copy, &QAction::triggered, this, &TrajectoryPanel::copyCsv);
-  const auto menuAt = [this, copy](const QPoint& place) {
-    QMenu menu(this);
-    menu.addAction(copy);
-    menu.addAction(actions_.action("actionExportTrajectory"));
-    menu.exec(place);
-  };
-  connect(table_, &QWidget::customContextMenuRequested, this,
-          [this, menuAt](const QPoint& place) { menuAt(table_->viewport()->mapToGlobal(place)); });
+  connect(actions_.action("actionTrajectoryCopy"), &QAction::triggered, this,
+          &TrajectoryPanel::copyCsv);
+  const auto menuAt = [this](const QPoint& place) { showMenu(place, -1); };
+  connect(table_, &QWidget::customContextMenuRequested, this, [this](const QPoint& place) {
+    showMenu(table_->viewport()->mapToGlobal(place), table_->rowAt(place.y()));
+  });
   connect(plots_, &PlotStack::contextMenuWanted, this, menuAt);
   connect(boxes_, &BoxPanel::contextMenuWanted, this, menuAt);
+}
+
+void TrajectoryPanel::showMenu(const QPoint& place, int row) {
+  QMenu menu(this);
+  menu.addAction(actions_.action("actionTrajectoryCopy"));
+  menu.addAction(actions_.action("actionExportTrajectory"));
+  if (row >= 0 && model_->log().rows()[static_cast<std::size_t>(row)].sample.corrected) {
+    const TrajectorySample& sample = model_->log().rows()[static_cast<std::size_t>(row)].sample;
+    const auto target = std::ranges::find(names_, sample.target) - names_.begin();
+    connect(menu.addAction(tr("Remove the correction")), &QAction::triggered, this,
+            [this, frame = qint64(sample.frame), target] {
+              Q_EMIT correctionRemovalWanted(frame, static_cast<int>(target));
+            });
+  }
+  menu.exec(place);
 }
 
 void TrajectoryPanel::follow(Source source) {

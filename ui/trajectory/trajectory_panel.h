@@ -67,6 +67,8 @@ public:
 
 Q_SIGNALS:
   void notice(const QString& sentence);
+  /// The correction of this target at this frame is to be taken away.
+  void correctionRemovalWanted(qint64 frame, int target);
   /// The positions of the selected range, meters: one stroke for each uninterrupted piece.
   void highlightChanged(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
@@ -76,6 +78,8 @@ protected:
 private:
   void setTarget(const std::string& name);
   void showSelectedRange();
+  /// At a place of the screen; with what can be done to a row of the table, if it is about one.
+  void showMenu(const QPoint& place, int row);
   void showCurrentFrame();
   void makeTable();
   void makePlots();

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/correction/correction_mode.h"
+
+#include "core/project/project.h"
+#include "core/session/run/snapshot.h"
+#include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/camera_view.h"
+#include "ui/correction/correction_tool.h"
+#include "ui/document/document.h"
+#include "ui/document/method_presentation.h"
+#include "ui/selection/selection.h"
+#include "ui/text/error_sentence.h"
+#include "ui/trajectory/trajectory_panel.h"
+#include "ui/view3d/birds_eye_view.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QAction>
+#include <QMainWindow>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& cameras,
+                               BirdsEyeView& birdsEye, TrajectoryPanel& trajectory)
+    : QObject(&bench.window), bench_(bench), tool_(new CorrectionTool(bench, birdsEye, this)) {
+  bench_.connectView(tool_);
+  connect(&cameras, &CameraDocks::viewMade, tool_, &CorrectionTool::attach);
+  connect(tool_, &CorrectionTool::corrected, this, &CorrectionMode::keep);
+  connect(tool_, &CorrectionTool::failed, &bench_.messages, &MessageBar::showError);
+  connect(tool_, &CorrectionTool::cancelled, this, &CorrectionMode::end);
+  connect(&bench_.document, &Document::correctionsChanged, tool_, &CorrectionTool::refresh);
+  connect(&bench_.document, &Document::targetsChanged, tool_, &CorrectionTool::refresh);
+  connect(&bench_.selection, &Selection::targetSelected, tool_, &CorrectionTool::refresh);
+  connect(&trajectory, &TrajectoryPanel::correctionRemovalWanted, this,
+          [this](qint64 frame, int target) { remove(frame, target); });
+  connectActions();
+}
+
+void CorrectionMode::connectActions() {
+  bench_.needRun({"actionCorrectPosition", "actionRemoveCorrection"},
+                 [document = &bench_.document] { return document->presentation().searchesRoom; });
+  bench_.onToggled("actionCorrectPosition", this, [this](bool active) { setActive(active); });
+  bench_.onTriggered("actionRemoveCorrection", this, [this] {
+    remove(bench_.selection.currentFrame(), bench_.selection.target());
+  });
+  // One thing at a time is meant by a press in an image.
+  for (const ActionId other :
+       std::initializer_list<ActionId>{"actionLearnColor", "actionCalibrateByHand"}) {
+    bench_.onToggled(other, this, [this](bool on) {
+      if (on) {
+        end();
+      }
+    });
+  }
+  connect(&bench_.session, &SessionController::runEnded, this, &CorrectionMode::end);
+  connect(&bench_.document, &Document::methodChanged, this, [this] {
+    if (!bench_.document.presentation().searchesRoom) {
+      end();
+    }
+  });
+}
+
+void CorrectionMode::end() {
+  bench_.action("actionCorrectPosition")->setChecked(false);
+}
+
+void CorrectionMode::setActive(bool active) {
+  const bool can =
+      active && bench_.session.isRunning() && bench_.document.presentation().searchesRoom;
+  if (can) {
+    bench_.action("actionLearnColor")->setChecked(false);
+    bench_.action("actionCalibrateByHand")->setChecked(false);
+  }
+  tool_->setActive(can);
+  const QString hint =
+      tr("Drag the target in an image to where it is; the same in another image fixes its depth. "
+         "Esc ends it.");
+  if (can) {
+    bench_.messages.showNotice(hint);
+  } else if (bench_.messages.text() == hint) {
+    bench_.messages.dismiss();
+  }
+}
+
+void CorrectionMode::keep(const PositionCorrection& correction) {
+  const auto edited = bench_.document.edit(
+      tr("Correct position"), [&](Project& project) { addCorrection(project, correction); });
+  if (!edited) {
+    bench_.messages.showError(errorSentence(edited.error()));
+  }
+}
+
+void CorrectionMode::remove(std::int64_t frame, int target) {
+  const auto isMeant = [&](const PositionCorrection& correction) {
+    return correction.frame == frame && (target < 0 || correction.target == target);
+  };
+  if (std::ranges::none_of(bench_.document.project().corrections, isMeant)) {
+    bench_.messages.showNotice(tr("There is no correction in this frame."));
+    return;
+  }
+  (void)bench_.document.edit(tr("Remove correction"), [&](Project& project) {
+    std::erase_if(project.corrections, isMeant);
+  });
+}
+
+} // namespace dewpoint::ui

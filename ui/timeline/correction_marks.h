@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/timeline/timeline_painter.h"
+
+namespace dewpoint::ui {
+
+/// Draws a diamond in the ribbon of a target at each frame at which the user said where it is.
+void paintCorrections(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                      const TimelineRows& rows, const QPalette& palette);
+
+} // namespace dewpoint::ui
