@@ -262,11 +262,11 @@ void ImagePickOverlay::paintCross(QPainter& painter, QPointF position) const {
 
 void ImagePickOverlay::paintGuides(QPainter& painter) const {
   for (const QPolygonF& line : guideLines_) {
-    QPolygonF placed;
+    QPolygonF drawn;
     for (const QPointF& pixel : line) {
-      placed << positionOf(pixel);
+      drawn << positionOf(pixel);
     }
-    withHalo(painter, kStrokeColor, 1.2, [&] { painter.drawPolyline(placed); });
+    withHalo(painter, kStrokeColor, 1.2, [&] { painter.drawPolyline(drawn); });
   }
   if (guidePoint_) {
     paintCross(painter, positionOf(*guidePoint_));

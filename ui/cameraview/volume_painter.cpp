@@ -22,12 +22,12 @@ void paintVolume(QPainter& painter, const Camera& camera, const WorldBox& volume
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setOpacity(kEdgeOpacity);
   for (const ImageLine& line : projectedEdges(Projector(camera), volume)) {
-    QPolygonF stroke;
+    QPolygonF edge;
     for (const Eigen::Vector2d& pixel : line) {
-      stroke << placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
+      edge << placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;
     }
     withHalo(
-        painter, Qt::white, kEdgeWidth, [&] { painter.drawPolyline(stroke); }, Qt::DashLine);
+        painter, Qt::white, kEdgeWidth, [&] { painter.drawPolyline(edge); }, Qt::DashLine);
   }
   painter.restore();
 }

@@ -233,9 +233,9 @@ void CorrectionTool::showGuides(const std::vector<PointClick>& clicks,
         continue;
       }
       for (const ImageLine& line : projectedRay(Projector(*camera), *ray)) {
-        QPolygonF& stroke = lines.emplace_back();
+        QPolygonF& drawn = lines.emplace_back();
         for (const Eigen::Vector2d& pixel : line) {
-          stroke << QPointF(pixel.x(), pixel.y());
+          drawn << QPointF(pixel.x(), pixel.y());
         }
       }
     }

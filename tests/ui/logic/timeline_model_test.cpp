@@ -50,6 +50,18 @@ TEST(TimelineModel, SkippedFramesBelongToTheRecordBeforeThem) {
   EXPECT_EQ(TimelineModel().at(0), nullptr);
 }
 
+TEST(TimelineModel, SaysWhichTargetWasCorrectedAndWhere) {
+  TimelineModel model = modelOf({0, 1, 2});
+  PositionCorrection correction;
+  correction.frame = 1;
+  model.corrections = {correction};
+  EXPECT_TRUE(model.isCorrected(0, 1));
+  EXPECT_FALSE(model.isCorrected(1, 1));
+  EXPECT_FALSE(model.isCorrected(0, 2));
+  EXPECT_TRUE(model.describe(1).contains(QStringLiteral("corrected")));
+  EXPECT_FALSE(model.describe(2).contains(QStringLiteral("corrected")));
+}
+
 TEST(TimelineModel, TheRateIsThatOfTheTimeStamps) {
   TimelineModel model = modelOf({10, 11, 12});
   EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);
