@@ -7,6 +7,7 @@
 #include "core/session/run/snapshot_state.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
+#include "ui/jobs/job_queue.h"
 #include "ui/selection/selection.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
@@ -23,6 +24,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardPaths>
@@ -38,6 +40,12 @@ constexpr double kMilliseconds = 1000.0; ///< of a second
 constexpr double kMostLate = 3.6e6;      ///< milliseconds
 constexpr double kLateSteps = 10.0;      ///< shown of a millisecond
 
+/// Whether an image that was taken of a camera is still wanted as its empty room.
+bool isStillAs(const ProjectCamera& now, const ProjectCamera& then) {
+  return now.source == then.source && now.location == then.location &&
+         now.emptyRoom == then.emptyRoom;
+}
+
 } // namespace
 
 CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
@@ -50,13 +58,16 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
       turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
       lateLabel_(new QLabel(this)),
       late_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
-      calibration_(new QLabel(this)), load_(new QPushButton(this)) {
+      calibration_(new QLabel(this)), load_(new QPushButton(this)), keep_(keepEmptyRoom),
+      keeping_(std::make_unique<JobQueue>()) {
   setObjectName(QStringLiteral("cameraPanel"));
   list_->setModel(&cameras_);
   makeFields();
   onRetranslate(this, [this] { retranslateUi(); });
   connectFields();
 }
+
+CameraPanel::~CameraPanel() = default;
 
 void CameraPanel::makeFields() {
   list_->setObjectName(QStringLiteral("cameraList"));
@@ -104,6 +115,7 @@ void CameraPanel::makeFields() {
 }
 
 void CameraPanel::connectFields() {
+  connect(&document_, &Document::replaced, this, &CameraPanel::forgetKept);
   connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
   connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
   connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
@@ -208,7 +220,7 @@ void CameraPanel::showChosen() {
     field->setEnabled(own);
   }
   browse_->setEnabled(own && isFile);
-  emptyRoomTake_->setEnabled(own && !shownImage().empty());
+  enableTake();
   emptyRoom_->setText(QString::fromStdString(camera.emptyRoom));
   emptyRoom_->setCursorPosition(0);
   name_->setText(QString::fromStdString(camera.camera.name));
@@ -273,7 +285,11 @@ cv::Mat CameraPanel::shownImage() const {
 
 void CameraPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
-  emptyRoomTake_->setEnabled(source_->isEnabled() && !shownImage().empty());
+  enableTake();
+}
+
+void CameraPanel::enableTake() {
+  emptyRoomTake_->setEnabled(source_->isEnabled() && !isKeeping_ && !shownImage().empty());
 }
 
 void CameraPanel::setEmptyRoom(const QString& file) {
@@ -305,31 +321,66 @@ void CameraPanel::takeEmptyRoom() {
         tr("“%1” is in this image: where it is now it would be taken for the room. Better "
            "show a moment without it.")
             .arg(target),
-        tr("Use it all the same"), [this, row, image] { keepAsEmptyRoom(row, image); });
+        tr("Use it all the same"), [this, row, image, asked = QPointer(keeping_.get())] {
+          if (asked && !isKeeping_) { // else another project was opened meanwhile
+            keepAsEmptyRoom(row, image);
+          }
+        });
     return;
   }
   keepAsEmptyRoom(row, image);
 }
 
 void CameraPanel::keepAsEmptyRoom(int camera, const cv::Mat& image) {
-  const Project& project = document_.project();
-  if (camera >= static_cast<int>(project.cameras.size())) {
-    return; // another project was opened meanwhile
+  const std::shared_ptr<const Project> project = document_.state();
+  if (camera >= static_cast<int>(project->cameras.size())) {
+    return; // there are fewer now
   }
   const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
   const std::filesystem::path folder =
-      project.file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
-                           : project.file.parent_path();
-  const auto kept = keepEmptyRoom(project, static_cast<std::size_t>(camera), image, folder);
+      project->file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
+                            : project->file.parent_path();
+  selection_.selectCamera(camera);
+  isKeeping_ = true;
+  enableTake();
+  keeping_->add([this, keep = keep_, project, camera, image, folder] {
+    return [this, project, camera,
+            kept = keep(*project, static_cast<std::size_t>(camera), image, folder)] {
+      isKeeping_ = false;
+      enableTake();
+      useKept(*project, camera, kept);
+    };
+  });
+}
+
+void CameraPanel::useKept(const Project& then, int camera,
+                          const Result<std::filesystem::path>& kept) {
   if (!kept) {
     Q_EMIT failed(errorSentence(kept.error()));
     return;
   }
-  selection_.selectCamera(camera);
-  setEmptyRoom(QString::fromStdString(kept->string()));
-  Q_EMIT messageRequested(
-      tr("The image shown is now the empty room of %1; it is kept as %2.")
-          .arg(cameras_.nameOf(camera), QString::fromStdString(kept->string())));
+  const auto row = static_cast<std::size_t>(camera);
+  const QString file = QString::fromStdString(kept->string());
+  const auto& cameras = document_.project().cameras;
+  if (row >= cameras.size() || !isStillAs(cameras[row], then.cameras[row])) {
+    Q_EMIT messageRequested(
+        tr("The camera was changed meanwhile: the image is kept as %1, but not used.").arg(file));
+    return;
+  }
+  const auto edited = document_.edit(tr("Change empty room"), [&](Project& project) {
+    project.cameras[row].emptyRoom = kept->string();
+  });
+  if (!edited) {
+    Q_EMIT failed(errorSentence(edited.error()));
+    return;
+  }
+  Q_EMIT messageRequested(tr("The image shown is now the empty room of %1; it is kept as %2.")
+                              .arg(cameras_.nameOf(camera), file));
+}
+
+void CameraPanel::forgetKept() {
+  keeping_ = std::make_unique<JobQueue>();
+  isKeeping_ = false;
 }
 
 } // namespace dewpoint::ui

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/session/run/snapshot.h"
 
 #include <QWidget>
 
+#include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <memory>
+#include <utility>
 
 class QCheckBox;
 class QComboBox;
@@ -25,7 +30,13 @@ namespace dewpoint::ui {
 
 class CameraListModel;
 class Document;
+class JobQueue;
 class Selection;
+
+/// Writes an image as a picture of a camera's empty room and returns the file: keepEmptyRoom().
+using EmptyRoomKeeper = std::function<Result<std::filesystem::path>(
+    const Project& project, std::size_t camera, const cv::Mat& image,
+    const std::filesystem::path& folder)>;
 
 /// The cameras: name, where the images come from, how they are turned, and what is known of their
 /// calibration.
@@ -34,9 +45,12 @@ class CameraPanel : public QWidget {
 public:
   CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
               QWidget* parent = nullptr);
+  ~CameraPanel() override; ///< what is being written is written to its end, and unheard
 
   /// The images that a picture of the background image may be taken from: those shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
+  /// Who writes pictures of empty rooms, in a thread of its own: it may take long.
+  void setKeeper(EmptyRoomKeeper keep) { keep_ = std::move(keep); }
 
 Q_SIGNALS:
   /// A calibration file is to be read for all cameras.
@@ -60,7 +74,12 @@ private:
   void chooseEmptyRoom();
   void takeEmptyRoom();
   void setEmptyRoom(const QString& file);
+  /// Writes the image without waiting for it; useKept() follows unless another project is opened.
   void keepAsEmptyRoom(int camera, const cv::Mat& image);
+  /// What became of the image; `then`: the project as it was when the image was taken.
+  void useKept(const Project& then, int camera, const Result<std::filesystem::path>& kept);
+  void forgetKept();
+  void enableTake();
   /// The target that is tracked in the image of a camera that is shown; empty: none.
   QString targetSeenBy(int camera) const;
   void makeFields();
@@ -89,6 +108,9 @@ private:
   QLabel* calibration_;
   QPushButton* load_;
   TrackSnapshotPtr snapshot_;
+  EmptyRoomKeeper keep_;
+  std::unique_ptr<JobQueue> keeping_; ///< of this project; one that is given up is not heard
+  bool isKeeping_ = false;
 };
 
 } // namespace dewpoint::ui

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <system_error>
 
 namespace dewpoint::session {
 namespace {
@@ -26,7 +27,8 @@ std::filesystem::path freshFile(const Project& project, const std::string& camer
       },
       '-');
   std::filesystem::path file = folder / (stem + ".png");
-  for (int number = 2; std::filesystem::exists(file); ++number) {
+  std::error_code unknown; // then writing says what is wrong
+  for (int number = 2; std::filesystem::exists(file, unknown); ++number) {
     file = folder / fmt::format("{}-{}.png", stem, number);
   }
   return file;
@@ -71,8 +73,7 @@ Result<std::filesystem::path> keepEmptyRoom(const Project& project, std::size_t 
     return tl::make_unexpected(back.error());
   }
   std::vector<std::uint8_t> png;
-  constexpr int kFast = 1; // in the thread of a window
-  cv::imencode(".png", *back, png, {cv::IMWRITE_PNG_COMPRESSION, kFast});
+  cv::imencode(".png", *back, png);
   const auto file = freshFile(project, its.camera.name, folder);
   return writeTextFile(file, std::string(png.begin(), png.end())).map([&] { return file; });
 }

@@ -18,7 +18,8 @@ Result<std::vector<cv::Mat>> loadEmptyRooms(const Project& project);
 
 /// Writes an image that a camera of the project shows (CV_8UC3, rotated) as a picture of its empty
 /// room, rotated back, into a folder, which is made when it does not exist; the file's name is a
-/// new one. Returns the file.
+/// new one. Returns the file, FileUnwritable when it cannot be written. Waits for the disk: not for
+/// the thread of a window.
 Result<std::filesystem::path> keepEmptyRoom(const Project& project, std::size_t camera,
                                             const cv::Mat& image,
                                             const std::filesystem::path& folder);
