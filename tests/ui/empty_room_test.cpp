@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the empty room, given to a camera in the window.
-#include "core/project/project_save.h"
+#include "core/project/project.h"
+#include "core/session/run/empty_rooms.h"
 #include "core/session/run/snapshot.h"
-#include "core/setup/new_project.h"
+#include "tests/ui/gate.h"
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
+#include "ui/panels/camera_panel.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -14,6 +16,7 @@
 #include <QUndoStack>
 
 #include <filesystem>
+#include <memory>
 
 namespace dewpoint::tests {
 
@@ -21,34 +24,63 @@ class EmptyRoomTest : public QObject, private test::WindowFixture {
   Q_OBJECT
 
 private Q_SLOTS:
-  void init() { makeWindow(); }
-  void cleanup() { window_.reset(); }
+  void init();
+  void cleanup();
   void theEmptyRoomIsAStepThatCanBeUndone();
+  void aPictureThatCannotBeWrittenIsSaid();
+  void aPictureOfAnotherProjectIsNotUsed();
+  void whatWasChosenMeanwhileStays();
+
+private:
+  /// Takes the image shown, which is not written before the gate opens.
+  void takeAtTheGate();
+  const std::string& emptyRoom() const {
+    return window_->document().project().cameras[1].emptyRoom;
+  }
+  QPushButton* take() const { return find<QPushButton>("cameraEmptyRoomTake"); }
+  QLineEdit* field() const { return find<QLineEdit>("cameraEmptyRoom"); }
+  CameraPanel* panel() const { return window_->findChild<CameraPanel*>(); }
+
+  std::shared_ptr<test::Gate> gate_;
 };
 
-void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
-  QVERIFY(recordDemo(folder_.path().toStdString()));
-  NewProject wanted;
-  wanted.cameras = {{"left", SourceKind::Video, file("left.mkv").toStdString()},
-                    {"right", SourceKind::Video, file("right.mkv").toStdString()}};
-  wanted.calibration = file("calibration.toml").toStdString();
-  const auto made = makeProject(wanted);
-  QVERIFY(made);
-  QVERIFY(saveProject(made->project, file("desk.toml").toStdString()));
-  window_->openProject(file("desk.toml").toStdString());
+void EmptyRoomTest::init() {
+  gate_ = std::make_shared<test::Gate>();
+  folder_ = QTemporaryDir(); // with nothing of the last test
+  makeWindow();
+  QVERIFY(recordDesk(folder_.path().toStdString()));
+  window_->openProject(path("desk.toml"));
   QVERIFY(waitFor([this] { return window_->shown() && window_->shown()->frame >= 0; }));
-  Document& document = window_->document();
   auto* list = find<QListView>("cameraList");
   list->setCurrentIndex(list->model()->index(1, 0));
-  auto* take = find<QPushButton>("cameraEmptyRoomTake");
-  auto* field = find<QLineEdit>("cameraEmptyRoom");
-  QVERIFY(waitFor([&] { return take->isEnabled(); }));
+  QVERIFY(waitFor([this] { return take()->isEnabled(); }));
+}
+
+void EmptyRoomTest::cleanup() {
+  gate_->open();
+  window_.reset();
+}
+
+void EmptyRoomTest::takeAtTheGate() {
+  panel()->setKeeper([gate = gate_](const auto&... order) {
+    gate->pass();
+    return keepEmptyRoom(order...);
+  });
+  take()->click();
+  QVERIFY(waitFor([this] { return gate_->waiting() == 1; }));
+  QVERIFY(!take()->isEnabled());
+}
+
+void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
+  Document& document = window_->document();
   QVERIFY(window_->shown()->emptyRooms[1].empty());
-  take->click();
-  const std::string kept = document.project().cameras[1].emptyRoom;
+  take()->click();
+  QVERIFY(waitFor([this] { return !emptyRoom().empty(); }));
+  const std::string kept = emptyRoom();
+  QCOMPARE(document.undoStack()->count(), 1);
   QVERIFY(std::filesystem::exists(kept));
   QVERIFY(std::filesystem::path(kept).parent_path() == folder_.path().toStdString());
-  QCOMPARE(field->text(), QString::fromStdString(kept));
+  QCOMPARE(field()->text(), QString::fromStdString(kept));
   QVERIFY(waitFor([&] {
     return window_->shown() && window_->shown()->frames &&
            window_->shown()->emptyRooms.size() == 2 && !window_->shown()->emptyRooms[1].empty();
@@ -57,16 +89,54 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
   QCOMPARE(window_->shown()->emptyRooms[1].cols, window_->shown()->frames->frames[1]->image.cols);
 
   document.undoStack()->undo();
-  QVERIFY(document.project().cameras[1].emptyRoom.empty());
-  QVERIFY(field->text().isEmpty());
+  QVERIFY(emptyRoom().empty());
+  QVERIFY(field()->text().isEmpty());
   QVERIFY(std::filesystem::exists(kept)); // it can be redone
   QVERIFY(waitFor([&] { return window_->shown() && window_->shown()->frames; }));
 
-  field->setText(file("gone.png"));
-  QTest::keyClick(field, Qt::Key_Return);
+  field()->setText(file("gone.png"));
+  QTest::keyClick(field(), Qt::Key_Return);
   QVERIFY(waitFor(
       [this] { return find<QLabel>("messageText")->text().contains(QStringLiteral("gone.png")); }));
   QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("right")));
+}
+
+void EmptyRoomTest::aPictureThatCannotBeWrittenIsSaid() {
+  panel()->setKeeper([](const auto&...) -> Result<std::filesystem::path> {
+    return failure(ErrorCode::FileUnwritable, "desk-empty-right.png", "", "the disk is full");
+  });
+  take()->click();
+  QVERIFY(
+      waitFor([this] { return messageText().contains(QStringLiteral("desk-empty-right.png")); }));
+  QVERIFY(emptyRoom().empty());
+  QCOMPARE(window_->document().undoStack()->count(), 0);
+  QVERIFY(take()->isEnabled());
+}
+
+void EmptyRoomTest::aPictureOfAnotherProjectIsNotUsed() {
+  takeAtTheGate();
+  Project other = window_->document().project();
+  other.name = "other";
+  window_->document().replace(other);
+  QVERIFY(take()->isEnabled()); // what hangs is not the other one's
+  gate_->open();
+  QVERIFY(jobsEnd());
+  QVERIFY(std::filesystem::exists(path("desk-empty-right.png")));
+  QVERIFY(emptyRoom().empty());
+  QCOMPARE(window_->document().undoStack()->count(), 0);
+}
+
+void EmptyRoomTest::whatWasChosenMeanwhileStays() {
+  takeAtTheGate();
+  const std::string chosen = file("chosen.png").toStdString();
+  QVERIFY(window_->document().edit(
+      "Choose", [&](Project& project) { project.cameras[1].emptyRoom = chosen; }));
+  gate_->open();
+  const QString kept = file("desk-empty-right.png");
+  QVERIFY(waitFor([&] { return messageText().contains(kept); }));
+  QCOMPARE(emptyRoom(), chosen);
+  QCOMPARE(window_->document().undoStack()->count(), 1);
+  QVERIFY(take()->isEnabled());
 }
 
 } // namespace dewpoint::tests

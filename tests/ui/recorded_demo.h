@@ -3,6 +3,8 @@
 
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
+#include "core/project/project_save.h"
+#include "core/setup/new_project.h"
 #include "core/simulation/scene/scene_renderer.h"
 
 #include <filesystem>
@@ -28,6 +30,20 @@ inline bool recordDemo(const std::filesystem::path& folder, int frames = 8) {
     }
   }
   return saveCalibration(scene.cameras, folder / "calibration.toml").has_value();
+}
+
+/// Records the demo and makes desk.toml, a project of it without targets. False when they cannot be
+/// written.
+inline bool recordDesk(const std::filesystem::path& folder) {
+  NewProject wanted;
+  wanted.cameras = {{"left", SourceKind::Video, (folder / "left.mkv").string()},
+                    {"right", SourceKind::Video, (folder / "right.mkv").string()}};
+  wanted.calibration = (folder / "calibration.toml").string();
+  if (!recordDemo(folder)) {
+    return false;
+  }
+  const auto made = makeProject(wanted);
+  return made && saveProject(made->project, folder / "desk.toml").has_value();
 }
 
 } // namespace dewpoint::tests

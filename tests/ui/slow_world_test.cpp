@@ -5,26 +5,31 @@
 #include "core/project/project.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
+#include "core/session/run/empty_rooms.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "tests/ui/gate.h"
+#include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/jobs/job_thread.h"
+#include "ui/panels/camera_panel.h"
 #include "ui/preferences/preferences.h"
 #include "ui/start/new_project_page.h"
 #include "ui/start/recent_projects.h"
 
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTimer>
+#include <QUndoStack>
 #include <opencv2/core.hpp>
 
 #include <atomic>
@@ -82,6 +87,7 @@ private Q_SLOTS:
   void footageComesInOrderOnceItIsRead();
   void footageThatIsGivenUpIsNotHeard();
   void aRunIsWrittenWhenTheWindowIsGone();
+  void anEmptyRoomIsUsedOnceItIsWritten();
 
 private:
   /// A project file of the demo, called so.
@@ -230,9 +236,9 @@ void SlowWorldTest::aDeadStreamDoesNotHoldUpTheNextProject() {
   *opens_ = true;
   window_->openProject(demoFile("two"));
   QVERIFY(isOpen("two"));
-  stream_->open(); // the camera answers at last, and nobody wants it any more
-  QVERIFY(waitFor([this] { return stream_->waiting() == 0; }));
-  QTest::qWait(0);
+  trigger("actionPlay"); // it pauses: what plays always has jobs
+  stream_->open();       // the camera answers at last, and nobody wants it any more
+  QVERIFY(jobsEnd());
   QCOMPARE(window_->document().project().name, std::string("two"));
 }
 
@@ -337,8 +343,7 @@ void SlowWorldTest::footageThatIsGivenUpIsNotHeard() {
   QVERIFY(waitFor([&] { return rows->rowCount() == 1; }));
   QVERIFY(find<QPushButton>("newCreate")->isEnabled());
   ::close(writer);
-  QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
-  QTest::qWait(0);
+  QVERIFY(jobsEnd());
   QCOMPARE(rows->rowCount(), 1);
   QCOMPARE(rows->item(0, 1)->text(), address);
   QVERIFY(!find<QLabel>("messageText")->isVisible());
@@ -355,6 +360,29 @@ void SlowWorldTest::aRunIsWrittenWhenTheWindowIsGone() {
   QVERIFY(!std::filesystem::exists(path("second")));
   disk_->open();
   QVERIFY(waitFor([this] { return std::filesystem::exists(path("second") / "run.json"); }));
+}
+
+void SlowWorldTest::anEmptyRoomIsUsedOnceItIsWritten() {
+  QVERIFY(recordDesk(folder_.path().toStdString()));
+  window_->openProject(path("desk.toml"));
+  auto* take = find<QPushButton>("cameraEmptyRoomTake");
+  auto* field = find<QLineEdit>("cameraEmptyRoom");
+  QVERIFY(waitFor([&] { return take->isEnabled(); }));
+  window_->findChild<CameraPanel*>()->setKeeper([disk = disk_](const auto&... order) {
+    disk->pass();
+    return keepEmptyRoom(order...);
+  });
+  take->click();
+  QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));
+  Document& document = window_->document();
+  QVERIFY(document.setParameter("particles", 777)); // nobody waits
+  QVERIFY(field->text().isEmpty());
+  disk_->open();
+  QVERIFY(waitFor([&] { return !field->text().isEmpty(); }));
+  QVERIFY(QFile::exists(field->text()));
+  document.undoStack()->undo(); // a step of its own
+  QVERIFY(document.project().cameras[0].emptyRoom.empty());
+  QCOMPARE(document.project().parameters.at("particles"), 777.0);
 }
 
 } // namespace dewpoint::tests
