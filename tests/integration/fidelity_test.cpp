@@ -79,7 +79,7 @@ TEST(Fidelity, AUniformStartDependsOnItsVolume) {
 
 TEST(Fidelity, DriftsAwayFromASingleCamera) {
   // Diffusion along the cone of what is seen: further away there is more room. It grows with the
-  // cloud. Measured over 5 iterations: 6.4 mm, over 40: 11.8 mm (50 runs).
+  // cloud. What it is: docs/fidelity.md.
   const double early = measureDrift(20, 5).value();
   const double late = measureDrift(20, 40).value();
   EXPECT_GE(early, 0.003);
