@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/camera_overlay.h"
 
+#include "core/base/overloaded.h"
 #include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
 
@@ -51,21 +52,9 @@ void addBox(const BoxEstimate& estimate, const BoxParticles& particles, CameraOv
   overlay.boxHidden = !isHeld(estimate);
 }
 
-} // namespace
-
-CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
-                            const TargetSnapshot& target) {
-  CameraOverlay overlay;
-  if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
-    return overlay;
-  }
-  if (const BoxEstimate* const box = target.box()) {
-    if (box->camera == camera) {
-      addBox(*box, target.boxParticles, overlay);
-    }
-    return overlay;
-  }
-  const Projector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
+/// Of what has a place in the room, or had one.
+void addPlace(const Camera& camera, const TargetSnapshot& target, CameraOverlay& overlay) {
+  const Projector projector(camera);
   const double largest = target.weights.size() > 0 ? target.weights.maxCoeff() : 0.0;
   for (Eigen::Index i = 0; i < target.particles.rows(); ++i) {
     const Eigen::Vector3d position = target.particles.row(i).matrix().transpose();
@@ -86,6 +75,26 @@ CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
   if (target.truth) {
     overlay.truth = projector.project(*target.truth);
   }
+}
+
+} // namespace
+
+CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
+                            const TargetSnapshot& target) {
+  CameraOverlay overlay;
+  if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
+    return overlay;
+  }
+  const Camera& its = (*snapshot.rig)[static_cast<std::size_t>(camera)];
+  std::visit(Overloaded{[&](const SphereEstimate&) { addPlace(its, target, overlay); },
+                        [&](const BoxEstimate& box) {
+                          if (box.camera == camera) {
+                            addBox(box, target.boxParticles, overlay);
+                          }
+                        },
+                        [&](const PersonEstimate&) { addPlace(its, target, overlay); },
+                        [&](const AbsentEstimate&) { addPlace(its, target, overlay); }},
+             target.estimate);
   return overlay;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/snapshot_builder.h"
 
+#include "core/base/overloaded.h"
 #include "core/color/match_image.h"
 #include "core/observation/boxes/box_histogram.h"
 #include "core/session/box_counterparts.h"
@@ -76,31 +77,43 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
 
 void addShapes(TrackSnapshot& snapshot) {
   for (TargetSnapshot& target : snapshot.targets) {
-    if (target.person() != nullptr && target.particles.rows() > 0) {
+    const bool hasBody = std::visit(Overloaded{[](const SphereEstimate&) { return false; },
+                                               [](const BoxEstimate&) { return false; },
+                                               [](const PersonEstimate&) { return true; },
+                                               [](const AbsentEstimate&) { return false; }},
+                                    target.estimate);
+    if (hasBody && target.particles.rows() > 0) {
       target.shape = std::make_shared<const PersonShape>(
           personShape(BodyCloud{target.particles, target.weights}));
     }
   }
 }
 
-/// The colors of the boxes, as they were given and in the images shown.
+/// The colors of a box, as they were given and in the image shown.
+void addHistogram(const ReferenceColors& colors, std::size_t index, const BoxEstimate& box,
+                  TrackSnapshot& snapshot) {
+  const auto camera = static_cast<std::size_t>(box.camera);
+  if (camera >= snapshot.frames->frames.size() || !snapshot.frames->frames[camera] ||
+      snapshot.frames->frames[camera]->image.type() != CV_8UC3) {
+    return;
+  }
+  ColorHistograms histograms{colors.referenceHistogram(index),
+                             boxHistogram(snapshot.frames->frames[camera]->image, box.box)};
+  if (!histograms.reference.empty() && !histograms.candidate.empty()) {
+    snapshot.targets[index].histograms =
+        std::make_shared<const ColorHistograms>(std::move(histograms));
+  }
+}
+
+/// The colors of all targets that are boxes.
 void addHistograms(const TrackingRun& run, TrackSnapshot& snapshot) {
   const auto* const colors = run.capability<ReferenceColors>();
   const std::size_t count = std::min(snapshot.targets.size(), run.targets().size());
   for (std::size_t k = 0; colors != nullptr && k < count; ++k) {
-    const BoxEstimate* const box = snapshot.targets[k].box();
-    const auto camera = static_cast<std::size_t>(box != nullptr ? box->camera : 0);
-    if (box == nullptr || camera >= snapshot.frames->frames.size() ||
-        !snapshot.frames->frames[camera] ||
-        snapshot.frames->frames[camera]->image.type() != CV_8UC3) {
-      continue;
-    }
-    ColorHistograms histograms{colors->referenceHistogram(k),
-                               boxHistogram(snapshot.frames->frames[camera]->image, box->box)};
-    if (!histograms.reference.empty() && !histograms.candidate.empty()) {
-      snapshot.targets[k].histograms =
-          std::make_shared<const ColorHistograms>(std::move(histograms));
-    }
+    std::visit(Overloaded{[](const SphereEstimate&) {},
+                          [&](const BoxEstimate& box) { addHistogram(*colors, k, box, snapshot); },
+                          [](const PersonEstimate&) {}, [](const AbsentEstimate&) {}},
+               snapshot.targets[k].estimate);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/camera_docks.h"
 
+#include "core/base/overloaded.h"
 #include "core/project/project.h"
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -113,6 +114,20 @@ void CameraDocks::make() {
   }
 }
 
+namespace {
+
+/// Whether a camera's reason is worth saying: that a box is hidden is its state already.
+bool isWorthSaying(const TrackEstimate& estimate, const CameraReport& reason) {
+  const bool isHidden = reason.status == CameraStatus::Hidden;
+  return std::visit(Overloaded{[](const SphereEstimate&) { return true; },
+                               [isHidden](const BoxEstimate&) { return !isHidden; },
+                               [](const PersonEstimate&) { return true; },
+                               [](const AbsentEstimate&) { return true; }},
+                    estimate);
+}
+
+} // namespace
+
 void CameraDocks::explain() {
   const TrackSnapshotPtr& snapshot = bench_.session.shown();
   if (!snapshot) {
@@ -120,10 +135,8 @@ void CameraDocks::explain() {
   }
   const TargetSnapshot* target = targetToExplain(*snapshot, bench_.selection.target());
   for (std::size_t k = 0; k < docks_.size(); ++k) {
-    // That a box is hidden is its state already.
-    const bool known =
-        target != nullptr && k < target->reasons.size() &&
-        (target->box() == nullptr || target->reasons[k].status != CameraStatus::Hidden);
+    const bool known = target != nullptr && k < target->reasons.size() &&
+                       isWorthSaying(target->estimate, target->reasons[k]);
     const QString motion = cameraMotionText(cameraMotionOf(*snapshot, static_cast<int>(k)));
     docks_[k]->title().setReason(!motion.isEmpty() ? motion
                                  : known           ? cameraReasonText(target->reasons[k])

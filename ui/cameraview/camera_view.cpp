@@ -220,8 +220,8 @@ void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
   paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
   paintPeopleTrouble(painter, *shown_, camera_, picture);
   for (std::size_t i = 0; i < shown_->targets.size(); ++i) {
-    if (shown_->targets[i].person() != nullptr) {
-      continue; // is painted already
+    if (isPaintedByPeople(shown_->targets[i])) {
+      continue;
     }
     if (picture_.source.maps == shown_) {
       paintEvidence(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],

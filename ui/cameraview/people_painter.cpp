@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/people_painter.h"
 
+#include "core/base/overloaded.h"
 #include "core/session/camera_overlay.h"
+#include "core/session/run/snapshot_state.h"
 #include "ui/style/halo.h"
 #include "ui/style/identity_badge.h"
 #include "ui/style/theme.h"
@@ -51,20 +53,17 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
   const Projector projector((*snapshot.rig)[index]);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
-    const TargetSnapshot& target = snapshot.targets[k];
-    const PersonEstimate* person = target.person();
-    if (person == nullptr) {
-      continue;
-    }
-    const bool isChosen = static_cast<int>(k) == chosen;
-    const QColor color = targetColor(target.target.name, static_cast<int>(k));
+  for (const PersonInSnapshot& person : peopleIn(snapshot)) {
+    const TargetSnapshot& target = *person.target;
+    const int k = static_cast<int>(person.index);
+    const bool isChosen = k == chosen;
+    const QColor color = targetColor(target.target.name, k);
     if (!target.shape) {
       const CameraOverlay overlay = cameraOverlay(snapshot, camera, target);
       paintOverlay(painter, overlay, placement, color);
       if (overlay.estimate) {
         const QPointF middle(overlay.estimate->x() + 0.5, overlay.estimate->y() + 0.5);
-        paintBadge(painter, person->identity,
+        paintBadge(painter, person.estimate->identity,
                    placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
                    isChosen);
       }
@@ -76,9 +75,17 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
     }
     paintHull(painter, outline, color, target.status == TargetStatus::Held, isChosen);
     const auto top = std::ranges::min_element(outline, {}, &QPointF::y);
-    paintBadge(painter, person->identity, *top - QPointF(0.0, 3.0), room, isChosen);
+    paintBadge(painter, person.estimate->identity, *top - QPointF(0.0, 3.0), room, isChosen);
   }
   painter.restore();
+}
+
+bool isPaintedByPeople(const TargetSnapshot& target) {
+  return std::visit(Overloaded{[](const SphereEstimate&) { return false; },
+                               [](const BoxEstimate&) { return false; },
+                               [](const PersonEstimate&) { return true; },
+                               [](const AbsentEstimate&) { return false; }},
+                    target.estimate);
 }
 
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,

@@ -14,6 +14,9 @@ namespace dewpoint::ui {
 void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                  const ImagePlacement& placement, const QRectF& room, int chosen);
 
+/// Whether paintPeople() draws all there is of a target.
+bool isPaintedByPeople(const TargetSnapshot& target);
+
 /// What keeps a camera from detecting people, at the lower edge of its image, with a bar while it
 /// learns; nothing is drawn when nothing does.
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,

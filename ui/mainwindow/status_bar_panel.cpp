@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/status_bar_panel.h"
 
+#include "core/base/overloaded.h"
 #include "core/session/run/snapshot.h"
 #include "ui/document/method_presentation.h"
 #include "ui/text/hold_text.h"
@@ -64,6 +65,22 @@ QString playWord(const TrackSnapshot& snapshot) {
     break;
   }
   return StatusBarPanel::tr("ended");
+}
+
+/// Why a target is not held, and what helps.
+QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
+  const auto ofCameras = [&] {
+    return snapshot.family.isDefined(target.target)
+               ? reasonText(target.reasons, cameraNames(snapshot))
+               : StatusBarPanel::tr("click it or drag a box around it");
+  };
+  return std::visit(Overloaded{[&](const SphereEstimate&) { return ofCameras(); },
+                               [](const BoxEstimate&) {
+                                 return StatusBarPanel::tr("held where it is thought to be");
+                               },
+                               [&](const PersonEstimate&) { return ofCameras(); },
+                               [&](const AbsentEstimate&) { return ofCameras(); }},
+                    target.estimate);
 }
 
 } // namespace
@@ -161,25 +178,14 @@ void StatusBarPanel::refresh() {
   time_->setText(tr("%1 per iteration").arg(durationText(snapshot.microsecondsPerIteration)));
   time_->setToolTip(timeHint(snapshot.latency));
   const TargetSnapshot* target = targetToExplain(snapshot, target_);
-  const BoxEstimate* box = target != nullptr ? target->box() : nullptr;
-  const auto position = target != nullptr ? positionOf(target->estimate) : std::nullopt;
-  const int particles = target != nullptr ? particleCountOf(target->estimate) : 0;
-  if (box != nullptr) {
-    showBox(*box);
-  } else if (position && particles > 0) {
-    sampleSize_->setToolTip(sampleHint(snapshot.budget));
-    sampleSize_->setText(tr("ESS %1 / %2")
-                             .arg(numberText(effectiveSampleSizeOf(target->estimate), 0))
-                             .arg(particles));
-    spread_->setText(tr("spread %1").arg(lengthText(std::sqrt(position->covariance.trace()))));
-    position_->setText(tr("x %1  y %2  z %3")
-                           .arg(lengthNumber(position->mean.x(), LengthScale::Meters, 3),
-                                lengthNumber(position->mean.y(), LengthScale::Meters, 3),
-                                lengthText(position->mean.z(), LengthScale::Meters, 3)));
-  } else { // not those of another frame
-    for (QLabel* label : {sampleSize_, spread_, position_}) {
-      label->clear();
-    }
+  if (target != nullptr) {
+    std::visit(Overloaded{[&](const SphereEstimate&) { showPlace(*target); },
+                          [&](const BoxEstimate& box) { showBox(box); },
+                          [&](const PersonEstimate&) { showPlace(*target); },
+                          [&](const AbsentEstimate&) { clearBelief(); }},
+               target->estimate);
+  } else {
+    clearBelief();
   }
   const bool several = snapshot.targets.size() > 1;
   state_ =
@@ -195,14 +201,31 @@ void StatusBarPanel::refresh() {
                  : state_ == HoldState::Searching ? tr("○ people: %1, searching").arg(there)
                                                   : QString();
   }
-  QString reason = mustSay ? reasonText(target->reasons, cameraNames(snapshot)) : QString();
-  if (mustSay && box != nullptr) {
-    reason = tr("held where it is thought to be");
-  } else if (mustSay && !snapshot.family.isDefined(target->target)) {
-    reason = tr("click it or drag a box around it");
-  }
-  reason_->setFullText(reason);
+  reason_->setFullText(mustSay ? reasonOf(snapshot, *target) : QString());
   applyPalette();
+}
+
+void StatusBarPanel::showPlace(const TargetSnapshot& target) {
+  const auto position = positionOf(target.estimate);
+  const int particles = particleCountOf(target.estimate);
+  if (!position || particles <= 0) {
+    clearBelief();
+    return;
+  }
+  sampleSize_->setToolTip(sampleHint(snapshot_->budget));
+  sampleSize_->setText(
+      tr("ESS %1 / %2").arg(numberText(effectiveSampleSizeOf(target.estimate), 0)).arg(particles));
+  spread_->setText(tr("spread %1").arg(lengthText(std::sqrt(position->covariance.trace()))));
+  position_->setText(tr("x %1  y %2  z %3")
+                         .arg(lengthNumber(position->mean.x(), LengthScale::Meters, 3),
+                              lengthNumber(position->mean.y(), LengthScale::Meters, 3),
+                              lengthText(position->mean.z(), LengthScale::Meters, 3)));
+}
+
+void StatusBarPanel::clearBelief() {
+  for (QLabel* label : {sampleSize_, spread_, position_}) {
+    label->clear();
+  }
 }
 
 void StatusBarPanel::showBox(const BoxEstimate& estimate) {

@@ -11,6 +11,7 @@
 class QLabel;
 
 namespace dewpoint::session {
+struct TargetSnapshot;
 struct TrackSnapshot;
 } // namespace dewpoint::session
 namespace dewpoint::tracking {
@@ -45,7 +46,9 @@ private:
   void retranslateUi();
   void clear();
   void refresh();
+  void showPlace(const TargetSnapshot& target);
   void showBox(const BoxEstimate& estimate);
+  void clearBelief(); ///< what is not known now: not that of another frame
   void applyPalette();
 
   QLabel* playing_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/target_panel.h"
 
+#include "core/base/overloaded.h"
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
 #include "ui/document/document.h"
@@ -30,6 +31,20 @@ namespace {
 
 constexpr double kMillimeters = 1000.0; ///< in a meter
 constexpr double kLargestRadius = 2000.0;
+
+QString boxText(const TrackSnapshot& snapshot, const TargetSnapshot& target,
+                const BoxEstimate& estimate) {
+  const Eigen::Vector2d center = estimate.box.center();
+  return TargetPanel::tr(
+             "%1, in %2\nCenter %3, %4, size %5 × %6\nSimilarity %7\nEffective sample size %8 of "
+             "%9")
+             .arg(holdText(holdState(target)), cameraNames(snapshot).value(estimate.camera),
+                  numberText(center.x(), 1), pixelText(center.y()),
+                  numberText(estimate.box.width, 1), pixelText(estimate.box.height),
+                  numberText(estimate.similarity, 2), numberText(estimate.effectiveSampleSize, 0),
+                  QString::number(estimate.particleCount)) +
+         QLatin1Char('\n') + TargetPanel::tr("Spread %1").arg(pixelText(estimate.spread));
+}
 
 } // namespace
 
@@ -145,21 +160,13 @@ void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
   const TargetSnapshot& target = snapshot->targets[index];
   histograms_->setHistograms(target.histograms);
-  if (target.box() == nullptr) {
-    box_->setText(tr("No box at this moment."));
-    return;
-  }
-  const BoxEstimate& estimate = *target.box();
-  const Eigen::Vector2d center = estimate.box.center();
+  const auto noBox = [] { return tr("No box at this moment."); };
   box_->setText(
-      tr("%1, in %2\nCenter %3, %4, size %5 × %6\nSimilarity %7\nEffective sample size %8 of "
-         "%9")
-          .arg(holdText(holdState(target)), cameraNames(*snapshot).value(target.box()->camera),
-               numberText(center.x(), 1), pixelText(center.y()), numberText(estimate.box.width, 1),
-               pixelText(estimate.box.height), numberText(estimate.similarity, 2),
-               numberText(estimate.effectiveSampleSize, 0),
-               QString::number(estimate.particleCount)) +
-      QLatin1Char('\n') + tr("Spread %1").arg(pixelText(estimate.spread)));
+      std::visit(Overloaded{[&](const SphereEstimate&) { return noBox(); },
+                            [&](const BoxEstimate& box) { return boxText(*snapshot, target, box); },
+                            [&](const PersonEstimate&) { return noBox(); },
+                            [&](const AbsentEstimate&) { return noBox(); }},
+                 target.estimate));
 }
 
 void TargetPanel::editChosen(const QString& step,

@@ -38,13 +38,12 @@ std::optional<Eigen::Vector2d> placeOfPerson(const TrackSnapshotPtr& snapshot, i
   if (snapshot == nullptr) {
     return std::nullopt;
   }
-  const auto found = std::ranges::find_if(snapshot->targets, [&](const TargetSnapshot& target) {
-    const PersonEstimate* person = target.person();
-    return person != nullptr && person->identity == identity;
-  });
-  return found == snapshot->targets.end()
+  const auto people = peopleIn(*snapshot);
+  const auto found = std::ranges::find(
+      people, identity, [](const PersonInSnapshot& person) { return person.estimate->identity; });
+  return found == people.end()
              ? std::nullopt
-             : std::optional<Eigen::Vector2d>(found->person()->position.head<2>());
+             : std::optional<Eigen::Vector2d>(found->estimate->position.head<2>());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/people_panel.h"
 
+#include "core/session/run/snapshot_state.h"
 #include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
@@ -165,13 +166,11 @@ void PeoplePanel::refresh() {
   showLearning();
   const QScopedValueRollback quiet(following_, true);
   int row = 0;
-  for (const TargetSnapshot& target : snapshot_->targets) {
-    if (const PersonEstimate* person = target.person()) {
-      if (row == table_->rowCount()) {
-        table_->insertRow(row);
-      }
-      showRow(row++, target, *person);
+  for (const PersonInSnapshot& person : peopleIn(*snapshot_)) {
+    if (row == table_->rowCount()) {
+      table_->insertRow(row);
     }
+    showRow(row++, *person.target, *person.estimate);
   }
   table_->setRowCount(row);
   follow(selection_.target());

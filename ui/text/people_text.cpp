@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/people_text.h"
 
+#include "core/session/run/snapshot_state.h"
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
@@ -47,8 +48,7 @@ QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
 }
 
 int peopleThere(const TrackSnapshot& snapshot) {
-  return static_cast<int>(std::ranges::count_if(
-      snapshot.targets, [](const TargetSnapshot& target) { return target.person() != nullptr; }));
+  return static_cast<int>(peopleIn(snapshot).size());
 }
 
 } // namespace dewpoint::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/person_badges.h"
 
+#include "core/session/run/snapshot_state.h"
 #include "ui/style/identity_badge.h"
 
 #include <QPainter>
@@ -17,13 +18,13 @@ constexpr double kBesidePx = 9.0;   ///< between the top of a body and its badge
 
 void PersonBadges::setSnapshot(const TrackSnapshot* snapshot) {
   badges_.clear();
-  for (std::size_t k = 0; snapshot != nullptr && k < snapshot->targets.size(); ++k) {
-    const TargetSnapshot& target = snapshot->targets[k];
-    if (const PersonEstimate* person = target.person()) {
-      // Above the head, so that the curves on the floor stay in sight.
-      const double half = person->height > 0.0 ? 0.5 * person->height : kUsualHalf;
-      badges_.push_back({person->identity, person->position + half * Eigen::Vector3d::UnitZ()});
-    }
+  if (snapshot == nullptr) {
+    return;
+  }
+  for (const auto& [index, target, person] : peopleIn(*snapshot)) {
+    // Above the head, so that the curves on the floor stay in sight.
+    const double half = person->height > 0.0 ? 0.5 * person->height : kUsualHalf;
+    badges_.push_back({person->identity, person->position + half * Eigen::Vector3d::UnitZ()});
   }
 }
 

@@ -40,7 +40,8 @@ struct TargetSnapshot {
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless wanted
   std::shared_ptr<const PersonShape> shape; ///< of a person; null unless wanted
 
-  /// What is believed of it as a box or as a person; null when it is something else, or absent.
+  /// What is believed of it as a box or as a person; null when it is something else, or absent. For
+  /// whoever knows which it is: what depends on that visits the estimate, or takes peopleIn().
   const BoxEstimate* box() const { return std::get_if<BoxEstimate>(&estimate); }
   const PersonEstimate* person() const { return std::get_if<PersonEstimate>(&estimate); }
 };

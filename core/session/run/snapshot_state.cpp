@@ -146,16 +146,34 @@ const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera
     if (target.status != TargetStatus::Held) {
       return false;
     }
-    if (const BoxEstimate* box = target.box()) {
-      return box->camera == camera;
-    }
-    const auto position = positionOf(target.estimate);
-    const auto pixel = position ? projector.project(position->mean) : std::nullopt;
-    return pixel && pixel->x() >= 0.0 && pixel->x() <= its->intrinsics.width && pixel->y() >= 0.0 &&
-           pixel->y() <= its->intrinsics.height;
+    const auto isInImage = [&] {
+      const auto position = positionOf(target.estimate);
+      const auto pixel = position ? projector.project(position->mean) : std::nullopt;
+      return pixel && pixel->x() >= 0.0 && pixel->x() <= its->intrinsics.width &&
+             pixel->y() >= 0.0 && pixel->y() <= its->intrinsics.height;
+    };
+    return std::visit(Overloaded{[&](const SphereEstimate&) { return isInImage(); },
+                                 [camera](const BoxEstimate& box) { return box.camera == camera; },
+                                 [&](const PersonEstimate&) { return isInImage(); },
+                                 [](const AbsentEstimate&) { return false; }},
+                      target.estimate);
   };
   const auto found = std::ranges::find_if(snapshot.targets, isInView);
   return found == snapshot.targets.end() ? nullptr : &*found;
+}
+
+std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot) {
+  std::vector<PersonInSnapshot> people;
+  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
+    const TargetSnapshot& target = snapshot.targets[k];
+    std::visit(Overloaded{[](const SphereEstimate&) {}, [](const BoxEstimate&) {},
+                          [&](const PersonEstimate& person) {
+                            people.push_back({k, &target, &person});
+                          },
+                          [](const AbsentEstimate&) {}},
+               target.estimate);
+  }
+  return people;
 }
 
 int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel) {
@@ -166,16 +184,12 @@ int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2
   const Projector projector(*its);
   int found = -1;
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
-    const TargetSnapshot& target = snapshot.targets[k];
-    const PersonEstimate* person = target.person();
-    if (person == nullptr || !target.shape) {
-      continue;
-    }
-    const double distance = (person->position - its->center()).norm();
-    if (distance < nearest && isWithin(projectedHull(projector, target.shape->hull), pixel)) {
+  for (const PersonInSnapshot& person : peopleIn(snapshot)) {
+    const auto& shape = person.target->shape;
+    const double distance = (person.estimate->position - its->center()).norm();
+    if (shape && distance < nearest && isWithin(projectedHull(projector, shape->hull), pixel)) {
       nearest = distance;
-      found = static_cast<int>(k);
+      found = static_cast<int>(person.index);
     }
   }
   return found;

@@ -6,6 +6,9 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <vector>
+
 namespace dewpoint::session {
 
 /// The state a view shows for a target's status.
@@ -24,6 +27,16 @@ const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferr
 /// The first held target that a camera sees: its estimate, or its box in that camera, lies within
 /// the image. Null when none does.
 const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
+
+/// One person of a snapshot; valid as long as the snapshot.
+struct PersonInSnapshot {
+  std::size_t index = 0; ///< of the target
+  const TargetSnapshot* target = nullptr;
+  const PersonEstimate* estimate = nullptr; ///< of the target
+};
+
+/// All persons of a snapshot that are not absent, in the order of its targets.
+std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot);
 
 /// Index of the person whose hull is seen at a pixel of a camera, the one nearest to it; -1:
 /// nobody.
