@@ -88,7 +88,8 @@ TEST(Architecture, FewPlacesAskOfWhichKindAMethodIs) {
       places += found > 0 ? "\n  " + path + ": " + std::to_string(found) : "";
     }
   }
-  EXPECT_LE(questions, kMost) << "let MethodFamily answer what is to be known:" << places;
+  EXPECT_LE(questions, kMost) << "let MethodFamily answer what is to be known, and visit estimates:"
+                              << places;
   EXPECT_GT(questions, 0);
 }
 
@@ -103,6 +104,15 @@ TEST(SourceRules, CountsQuestionsForTheKindOfAMethod) {
   EXPECT_EQ(kindQuestions("  const auto* const copying = run.capability<Copying>();\n"
                           "  if (copying != nullptr) {\n"),
             0);
+}
+
+TEST(SourceRules, CountsQuestionsForTheKindOfAnEstimate) {
+  EXPECT_EQ(kindQuestions("  if (target.box() == nullptr) {\n"), 1);
+  EXPECT_EQ(kindQuestions("  return target->person() != nullptr && other.person();\n"), 2);
+  EXPECT_EQ(kindQuestions("  if (const PersonEstimate* person = target.person()) {\n"), 1);
+  EXPECT_EQ(kindQuestions("  // as target.box() == nullptr\n"), 0);
+  EXPECT_EQ(kindQuestions("  return target.box()->camera;\n"), 0); // it is known to be one
+  EXPECT_EQ(kindQuestions("  const BoxEstimate* box() const {\n"), 0);
 }
 
 // Dividing a class over files would only hide that it has grown; divide what it is responsible for.

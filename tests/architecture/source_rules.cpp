@@ -214,6 +214,8 @@ std::vector<std::string> includesOf(std::string_view text) {
 
 int kindQuestions(std::string_view text) {
   static const std::regex kKind("\\b(TargetsFrom|RunTables)::[A-Z]");
+  static const std::regex kEstimate(
+      "(\\.|->)(box|person)\\(\\)(?!\\s*->)"); // -> uses it, asks nothing
   static const std::regex kAbility("capability<\\w+>\\([^()]*\\)\\s*[!=]=\\s*nullptr");
   const auto count = [](const std::string& code, const std::regex& sought) {
     return static_cast<int>(
@@ -226,6 +228,9 @@ int kindQuestions(std::string_view text) {
     const std::string code = line.substr(0, line.find("//"));
     if (code.find("capability<") != std::string::npos) {
       questions += count(code, kAbility);
+    }
+    if (code.find("box()") != std::string::npos || code.find("person()") != std::string::npos) {
+      questions += count(code, kEstimate);
     }
     if (code.find("::") != std::string::npos) {
       const int named = count(code, kKind);

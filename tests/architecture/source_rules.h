@@ -23,7 +23,8 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
 
 /// How often a source file asks of which kind a method is (docs/architecture.md, "Methods"): names
 /// a value of TargetsFrom or RunTables, where a `switch` over them counts once, or asks for an
-/// ability only to know whether it is there. Comments do not count.
+/// ability only to know whether it is there. Or of which kind an estimate is: calls box() or
+/// person() of a target without using at once what they return. Comments do not count.
 int kindQuestions(std::string_view text);
 
 /// The classes of which a source file defines member functions, each once.
