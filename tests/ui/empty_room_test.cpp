@@ -130,7 +130,7 @@ void EmptyRoomTest::whatWasChosenMeanwhileStays() {
   takeAtTheGate();
   const std::string chosen = file("chosen.png").toStdString();
   QVERIFY(window_->document().edit(
-      "Choose", [&](Project& project) { project.cameras[1].emptyRoom = chosen; }));
+      QStringLiteral("Choose"), [&](Project& project) { project.cameras[1].emptyRoom = chosen; }));
   gate_->open();
   const QString kept = file("desk-empty-right.png");
   QVERIFY(waitFor([&] { return messageText().contains(kept); }));
