@@ -108,7 +108,7 @@ struct Figures {
 void benchRange(const ColorRange& range, const std::map<int, cv::Mat>& images, const Boxes& boxes,
                 const cv::Mat& room, Figures& without, Figures& with) {
   BackgroundModel background;
-  background.setBackgroundImage(room);
+  background.setEmptyRoom(room);
   background.reset();
   const ColorClassifier classifier(range);
   LabelImage labels;

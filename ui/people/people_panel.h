@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 class Selection;
 
 /// Who is there: one row per person, in the color of the identity; above it how far the cameras
-/// have learned the background image. What is selected here is selected everywhere.
+/// have learned the background. What is selected here is selected everywhere.
 class PeoplePanel : public QWidget {
   Q_OBJECT
 public:

@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// How much of the background image a camera has learned, 0 to 1; nothing when it is not learning.
+/// How much of the background a camera has learned, 0 to 1; nothing when it is not learning.
 std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera);
 /// "learning the empty room: 60 % · keep out of view".
 QString learningText(double share);

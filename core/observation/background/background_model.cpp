@@ -84,7 +84,7 @@ struct LabelKernel {
 };
 
 struct FamiliarKernel {
-  /// Overwrites Target by Explained where the background image is seen: `agree` is 1 there and
+  /// Overwrites Target by Explained where the empty room is seen: `agree` is 1 there and
   /// `familiar` 255.
   DEWPOINT_KERNEL void run(const std::uint8_t* familiar, const std::uint8_t* agree,
                            std::int64_t count, std::uint8_t* label) {
@@ -167,7 +167,7 @@ struct MoveKernel {
 
 BackgroundModel::BackgroundModel(const BackgroundModel& other)
     : mean_(other.mean_.clone()), confidence_(other.confidence_.clone()),
-      novel_(other.novel_.clone()), backgroundImage_(other.backgroundImage_),
+      novel_(other.novel_.clone()), emptyRoom_(other.emptyRoom_),
       familiar_(other.familiar_.clone()), lightIsNew_(other.lightIsNew_), phase_(other.phase_),
       known_(other.known_), new_(other.new_), moves_(other.moves_), news_(other.news_),
       novelShare_(other.novelShare_), light_(other.light_) {}
@@ -176,7 +176,7 @@ BackgroundModel& BackgroundModel::operator=(BackgroundModel other) noexcept {
   std::swap(mean_, other.mean_);
   std::swap(confidence_, other.confidence_);
   std::swap(novel_, other.novel_);
-  std::swap(backgroundImage_, other.backgroundImage_);
+  std::swap(emptyRoom_, other.emptyRoom_);
   std::swap(familiar_, other.familiar_);
   lightIsNew_ = other.lightIsNew_;
   phase_ = other.phase_;
@@ -201,10 +201,10 @@ void BackgroundModel::reset() {
   phase_ = 0;
   familiar_ = cv::Mat();
   lightIsNew_ = false;
-  if (backgroundImage_.type() == CV_8UC3 && !backgroundImage_.empty()) {
-    start(backgroundImage_);
+  if (emptyRoom_.type() == CV_8UC3 && !emptyRoom_.empty()) {
+    start(emptyRoom_);
     confidence_.setTo(kMostConfident);
-    familiar_ = cv::Mat(backgroundImage_.size(), CV_8UC1, cv::Scalar(255));
+    familiar_ = cv::Mat(emptyRoom_.size(), CV_8UC1, cv::Scalar(255));
     lightIsNew_ = true;
   }
 }
@@ -216,7 +216,7 @@ void BackgroundModel::followLight(const cv::Mat& image) {
       light_ = *gain * light_;
     }
   }
-  if (lightIsNew_) { // the reference is the light of now, not that of the background image
+  if (lightIsNew_) { // the reference is the light of now, not that of the empty room
     resetReferenceLight();
     lightIsNew_ = false;
   }

@@ -41,8 +41,8 @@ public:
   /// The image without targets (CV_8UC3; empty: not known). It is learned at the next reset(). A
   /// pixel that matches a target's color but did so in this image is explained by it, until
   /// something new stays there.
-  void setBackgroundImage(const cv::Mat& image) { backgroundImage_ = image.clone(); }
-  /// Forgets everything but the background image.
+  void setEmptyRoom(const cv::Mat& image) { emptyRoom_ = image.clone(); }
+  /// Forgets everything but the empty room.
   void reset();
   /// Adapts the means to the light of an image, where the whole image has become brighter, darker
   /// or of another tint at once (estimateLightChange()). Before the labels of the image are made.
@@ -65,7 +65,7 @@ public:
   /// conversion to the reference light: it is the target's unless it agrees with the background.
   static constexpr std::uint8_t kInUsualLight = 1;
   /// Makes the labels (PixelLabel) of `count` pixels of one row, from `column` on: Target where
-  /// `matched` is 255, unless the background image is known to show the same there (Explained);
+  /// `matched` is 255, unless the empty room is known to show the same there (Explained);
   /// else Unlearned, Background or Unknown.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;
@@ -75,16 +75,16 @@ private:
   void start(const cv::Mat& image);
   void learnPixels(const cv::Mat& image, int row, int begin, int end);
 
-  cv::Mat mean_;            ///< CV_8UC3
-  cv::Mat confidence_;      ///< CV_8UC1, observations that agreed, up to kMostConfident
-  cv::Mat novel_;           ///< CV_8UC1, observations in a row that did not
-  cv::Mat backgroundImage_; ///< CV_8UC3, never written to
-  /// CV_8UC1, 255 where the mean is still that of the background image; or empty.
+  cv::Mat mean_;       ///< CV_8UC3
+  cv::Mat confidence_; ///< CV_8UC1, observations that agreed, up to kMostConfident
+  cv::Mat novel_;      ///< CV_8UC1, observations in a row that did not
+  cv::Mat emptyRoom_;  ///< CV_8UC3, never written to
+  /// CV_8UC1, 255 where the mean is still that of the empty room; or empty.
   cv::Mat familiar_;
-  bool lightIsNew_ = false; ///< no image was seen since the background image, of unknown light
-  int phase_ = 0;           ///< first row of the next learn()
-  std::int64_t known_ = 0;  ///< pixels of the last learn() that were known
-  std::int64_t new_ = 0;    ///< of these, pixels that showed something new
+  bool lightIsNew_ = false;         ///< no image was seen since the empty room, of unknown light
+  int phase_ = 0;                   ///< first row of the next learn()
+  std::int64_t known_ = 0;          ///< pixels of the last learn() that were known
+  std::int64_t new_ = 0;            ///< of these, pixels that showed something new
   std::vector<std::uint8_t> moves_; ///< scratch, one row
   std::vector<std::uint8_t> news_;  ///< scratch, one row
   double novelShare_ = 0.0;

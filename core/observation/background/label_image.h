@@ -19,7 +19,7 @@ enum class PixelLabel : std::uint8_t {
   Unlearned,  ///< does not match; the background is not known yet
   Background, ///< does not match and agrees with the background
   Unknown,    ///< does not match and shows something new
-  Explained,  ///< matches, but belongs to another target or to the background image
+  Explained,  ///< matches, but belongs to another target or to the empty room
   Target,     ///< matches the target's color
 };
 inline constexpr std::size_t kPixelLabelCount = 5;

@@ -16,7 +16,7 @@ enum class HoldState {
   Searching,
   Lost,
   Missing,
-  Learning, ///< the background images, before people are searched for
+  Learning, ///< the backgrounds, before people are searched for
   Nobody,   ///< people are searched for, and nobody is there
   Gone,     ///< a person who has left, or is not there yet
 };

@@ -29,7 +29,7 @@ void FrameImages::showTo(SphereObservation& observation, const AdaptiveColor& co
 
 void FrameImages::setEmptyRooms(const std::vector<cv::Mat>& images) {
   for (std::size_t camera = 0; camera < std::min(images.size(), backgrounds_.size()); ++camera) {
-    backgrounds_[camera].setBackgroundImage(images[camera]);
+    backgrounds_[camera].setEmptyRoom(images[camera]);
   }
 }
 

@@ -253,9 +253,9 @@ bool all(const std::array<std::uint8_t, kWidth>& labels, PixelLabel label) {
   return std::ranges::all_of(labels, [&](auto one) { return one == std::uint8_t(label); });
 }
 
-TEST(BackgroundModel, TheBackgroundImageIsKnownFromTheFirstFrame) {
+TEST(BackgroundModel, TheEmptyRoomIsKnownFromTheFirstFrame) {
   BackgroundModel model;
-  model.setBackgroundImage(checkered());
+  model.setEmptyRoom(checkered());
   EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Unlearned), kAll) << "not yet";
   model.reset();
   const cv::Mat darker = lit(checkered(), cv::Scalar::all(0.7)); // the day it is used on
@@ -279,9 +279,9 @@ TEST(BackgroundModel, TheBackgroundImageIsKnownFromTheFirstFrame) {
   EXPECT_TRUE(all(matchedRow(model, checkered(), 5), PixelLabel::Explained));
 }
 
-TEST(BackgroundModel, ABackgroundImageOfAnotherSizeIsForgotten) {
+TEST(BackgroundModel, AnEmptyRoomOfAnotherSizeIsForgotten) {
   BackgroundModel model;
-  model.setBackgroundImage(cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3)));
+  model.setEmptyRoom(cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3)));
   model.reset();
   learn(model, checkered());
   EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Background), kAll);

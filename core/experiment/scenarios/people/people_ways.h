@@ -8,7 +8,7 @@
 
 namespace dewpoint::experiment {
 
-/// Seconds at which people appear: the cameras have learned the empty room by then.
+/// Seconds at which people appear: the cameras have learned the background by then.
 inline constexpr double kAppear = 1.3;
 
 /// The range from which a distance between two people is drawn, meters.
