@@ -17,7 +17,7 @@
 
 namespace dewpoint::base {
 
-/// Takes the known keys out of one TOML table and keeps the first thing that is wrong with it, with
+/// Takes the known keys out of one TOML table and keeps the first error in it, with
 /// the line where it stands. Keys that nobody requested are an error: they are typing mistakes.
 class TableReader {
 public:

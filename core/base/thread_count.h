@@ -12,7 +12,7 @@ namespace dewpoint::base {
 /// one for cameras and window.
 int filterThreads(int wanted);
 
-/// Threads for so many independent tasks: one each, as far as this machine runs them at once; at
+/// Threads for `tasks` independent tasks: one each, as far as this machine runs them at once; at
 /// least 1.
 int threadsForTasks(std::size_t tasks);
 

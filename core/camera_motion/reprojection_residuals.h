@@ -30,7 +30,7 @@ std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRa
                                              const SphereImage& expected);
 
 /// Collects, camera by camera, how tracked targets disagree with what the other cameras see. One
-/// camera that was bumped has a residual that its sightings share; and the others, without it,
+/// camera that was moved has a residual that its sightings share; and the others, without it,
 /// agree among themselves as before, while those of any other camera do not.
 class ReprojectionResiduals {
 public:

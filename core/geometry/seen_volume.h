@@ -16,8 +16,8 @@ inline constexpr double kReachOfOneCamera = 4.0;
 /// The box around what at least `cameras` cameras of a rig see together, each up to half as far
 /// again as where its optical axis meets those of the others (the median), and at most 20 times as
 /// far as the cameras are apart; up to kReachOfOneCamera where the cameras tell no distance.
-/// Cameras without an image size or a focal length do not count. Nothing where so many cameras see
-/// nothing together.
+/// Cameras without an image size or a focal length do not count. Nothing where that
+/// number of cameras sees nothing together.
 ///
 /// Sampled: the box is that of points on a lattice of each camera's rays, a tenth of its view's
 /// width and 3 % of its depth apart. Takes a few milliseconds for eight cameras.

@@ -85,8 +85,8 @@ struct ShowMasks {
 struct ShowShapes {
   bool wanted = false;
 };
-/// So many threads share the work of the filter from the next iteration on (filterThreads()); they
-/// never change its result.
+/// The number of threads that share the work of the filter from the next iteration on
+/// (filterThreads()); it never changes the result.
 struct SetThreads {
   int threads = 0;
 };

@@ -20,11 +20,11 @@ public:
   /// before keepHistory().
   RememberedRun(RunDefinition definition, int threads);
 
-  /// Another run, of another definition, which knows nothing yet; it has made so many iterations.
+  /// Another run, of another definition, which knows nothing yet; it has made `iterations`.
   /// If it cannot be made, all stays as it was. What was recorded stays.
   Status replace(RunDefinition definition, std::int64_t iterations);
-  /// Remembers from now on what the run does over the frames of `source`, within so many bytes; 0:
-  /// as many as usual.
+  /// Remembers from now on what the run does over the frames of `source`, within `bytes`; 0: the
+  /// usual limit.
   void keepHistory(FrameSetSource& source, std::size_t bytes);
 
   bool exists() const { return run_.has_value(); }

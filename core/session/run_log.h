@@ -41,7 +41,7 @@ public:
   void countFrame(double sinceArrival, double sinceFirst);
   /// The input's end was reached, or is ahead again.
   void setFinished(bool finished);
-  /// So many threads share the filter's work from now on.
+  /// The number of threads that share the filter's work from now on.
   void setThreads(int threads);
   /// Forgets what was recorded of this frame and of later ones; readers get all records again.
   void goBack(std::int64_t frame);

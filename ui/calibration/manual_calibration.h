@@ -84,7 +84,7 @@ public:
   /// through the camera, or the world's x, y, z), times `factor`. `repeated`: the key is still
   /// down, the step grows.
   void nudge(int axis, double factor, bool repeated);
-  /// Focal length by so many percent.
+  /// Focal length by a number of percent.
   void nudgeFocal(double percent, bool repeated);
 
   /// Another state of a camera as a step called `step`.

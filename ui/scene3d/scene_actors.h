@@ -35,7 +35,7 @@ struct ScreenScale {
   /// and appears as large; in parallel views it is only moved.
   double nearerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
-  /// Length in meters at `point` of so many logical pixels.
+  /// Length in meters at `point` of a length in logical pixels.
   double meters(const Eigen::Vector3d& point, double pixels) const;
   /// Where a point is in the picture: device pixels right of and above the center.
   Eigen::Vector2d place(const Eigen::Vector3d& point) const;

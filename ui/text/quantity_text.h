@@ -16,11 +16,11 @@ enum class NumberForm {
   Rounded, ///< rounded first: no minus before nothing but zeros
   Table    ///< with a true minus sign; "–" for what is not finite
 };
-/// With so many decimals; "∞" for what is infinite.
+/// With `decimals` decimals; "∞" for what is infinite.
 QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
 /// As it stands in a table.
 QString tableText(double value, int decimals);
-/// With so many digits that count, at most four decimals and never as a power of ten.
+/// With `digits` digits that count, at most four decimals and never as a power of ten.
 QString digitsText(double value, int digits);
 /// Three digits at most: a ratio of 1000 or of 1.08.
 QString ratioText(double value);
@@ -38,7 +38,7 @@ enum class LengthForm {
 QString lengthText(double meters, LengthForm form = LengthForm::Readout);
 /// The unit of lengths that are compared with each other, however large they are.
 enum class LengthScale { Millimeters, Centimeters, Meters };
-/// "12.50 mm", "1.3 cm", "1.234 m": with so many decimals.
+/// "12.50 mm", "1.3 cm", "1.234 m": with `decimals` decimals.
 QString lengthText(double meters, LengthScale scale, int decimals,
                    NumberForm form = NumberForm::Plain);
 /// The number alone, where a heading or what follows has the unit.

@@ -29,7 +29,7 @@ public:
   void append(const std::vector<FrameRecord>& records, bool restarted);
   void clear();
 
-  /// Goes by so many frames from the current frame, or the one requested.
+  /// Goes by this number of frames from the current frame, or the one requested.
   void step(qint64 frames);
   /// To the next (1) or previous (-1) marker.
   void stepToMarker(int direction);

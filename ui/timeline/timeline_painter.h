@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 struct TimelineRows {
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
                         double gutter);
-  /// The height in which so many rows can be read; of more than a few targets it wants no more.
+  /// The height in which these rows can be read; of more than a few targets it wants no more.
   static int leastHeight(int targets, int cameras, double fontHeight);
 
   QRectF axis;    ///< time and markers, at the top; dragging here selects a range

@@ -41,7 +41,7 @@ public:
   bool start();
   const std::string& reason() const;
 
-  /// One picture of so many device pixels.
+  /// One picture of this size in device pixels.
   QImage render(QSize size);
 
   /// Feeds the trackball camera; `position` in device pixels from the top left corner.

@@ -13,7 +13,7 @@ class ParseError;
 namespace dewpoint::app {
 
 /// What is wrong with a command line, in one sentence: the option, what it may be, where help is.
-/// What is unknown is reported before what is missing: it may be the same thing misspelt.
+/// What is unknown is reported before what is missing: it may be the same word misspelt.
 std::string usageSentence(const CLI::App& app, const CLI::ParseError& error);
 
 } // namespace dewpoint::app

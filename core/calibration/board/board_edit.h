@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 /// DICT_4X4_100, and the board is printed as OpenCV does since 4.6.
 BoardDescription withKind(BoardDescription board, BoardDescription::Kind kind);
 
-/// So many squares in a row and in a column.
+/// The number of squares in a row and in a column.
 BoardDescription withSquares(BoardDescription board, int columns, int rows);
 
 /// Squares of this size (meters); markers keep their proportion to them. Sizes are rounded to

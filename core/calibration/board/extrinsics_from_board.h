@@ -62,7 +62,7 @@ struct ExtrinsicsResult {
 /// The poses of all cameras from a board that several of them see at the same instants: poses of
 /// the board before each camera (cv::solvePnP), chained from camera to camera through the pairs
 /// that agree best, then bundle adjustment of all cameras and boards (adjustBundle). A symmetric
-/// chessboard is turned so that the pairs of cameras agree. Views that fit badly are left out and
+/// chessboard is rotated so that the pairs of cameras agree. Views that fit badly are left out and
 /// named.
 /// Errors: Undetermined names the cameras that share no instant with the others, and an instant at
 /// which the board was not seen; Cancelled when cancelled; and those of adjustBundle().

@@ -19,7 +19,7 @@ const char* likelyUnit(double spread);
 /// A rig whose poses all go the other way.
 CameraRig withInvertedPoses(CameraRig rig);
 
-/// The first thing about a rig in meters that cannot be meant so, as an error with its likely
+/// The first property of a rig in meters that cannot be meant so, as an error with its likely
 /// cause:
 /// - a principal point outside the image: matrix and size of different resolutions,
 /// - cameras more than 100 m, or less than 2 cm apart: another unit,

@@ -18,7 +18,7 @@ namespace dewpoint::calibration {
 /// dictionary of numbers and texts. NotParsed with the line. yaml-cpp's exceptions stop here.
 Result<YAML::Node> parseYaml(const std::string& text, const std::string& file);
 
-/// Takes values out of one YAML mapping and keeps the first thing that is wrong with it, with its
+/// Takes values out of one YAML mapping and keeps the first error in it, with its
 /// line. Keys that are not requested are ignored: other tools write more than we need.
 class YamlReader {
 public:

@@ -14,9 +14,9 @@ enum class NudgeFrame {
   World   ///< as the project's: z up
 };
 
-/// Moved by so many meters.
+/// Moved by a distance in meters.
 Camera moved(const Camera& camera, const Eigen::Vector3d& meters, NudgeFrame frame);
-/// Turned about its own center: a rotation vector, radians.
+/// Rotated about its own center: a rotation vector, radians.
 Camera rotated(const Camera& camera, const Eigen::Vector3d& rotation, NudgeFrame frame);
 /// Focal lengths times this factor.
 Camera zoomed(const Camera& camera, double factor);

@@ -91,7 +91,7 @@ struct PointSettings {
 /// point (SQPnP, Terzakis and Lourakis 2020; IPPE, Collins and Bartoli 2014, for points in a plane)
 /// and least squares, then poses and points of all cameras together (Ceres), each point held near
 /// what the tape said. Cameras whose status is not None keep their pose, but for Ambiguous, where
-/// the better of both is taken. When the pictures of a camera fit only turned or mirrored, that is
+/// the better of both is taken. When the pictures of a camera fit only rotated or mirrored, that is
 /// proposed.
 PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPoint>& points,
                               const PointSettings& settings = {});

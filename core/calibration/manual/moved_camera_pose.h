@@ -10,7 +10,7 @@
 
 namespace dewpoint::calibration {
 
-/// Where a point, known from the other cameras, is seen by the camera that was bumped.
+/// Where a point, known from the other cameras, is seen by the camera that was moved.
 struct PointSighting {
   Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();

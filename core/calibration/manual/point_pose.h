@@ -19,8 +19,8 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
                          bool alsoFocal);
 
 /// Whether the pictures lie otherwise than they should: `found` is what poseFromPoints() made of
-/// them as they are. A mirrored or turned picture is proposed when it fits while the given one does
-/// not; a turned one also when both fit but only it has the camera upright.
+/// them as they are. A mirrored or rotated picture is proposed when it fits while the given one
+/// does not; a rotated one also when both fit but only it has the camera upright.
 std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
                                                const std::vector<ImageAnchor>& anchors,
                                                const PointPose& found);

@@ -26,8 +26,8 @@ struct PlacementSettings {
   double pixelSigma = 0.5;     ///< of a sighting, pixels
   double goodSigma = 0.005;    ///< what is good enough, meters
   std::size_t cellCount = 900; ///< that the volume is cut into during the search for a position
-  /// The result's numbers are measured on so many cells, those of a map that is shown, so that the
-  /// figures agree; 0: on those of the search.
+  /// The result's numbers are measured on this number of cells, those of a map that is shown, so
+  /// that the figures agree; 0: on those of the search.
   std::size_t reportedCells = 0;
 };
 
@@ -42,7 +42,7 @@ struct Placement {
 /// ceiling of the volume, looking into it. A pose is worth the mean over the volume of 1 / (1 +
 /// (sigma / goodSigma)²), and a little for what is seen at all, which decides for the first camera.
 /// All poses of a coarse raster, aimed at the center and at four points around it, are compared;
-/// the best one is then moved and turned in shrinking steps as long as it gets better. The same
+/// the best one is then moved and rotated in shrinking steps as long as it gets better. The same
 /// input gives the same pose. BadValue for a volume without extent or a lens without focal length;
 /// Cancelled.
 Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,

@@ -13,7 +13,7 @@
 namespace dewpoint::experiment {
 
 struct BaselineSetup {
-  /// Follows each target in each camera; null: the blobs are paired anew in every frame.
+  /// Follows each target in each camera; null: the blobs are paired again in every frame.
   CameraFollowerFactory follower = nullptr;
   bool kalman = false; ///< a Kalman filter behind the triangulation, whose gate the pairing uses
 };

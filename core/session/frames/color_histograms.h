@@ -27,7 +27,7 @@ struct ColorBar {
   double candidate = 0.0;
 };
 
-/// The bins with the largest shares in either histogram, at most so many and none that is empty in
+/// The bins with the largest shares in either histogram, at most `most` and none that is empty in
 /// both, in the order of their numbers.
 std::vector<ColorBar> largestBars(const ColorHistograms& histograms, std::size_t most);
 

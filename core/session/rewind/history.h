@@ -38,7 +38,7 @@ public:
   void clear();
   /// Before the run begins `frame`: keeps a copy of it from time to time.
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
-  /// A change was made while the run was at `frame`, after so many iterations.
+  /// A change was made while the run was at `frame`, after `iterations`.
   void changed(std::int64_t frame, int iterations, const RunChange& change);
   /// The frame was tracked, or tracked again.
   void record(TrackedFrame trackedFrame);
@@ -78,7 +78,7 @@ public:
   /// Where the method began, knowing nothing, and with what; its state has no tracker. Nothing
   /// before that.
   const std::optional<Checkpoint>& begun() const { return begun_; }
-  /// Changes made while the run was at `frame` after so many iterations, in order.
+  /// Changes made while the run was at `frame` after `iterations`, in order.
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
   const HistoryLimits& limits() const { return limits_; }

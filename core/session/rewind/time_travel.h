@@ -61,7 +61,7 @@ public:
   /// A run of its own, brought to what `run` was after this frame of the past: for likelihood maps
   /// and motion masks, of which nothing is kept. Null when that cannot be, or `goOn` said no.
   const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run, const GoOn& goOn);
-  /// So many threads share the work of the run of runAt() from now on.
+  /// The number of threads that share the work of the run of runAt() from now on.
   void setThreadCount(int threadCount);
 
 private:

@@ -26,7 +26,7 @@ inline constexpr double kCameraMotionPatience = 3.0;
 CameraMotionStage stageOf(const CameraMotionReport& report, double now);
 
 /// The messages about moved cameras, each stage of a motion once. A pose that is known now and then
-/// stays known: nothing worse is said of that bump afterwards. When a bump is dealt with, the
+/// stays known: nothing worse is said of that motion afterwards. When a motion is dealt with, the
 /// others are worth saying again.
 class CameraMotionNews {
 public:

@@ -16,10 +16,10 @@ namespace dewpoint::session {
 struct CameraMotionReport {
   CameraMotionEvent event;
   bool back = false; ///< the camera stands as before again
-  /// How far the target is beside where the other cameras see it, since the bump; pixels.
+  /// How far the target is beside where the other cameras see it, since the camera moved; pixels.
   std::optional<double> targetPixels;
   /// The camera as it stands now, to be put into the project: by the turn that was measured, and by
-  /// the tracked targets' sightings since the bump. Recomputed about once a second.
+  /// the tracked targets' sightings since then. Recomputed about once a second.
   std::optional<MovedCameraPose> newPose;
 };
 
@@ -45,8 +45,8 @@ public:
   /// Other calibrations of the same cameras: those that changed stand as they are said to stand
   /// from now on, and are not reported any more.
   void setCameras(const CameraRig& rig);
-  /// The cameras stand as they are calibrated; what was known is forgotten, but for the bumps that
-  /// a new calibration has taken in: a recording that is played again shows the same.
+  /// The cameras stand as they are calibrated; what was known is forgotten, but for the motions
+  /// that a new calibration has taken in: a recording that is played again shows the same.
   void restart();
 
 private:
@@ -57,7 +57,7 @@ private:
   CameraRig rig_;
   CameraMotionDetector detector_;
   ReprojectionResiduals sightings_;
-  std::vector<std::optional<std::int64_t>> solvedAt_; ///< per camera, frame of a bump taken in
+  std::vector<std::optional<std::int64_t>> solvedAt_; ///< per camera, frame of a motion taken in
   std::size_t eventsSeen_ = 0;
   std::vector<CameraMotionReport> reports_;
   double due_ = 0.0; ///< seconds; of what is not done in each frame
@@ -67,7 +67,7 @@ private:
   double awakeFrom_ = -1e18; ///< seconds
 };
 
-/// The pose of a camera that was bumped at `event`, from the turn known now and the sightings
+/// The pose of a camera that was moved at `event`, from the rotation known now and the sightings
 /// since.
 Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
                                                 const std::deque<ReprojectionResidual>& sightings,

@@ -18,7 +18,7 @@ public:
   virtual ~FrameObserver() = default;
   /// A frame set was taken from the source; the run has not seen it yet.
   virtual void taken(const FrameSet& /*frames*/) {}
-  /// An iteration was made, which took so many microseconds per target.
+  /// An iteration was made, which took these microseconds per target.
   virtual void iterated(const TrackingRun& /*run*/, double /*microseconds*/) {}
   /// All iterations of the frame were made. An error ends the loop.
   virtual Status tracked(const TrackingRun& /*run*/) { return {}; }

@@ -80,7 +80,8 @@ public:
   bool takesCorrections() const { return capability<PositionCorrecting>() != nullptr; }
   /// Goes on counting iterations from here.
   void countFrom(std::int64_t iterations) { iterations_ = iterations; }
-  /// From the next iteration on so many threads share the work; they never change the result.
+  /// The number of threads that share the work from the next iteration on; it never changes the
+  /// result.
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
 

@@ -27,7 +27,7 @@ public:
   /// Where the target may be, from the next iteration on; nothing: anywhere. Restarts the particles
   /// in it if the estimate lies outside.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume);
-  /// Forgets everything and starts anew.
+  /// Forgets everything and starts from scratch.
   void restart(std::uint64_t seed);
   int iterationsPerFrame() const;
   void beginFrame(FrameSetPtr frames);

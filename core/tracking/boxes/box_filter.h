@@ -30,7 +30,7 @@ concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, Par
   { filter.start(bgr, box, seed) } -> std::same_as<Status>;
   // The next image, of the same size; start() must have succeeded.
   { filter.step(bgr, team) } -> std::same_as<BoxEstimate>;
-  // The centers of at most so many particles, evenly picked, as last weighted:
+  // The centers of at most that number of particles, evenly picked, as last weighted:
   // rows x y, with linear weights that sum to 1 over all particles.
   finished.particles(0, centers, weights);
   // About how many bytes a copy takes.
@@ -41,7 +41,7 @@ concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, Par
 /// with its center: BadValue names "image" or "box".
 Status checkBox(const cv::Mat& bgr, const ImageBox& box);
 
-/// The box around the thing that was clicked (see clickBox()): BadValue names "pixel" or "image".
+/// The box around the object that was clicked (see clickBox()): BadValue names "pixel" or "image".
 Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y);
 
 } // namespace dewpoint::tracking

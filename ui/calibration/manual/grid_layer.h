@@ -61,7 +61,7 @@ private:
   FramePtr frame() const;
   Eigen::Vector2d pixelAt(QPointF position) const;
   bool isInside(const Eigen::Vector2d& pixel) const;
-  /// Pixels of the image that are so many of the widget's.
+  /// Pixels of the image that are this number of the widget's.
   double inImage(double widgetPixels) const;
   /// Where a click is taken to be: at a corner nearby, unless Alt is down.
   Eigen::Vector2d clicked(QPointF position, Qt::KeyboardModifiers modifiers) const;

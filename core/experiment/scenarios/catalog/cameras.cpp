@@ -105,7 +105,7 @@ bool withBump(ScenarioDraft& draft) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> bumpScenarios() {
+std::vector<ScenarioRecipe> movedCameraScenarios() {
   ScenarioRecipe bump{"S9-bump",
                       "One of three cameras is bumped, by 1.5 degrees and 1 cm; nobody tells.",
                       threeCameraDeskRig()};

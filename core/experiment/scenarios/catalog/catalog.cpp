@@ -14,7 +14,7 @@ const std::vector<ScenarioDeclaration>& scenarioCatalog() {
                                scenarios::occlusionScenarios(), scenarios::blackoutScenarios(),
                                scenarios::startScenarios(),     scenarios::crossingScenarios(),
                                scenarios::cameraScenarios(),    scenarios::clockScenarios(),
-                               scenarios::lightScenarios(),     scenarios::bumpScenarios(),
+                               scenarios::lightScenarios(),     scenarios::movedCameraScenarios(),
                                scenarios::unknownScenarios(),   scenarios::heldScenarios(),
                                scenarios::patternedScenarios(), scenarios::posterScenarios(),
                                scenarios::sensorScenarios(),    scenarios::timingScenarios(),
