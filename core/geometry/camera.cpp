@@ -24,6 +24,11 @@ bool Camera::distorted() const {
          std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });
 }
 
+Camera withoutPose(Camera camera) {
+  camera.cameraFromWorld.setIdentity();
+  return camera;
+}
+
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up, double roll) {
   const Eigen::Vector3d toTarget = target - position;

@@ -46,6 +46,9 @@ struct Camera {
 
 using CameraRig = std::vector<Camera>;
 
+/// The camera with the same lens at the origin of the world, along its axes.
+Camera withoutPose(Camera camera);
+
 /// The pose (camera from world) of a camera at `position` that looks at `target`, image up along
 /// `up`, then rotated by `roll` radians about its optical axis. All in the world frame, meters.
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,

@@ -21,11 +21,6 @@ constexpr double kResidual = 1e-9;   // pixels
 /// degrees.
 constexpr double kParallel = 1.5e-6;
 
-Camera withoutPose(Camera camera) {
-  camera.cameraFromWorld = Eigen::Isometry3d::Identity();
-  return camera;
-}
-
 std::optional<Eigen::Vector2d> seen(const Projector& lens, const Eigen::Vector2d& normalized) {
   return lens.project({normalized.x(), normalized.y(), 1.0});
 }

@@ -47,11 +47,6 @@ struct PointMotion {
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return turn * point - shift; }
 };
 
-Camera atOrigin(Camera camera) {
-  camera.cameraFromWorld.setIdentity();
-  return camera;
-}
-
 /// Off by so many sigma, for a point in the axes that the projector starts from.
 std::optional<Eigen::Vector2d> residual(const Projector& lens, const Eigen::Vector3d& point,
                                         const PointSighting& sighting) {
@@ -102,7 +97,7 @@ class Solver {
 public:
   Solver(const Camera& camera, const CameraMotionPrior& prior,
          std::span<const PointSighting> sightings)
-      : lens_(atOrigin(camera)) {
+      : lens_(withoutPose(camera)) {
     mean_ << prior.turn, Eigen::Vector3d::Zero();
     const double turn = std::hypot(prior.turnSigma, prior.shiftSigma / kBackgroundAt);
     sigmas_ << Eigen::Vector3d::Constant(turn), Eigen::Vector3d::Constant(prior.shiftSigma);

@@ -12,11 +12,6 @@
 namespace dewpoint::calibration {
 namespace {
 
-Camera atOrigin(Camera camera) {
-  camera.cameraFromWorld = Eigen::Isometry3d::Identity();
-  return camera;
-}
-
 /// The residuals of a change, as Ceres asks for them: of its first six numbers, or all seven.
 class PoseCost final : public ceres::CostFunction {
 public:
@@ -56,7 +51,7 @@ private:
 } // namespace
 
 PoseChange::PoseChange(const Camera& camera, double depth)
-    : camera_(camera), lens_(atOrigin(camera)), depth_(depth) {}
+    : camera_(camera), lens_(withoutPose(camera)), depth_(depth) {}
 
 Eigen::Isometry3d PoseChange::step(const ChangeVector& change) const {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
