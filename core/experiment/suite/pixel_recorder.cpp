@@ -2,6 +2,7 @@
 #include "core/experiment/suite/pixel_recorder.h"
 
 #include "core/experiment/metrics/overconfidence.h"
+#include "core/experiment/suite/stated_presence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +14,6 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr double kNotInSight = std::numeric_limits<double>::infinity();
-
-/// As SuiteRecorder has it.
-bool statesPresence(const SphereEstimate& estimate) {
-  return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
-}
 
 void fillBelief(const std::vector<Forecast>& forecasts, SuiteResult& result) {
   const Reliability table = reliability(forecasts, kReliabilityBins);

@@ -11,6 +11,7 @@
 #include "core/experiment/metrics/overconfidence.h"
 #include "core/experiment/metrics/reliability.h"
 #include "core/experiment/metrics/tie_belief.h"
+#include "core/experiment/suite/stated_presence.h"
 #include "core/filter/assignment.h"
 
 #include <algorithm>
@@ -25,10 +26,6 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kMillimeters = 1000.0;
 constexpr std::int64_t kStepFrames = 5; // frames before and after a camera's loss that are averaged
-
-bool isDeclared(const SphereEstimate& estimate) {
-  return estimate.mean.allFinite() && (estimate.valid || estimate.existenceProbability > 0.5);
-}
 
 double framesOrNever(const std::optional<std::int64_t>& frames) {
   return frames ? static_cast<double>(*frames) : kNever;
@@ -254,7 +251,7 @@ std::vector<TargetFrame> SuiteRecorder::framesOf(std::size_t truth, std::size_t 
     TargetFrame frame;
     frame.frame = static_cast<std::int64_t>(k);
     frame.truth = truth_[k][truth];
-    if (isDeclared(estimates_[k][estimate])) {
+    if (statesPresence(estimates_[k][estimate])) {
       frame.estimate = estimates_[k][estimate].mean;
     }
     frame.visible = !allBlind(frame.frame) && !isOutOfView(run_, frame.frame);
@@ -297,7 +294,7 @@ std::vector<TrackFrame> SuiteRecorder::trackFrames() const {
       if (truth_[k][target]) {
         frame.truth.push_back({static_cast<int>(target), *truth_[k][target]});
       }
-      if (isDeclared(estimates_[k][target])) {
+      if (statesPresence(estimates_[k][target])) {
         frame.estimates.push_back({static_cast<int>(target), estimates_[k][target].mean});
       }
     }
@@ -334,7 +331,7 @@ void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples&
     samples.forecasts.push_back(
         {stated.existenceProbability,
          frames[k].truth.has_value() && (stated.mean - *frames[k].truth).norm() < kFollowGate});
-    samples.beliefs.push_back({stated.existenceProbability, isDeclared(stated), stated.mean,
+    samples.beliefs.push_back({stated.existenceProbability, statesPresence(stated), stated.mean,
                                covariance, frames[k].truth});
     if (target == 0) {
       samples.firstBeliefs.push_back(samples.beliefs.back());
