@@ -6,26 +6,22 @@
 namespace dewpoint::ui {
 namespace {
 
-SceneColor hex(unsigned rgb) {
-  return SceneColor((rgb >> 16U) & 255U, (rgb >> 8U) & 255U, rgb & 255U) / 255.0;
-}
-
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 } // namespace
 
 std::vector<MapClass> mapClasses(const MapLook& look) {
   if (look.quantity == MapQuantity::CameraCount) {
-    return {{1.0, hex(0xf0a35e), false},
-            {2.0, hex(0xc6dbef), true},
-            {3.0, hex(0x7fb8da), true},
-            {4.0, hex(0x3787c0), true},
-            {kEndless, hex(0x0b559f), false}};
+    return {{1.0, sceneColor(0xf0a35e), false},
+            {2.0, sceneColor(0xc6dbef), true},
+            {3.0, sceneColor(0x7fb8da), true},
+            {4.0, sceneColor(0x3787c0), true},
+            {kEndless, sceneColor(0x0b559f), false}};
   }
   const double good = look.goodSigma;
-  return {{0.2 * good, hex(0x2166ac), false}, {0.4 * good, hex(0x5aa3cf), true},
-          {good, hex(0xa9d3e8), true},        {2.0 * good, hex(0xfdd481), true},
-          {4.0 * good, hex(0xf08a4b), false}, {kEndless, hex(0xc23b2e), false}};
+  return {{0.2 * good, sceneColor(0x2166ac), false}, {0.4 * good, sceneColor(0x5aa3cf), true},
+          {good, sceneColor(0xa9d3e8), true},        {2.0 * good, sceneColor(0xfdd481), true},
+          {4.0 * good, sceneColor(0xf08a4b), false}, {kEndless, sceneColor(0xc23b2e), false}};
 }
 
 std::size_t classOf(const std::vector<MapClass>& classes, double value) {

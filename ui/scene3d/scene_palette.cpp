@@ -6,19 +6,17 @@
 #include <array>
 
 namespace dewpoint::ui {
-namespace {
-
-SceneColor hex(unsigned rgb) {
+SceneColor sceneColor(unsigned rgb) {
   return SceneColor((rgb >> 16U) & 255U, (rgb >> 8U) & 255U, rgb & 255U) / 255.0;
 }
 
-} // namespace
-
 const ScenePalette& scenePalette(bool dark) {
-  static const ScenePalette kLight{hex(0xf4f5f7), hex(0xffffff), hex(0xe6e9ed), hex(0xc6ccd4),
-                                   hex(0x4a5560), hex(0x5b6672), hex(0x111111)};
-  static const ScenePalette kDark{hex(0x1b1e23), hex(0x22262c), hex(0x2c3138), hex(0x444c56),
-                                  hex(0xaeb6c0), hex(0x9aa5b1), hex(0xffffff)};
+  static const ScenePalette kLight{sceneColor(0xf4f5f7), sceneColor(0xffffff), sceneColor(0xe6e9ed),
+                                   sceneColor(0xc6ccd4), sceneColor(0x4a5560), sceneColor(0x5b6672),
+                                   sceneColor(0x111111)};
+  static const ScenePalette kDark{sceneColor(0x1b1e23), sceneColor(0x22262c), sceneColor(0x2c3138),
+                                  sceneColor(0x444c56), sceneColor(0xaeb6c0), sceneColor(0x9aa5b1),
+                                  sceneColor(0xffffff)};
   return dark ? kDark : kLight;
 }
 
@@ -26,7 +24,7 @@ SceneColor targetColor(std::size_t index) {
   // The hues of the images' strokes (ui/style/theme.h), dark enough for a light ground.
   static const std::array<unsigned, 6> kColors{0xd55e00, 0x0072b2, 0x009e73,
                                                0xcc79a7, 0xe69f00, 0xb8a500};
-  return hex(kColors[index % kColors.size()]);
+  return sceneColor(kColors[index % kColors.size()]);
 }
 
 SceneColor targetColor(const std::string& name, std::size_t index) {
@@ -39,7 +37,7 @@ SceneColor targetColor(const std::string& name, std::size_t index) {
 
 SceneColor axisColor(int axis) {
   static const std::array<unsigned, 3> kColors{0xcc79a7, 0x009e73, 0x0072b2};
-  return hex(kColors[static_cast<std::size_t>(axis) % kColors.size()]);
+  return sceneColor(kColors[static_cast<std::size_t>(axis) % kColors.size()]);
 }
 
 } // namespace dewpoint::ui

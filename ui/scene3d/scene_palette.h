@@ -13,6 +13,9 @@ namespace dewpoint::ui {
 /// RGB, 0 to 1.
 using SceneColor = Eigen::Vector3d;
 
+/// The color of a number 0xRRGGBB.
+SceneColor sceneColor(unsigned rgb);
+
 /// The colors of the scene for a light or a dark window.
 struct ScenePalette {
   SceneColor background;
