@@ -6,6 +6,7 @@
 #include "ui/document/camera_list_model.h"
 #include "ui/text/axis_names.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/choice_field.h"
 #include "ui/widgets/number_field.h"
 
 #include <QCheckBox>
@@ -13,29 +14,8 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 
 namespace dewpoint::ui {
-namespace {
-
-QComboBox* makeChoice(const char* name, QWidget* parent) {
-  auto* box = new QComboBox(parent);
-  box->setObjectName(QLatin1String(name));
-  makeNarrow(*box);
-  return box;
-}
-
-/// The texts of a choice, which stays where it is.
-void setTexts(QComboBox& box, const QStringList& texts) {
-  const QSignalBlocker quiet(box);
-  const int chosen = std::max(0, box.currentIndex());
-  box.clear();
-  box.addItems(texts);
-  box.setCurrentIndex(chosen);
-}
-
-} // namespace
-
 CameraForm::CameraForm(ManualCalibration& hand, QWidget* parent) : QWidget(parent), hand_(hand) {
   setObjectName(QStringLiteral("cameraFields"));
   build();

@@ -7,6 +7,7 @@
 #include "ui/document/target_list_model.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/choice_field.h"
 #include "ui/widgets/number_field.h"
 
 #include <QCheckBox>
@@ -25,22 +26,6 @@ QCheckBox* makeCheck(const char* name, QWidget* parent) {
   auto* check = new QCheckBox(parent);
   check->setObjectName(QLatin1String(name));
   return check;
-}
-
-QComboBox* makeChoice(const char* name, QWidget* parent) {
-  auto* choice = new QComboBox(parent);
-  choice->setObjectName(QLatin1String(name));
-  makeNarrow(*choice);
-  return choice;
-}
-
-/// Other texts; what is chosen stays.
-void setTexts(QComboBox& box, const QStringList& texts) {
-  const QSignalBlocker quiet(box);
-  const int chosen = std::max(0, box.currentIndex());
-  box.clear();
-  box.addItems(texts);
-  box.setCurrentIndex(chosen);
 }
 
 void showChoice(QComboBox& box, int index) {
