@@ -12,7 +12,8 @@
 namespace dewpoint::setup {
 
 /// Gives a camera of a project another calibration. One of a simulated camera that differs from
-/// what its scene says is kept from then on (`adjusted`): the one function that decides it.
+/// what its scene says is kept from then on (`adjusted`). What edits a project does it here;
+/// RunDefinition::appliedTo() only puts in the cameras of a run, and leaves `adjusted` as it is.
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
 
 /// The project with these cameras' calibration, in the same order.
