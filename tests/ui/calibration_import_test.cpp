@@ -76,7 +76,7 @@ void CalibrationImportTest::goldenFilesAreTaken_data() {
   QTest::addColumn<QString>("unit");
   QTest::addColumn<QString>("size");
   QTest::addColumn<int>("cameras");
-  // Each golden file, and what it leaves open (tests/calibration/format_golden_test.cpp).
+  // Each golden file, and what it leaves open (tests/calibration/formats/format_golden_test.cpp).
   QTest::newRow("anipose") << "anipose_mm.toml"
                            << "mm"
                            << "" << 3;

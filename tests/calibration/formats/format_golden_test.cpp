@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of other tools (golden/make_golden.py says who wrote which, and whose pixels these are).
+// Files of other tools (tests/calibration/golden/make_golden.py says who wrote which, and whose
+// pixels these are).
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/calibration_format.h"
 #include "core/calibration/formats/read_calibration.h"

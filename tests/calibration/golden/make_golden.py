@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the golden files of tests/calibration/format_golden_test.cpp, and expected.csv: pixels of a
+"""Writes the golden files of tests/calibration/formats/format_golden_test.cpp, and expected.csv: pixels of a
 few points of the world. Independent of Dewpoint: OpenCV's FileStorage and mrcal write their own
 files, the others are put together here from the documented fields; the pixels are those of
 cv2.projectPoints, cv2.fisheye.projectPoints and mrcal.project. Needs python3-opencv and
