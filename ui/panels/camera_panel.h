@@ -47,7 +47,7 @@ public:
               QWidget* parent = nullptr);
   ~CameraPanel() override; ///< what is being written is written to its end, and unheard
 
-  /// The images that a picture of the background image may be taken from: those shown.
+  /// The images that a picture of the empty room may be taken from: those shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Who writes pictures of empty rooms, in a thread of its own: it may take long.
   void setKeeper(EmptyRoomKeeper keep) { keep_ = std::move(keep); }
