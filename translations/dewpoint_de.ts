@@ -571,6 +571,30 @@
         <source>Choose how many threads share the work of the filter</source>
         <translation>Wählen, wie viele Threads sich die Arbeit des Filters teilen</translation>
     </message>
+    <message>
+        <source>It is here</source>
+        <translation>Hier ist es</translation>
+    </message>
+    <message>
+        <source>Drag a target in the camera images to where it is in the frame shown: tracking goes on from there</source>
+        <translation>Ein Ziel in den Kamerabildern dorthin ziehen, wo es im gezeigten Bild ist: Von dort wird weiter verfolgt</translation>
+    </message>
+    <message>
+        <source>Remove the correction</source>
+        <translation>Die Korrektur entfernen</translation>
+    </message>
+    <message>
+        <source>Take away where you said that the selected target is in the frame shown; without a selected target, of all</source>
+        <translation>Wegnehmen, wo das gewählte Ziel nach Ihrer Angabe im gezeigten Bild ist; ohne gewähltes Ziel von allen</translation>
+    </message>
+    <message>
+        <source>Show the volume of interest</source>
+        <translation>Den Suchraum zeigen</translation>
+    </message>
+    <message>
+        <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
+        <translation>Den Quader, in dem Ziele gesucht werden, in den Bildern und in der Vogelperspektive zeigen</translation>
+    </message>
 </context>
 <context>
     <name>BoardText</name>
@@ -2136,6 +2160,10 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <source>✕ cameras</source>
         <translation>✕ Kameras</translation>
     </message>
+    <message>
+        <source>corrected</source>
+        <translation>korrigiert</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -3496,6 +3524,10 @@ bei %4, %5, %6</translation>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
     </message>
+    <message>
+        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <translation>Die Kamera wurde inzwischen geändert: Das Bild ist als %1 aufgehoben, wird aber nicht verwendet.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraView</name>
@@ -3712,6 +3744,48 @@ bei %4, %5, %6</translation>
     <message>
         <source>Nothing here is called “%1”.</source>
         <translation>Hier heißt nichts „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CorrectionMode</name>
+    <message>
+        <source>Drag the target in an image to where it is; the same in another image fixes its depth. Esc ends it.</source>
+        <translation>Das Ziel in einem Bild dorthin ziehen, wo es ist; dasselbe in einem zweiten Bild legt die Tiefe fest. Esc beendet es.</translation>
+    </message>
+    <message>
+        <source>Correct position</source>
+        <translation>Position korrigieren</translation>
+    </message>
+    <message>
+        <source>There is no correction in this frame.</source>
+        <translation>In diesem Bild gibt es keine Korrektur.</translation>
+    </message>
+    <message>
+        <source>Remove correction</source>
+        <translation>Korrektur entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CorrectionTool</name>
+    <message>
+        <source>Drag the target to where it is</source>
+        <translation>Das Ziel dorthin ziehen, wo es ist</translation>
+    </message>
+    <message>
+        <source>Image of %1: arrow keys move a cross, Enter says that the target is there</source>
+        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass das Ziel dort ist</translation>
+    </message>
+    <message>
+        <source>Frames are being tracked again: wait until that is done, or pause.</source>
+        <translation>Bilder werden neu verfolgt: Warten Sie, bis das fertig ist, oder halten Sie an.</translation>
+    </message>
+    <message>
+        <source>There is no target yet: learn its color first.</source>
+        <translation>Es gibt noch kein Ziel: Lernen Sie zuerst seine Farbe.</translation>
+    </message>
+    <message>
+        <source>Drag an estimate, or select the target in the list first.</source>
+        <translation>Ziehen Sie eine Schätzung, oder wählen Sie zuerst das Ziel in der Liste.</translation>
     </message>
 </context>
 <context>
@@ -5852,8 +5926,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate</source>
-        <translation>Gehalten: die Kameras bestätigen die Schätzung</translation>
+        <source>◆ corrected</source>
+        <translation>◆ korrigiert</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Corrected: you said where the target is</source>
+        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Korrigiert: Sie haben gesagt, wo das Ziel ist</translation>
     </message>
 </context>
 <context>
@@ -5906,6 +5984,10 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>Die Rahmen sind als CSV in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Remove the correction</source>
+        <translation>Die Korrektur entfernen</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6149,77 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Saved the picture %1.</source>
         <translation>Das Bild %1 wurde gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VolumeForm</name>
+    <message>
+        <source>&amp;Volume of interest</source>
+        <translation>&amp;Suchraum</translation>
+    </message>
+    <message>
+        <source>From X, Y, Z</source>
+        <translation>Von X, Y, Z</translation>
+    </message>
+    <message>
+        <source>To X, Y, Z</source>
+        <translation>Bis X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Volume of interest from %1</source>
+        <translation>Suchraum von %1</translation>
+    </message>
+    <message>
+        <source>Volume of interest to %1</source>
+        <translation>Suchraum bis %1</translation>
+    </message>
+    <message>
+        <source>Where the volume of interest begins, in meters; targets are searched for in it alone</source>
+        <translation>Wo der Suchraum beginnt, in Metern; Ziele werden nur in ihm gesucht</translation>
+    </message>
+    <message>
+        <source>Where the volume of interest ends, in meters; targets are searched for in it alone</source>
+        <translation>Wo der Suchraum endet, in Metern; Ziele werden nur in ihm gesucht</translation>
+    </message>
+    <message>
+        <source>From the cameras</source>
+        <translation>Aus den Kameras</translation>
+    </message>
+    <message>
+        <source>Search for targets in the box around what at least two cameras see</source>
+        <translation>Ziele in dem Quader suchen, der umschließt, was mindestens zwei Kameras sehen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>Search for targets anywhere</source>
+        <translation>Ziele überall suchen</translation>
+    </message>
+    <message>
+        <source>Set volume of interest</source>
+        <translation>Suchraum festlegen</translation>
+    </message>
+    <message>
+        <source>Remove volume of interest</source>
+        <translation>Suchraum entfernen</translation>
+    </message>
+    <message>
+        <source>Targets are searched for in this box alone.</source>
+        <translation>Ziele werden nur in diesem Quader gesucht.</translation>
+    </message>
+    <message>
+        <source>None: targets are searched for anywhere. The numbers are what the cameras see; change one to search in a box.</source>
+        <translation>Keiner: Ziele werden überall gesucht. Die Zahlen sind das, was die Kameras sehen; ändern Sie eine, um in einem Quader zu suchen.</translation>
+    </message>
+    <message>
+        <source>None: targets are searched for anywhere. Change a number to search in a box.</source>
+        <translation>Keiner: Ziele werden überall gesucht. Ändern Sie eine Zahl, um in einem Quader zu suchen.</translation>
+    </message>
+    <message>
+        <source>Change volume of interest</source>
+        <translation>Suchraum ändern</translation>
     </message>
 </context>
 <context>

@@ -571,6 +571,30 @@
         <source>Choose how many threads share the work of the filter</source>
         <translation>Elegir cuántos hilos se reparten el trabajo del filtro</translation>
     </message>
+    <message>
+        <source>It is here</source>
+        <translation>Está aquí</translation>
+    </message>
+    <message>
+        <source>Drag a target in the camera images to where it is in the frame shown: tracking goes on from there</source>
+        <translation>Arrastrar un objetivo en las imágenes de las cámaras adonde está en el fotograma mostrado: el seguimiento continúa desde ahí</translation>
+    </message>
+    <message>
+        <source>Remove the correction</source>
+        <translation>Quitar la corrección</translation>
+    </message>
+    <message>
+        <source>Take away where you said that the selected target is in the frame shown; without a selected target, of all</source>
+        <translation>Quitar dónde dijo que está el objetivo elegido en el fotograma mostrado; sin objetivo elegido, de todos</translation>
+    </message>
+    <message>
+        <source>Show the volume of interest</source>
+        <translation>Mostrar el volumen de interés</translation>
+    </message>
+    <message>
+        <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
+        <translation>Mostrar la caja en la que se buscan objetivos, en las imágenes y en la vista de pájaro</translation>
+    </message>
 </context>
 <context>
     <name>BoardText</name>
@@ -2136,6 +2160,10 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <source>✕ cameras</source>
         <translation>✕ cámaras</translation>
     </message>
+    <message>
+        <source>corrected</source>
+        <translation>corregido</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -3496,6 +3524,10 @@ en %4, %5, %6</translation>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>Las cámaras tienen ahora la calibración de %1.</translation>
     </message>
+    <message>
+        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <translation>La cámara se cambió mientras tanto: la imagen se guardó como %1, pero no se usa.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraView</name>
@@ -3712,6 +3744,48 @@ en %4, %5, %6</translation>
     <message>
         <source>Nothing here is called “%1”.</source>
         <translation>Aquí no hay nada llamado «%1».</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CorrectionMode</name>
+    <message>
+        <source>Drag the target in an image to where it is; the same in another image fixes its depth. Esc ends it.</source>
+        <translation>Arrastre el objetivo en una imagen adonde está; lo mismo en otra imagen fija su profundidad. Esc termina.</translation>
+    </message>
+    <message>
+        <source>Correct position</source>
+        <translation>Corregir la posición</translation>
+    </message>
+    <message>
+        <source>There is no correction in this frame.</source>
+        <translation>No hay ninguna corrección en este fotograma.</translation>
+    </message>
+    <message>
+        <source>Remove correction</source>
+        <translation>Quitar la corrección</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CorrectionTool</name>
+    <message>
+        <source>Drag the target to where it is</source>
+        <translation>Arrastre el objetivo adonde está</translation>
+    </message>
+    <message>
+        <source>Image of %1: arrow keys move a cross, Enter says that the target is there</source>
+        <translation>Imagen de %1: las flechas mueven una cruz, Intro dice que el objetivo está ahí</translation>
+    </message>
+    <message>
+        <source>Frames are being tracked again: wait until that is done, or pause.</source>
+        <translation>Se están siguiendo fotogramas otra vez: espere a que termine, o haga una pausa.</translation>
+    </message>
+    <message>
+        <source>There is no target yet: learn its color first.</source>
+        <translation>Aún no hay ningún objetivo: aprenda primero su color.</translation>
+    </message>
+    <message>
+        <source>Drag an estimate, or select the target in the list first.</source>
+        <translation>Arrastre una estimación, o elija primero el objetivo en la lista.</translation>
     </message>
 </context>
 <context>
@@ -5852,8 +5926,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>estado</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate</source>
-        <translation>Seguido: las cámaras confirman la estimación</translation>
+        <source>◆ corrected</source>
+        <translation>◆ corregido</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Corrected: you said where the target is</source>
+        <translation>Seguido: las cámaras confirman la estimación. Corregido: usted dijo dónde está el objetivo</translation>
     </message>
 </context>
 <context>
@@ -5906,6 +5984,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>Los recuadros están en el portapapeles como CSV.</translation>
+    </message>
+    <message>
+        <source>Remove the correction</source>
+        <translation>Quitar la corrección</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6149,77 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Saved the picture %1.</source>
         <translation>Se guardó la imagen %1.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VolumeForm</name>
+    <message>
+        <source>&amp;Volume of interest</source>
+        <translation>&amp;Volumen de interés</translation>
+    </message>
+    <message>
+        <source>From X, Y, Z</source>
+        <translation>Desde X, Y, Z</translation>
+    </message>
+    <message>
+        <source>To X, Y, Z</source>
+        <translation>Hasta X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Volume of interest from %1</source>
+        <translation>Volumen de interés desde %1</translation>
+    </message>
+    <message>
+        <source>Volume of interest to %1</source>
+        <translation>Volumen de interés hasta %1</translation>
+    </message>
+    <message>
+        <source>Where the volume of interest begins, in meters; targets are searched for in it alone</source>
+        <translation>Dónde empieza el volumen de interés, en metros; los objetivos se buscan solo en él</translation>
+    </message>
+    <message>
+        <source>Where the volume of interest ends, in meters; targets are searched for in it alone</source>
+        <translation>Dónde termina el volumen de interés, en metros; los objetivos se buscan solo en él</translation>
+    </message>
+    <message>
+        <source>From the cameras</source>
+        <translation>De las cámaras</translation>
+    </message>
+    <message>
+        <source>Search for targets in the box around what at least two cameras see</source>
+        <translation>Buscar objetivos en la caja que rodea lo que ven al menos dos cámaras</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>Search for targets anywhere</source>
+        <translation>Buscar objetivos en cualquier lugar</translation>
+    </message>
+    <message>
+        <source>Set volume of interest</source>
+        <translation>Fijar el volumen de interés</translation>
+    </message>
+    <message>
+        <source>Remove volume of interest</source>
+        <translation>Quitar el volumen de interés</translation>
+    </message>
+    <message>
+        <source>Targets are searched for in this box alone.</source>
+        <translation>Los objetivos se buscan solo en esta caja.</translation>
+    </message>
+    <message>
+        <source>None: targets are searched for anywhere. The numbers are what the cameras see; change one to search in a box.</source>
+        <translation>Ninguno: los objetivos se buscan en cualquier lugar. Los números son lo que ven las cámaras; cambie uno para buscar en una caja.</translation>
+    </message>
+    <message>
+        <source>None: targets are searched for anywhere. Change a number to search in a box.</source>
+        <translation>Ninguno: los objetivos se buscan en cualquier lugar. Cambie un número para buscar en una caja.</translation>
+    </message>
+    <message>
+        <source>Change volume of interest</source>
+        <translation>Cambiar el volumen de interés</translation>
     </message>
 </context>
 <context>

@@ -571,6 +571,30 @@
         <source>Choose how many threads share the work of the filter</source>
         <translation>フィルターの処理を分担するスレッド数を選びます</translation>
     </message>
+    <message>
+        <source>It is here</source>
+        <translation>ここにあります</translation>
+    </message>
+    <message>
+        <source>Drag a target in the camera images to where it is in the frame shown: tracking goes on from there</source>
+        <translation>表示中のフレームで、カメラ画像のターゲットを実際の位置へドラッグします。そこから追跡を続けます</translation>
+    </message>
+    <message>
+        <source>Remove the correction</source>
+        <translation>修正を取り消す</translation>
+    </message>
+    <message>
+        <source>Take away where you said that the selected target is in the frame shown; without a selected target, of all</source>
+        <translation>表示中のフレームで選択中のターゲットに指定した位置を取り消します。選択がなければすべてのターゲットが対象です</translation>
+    </message>
+    <message>
+        <source>Show the volume of interest</source>
+        <translation>探索範囲を表示</translation>
+    </message>
+    <message>
+        <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
+        <translation>ターゲットを探す箱をカメラ画像と鳥瞰図に表示します</translation>
+    </message>
 </context>
 <context>
     <name>BoardText</name>
@@ -2136,6 +2160,10 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <source>✕ cameras</source>
         <translation>✕ カメラ</translation>
     </message>
+    <message>
+        <source>corrected</source>
+        <translation>修正済み</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -3495,6 +3523,10 @@ at %4, %5, %6</source>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>カメラは %1 のキャリブレーションを使います。</translation>
     </message>
+    <message>
+        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <translation>その間にカメラが変更されました。画像は %1 として保存しましたが、使用しません。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CameraView</name>
@@ -3711,6 +3743,48 @@ at %4, %5, %6</source>
     <message>
         <source>Nothing here is called “%1”.</source>
         <translation>「%1」という名前のものはありません。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CorrectionMode</name>
+    <message>
+        <source>Drag the target in an image to where it is; the same in another image fixes its depth. Esc ends it.</source>
+        <translation>画像の中でターゲットを実際の位置へドラッグします。別の画像でも行うと奥行きが決まります。Esc で終了します。</translation>
+    </message>
+    <message>
+        <source>Correct position</source>
+        <translation>位置を修正</translation>
+    </message>
+    <message>
+        <source>There is no correction in this frame.</source>
+        <translation>このフレームに修正はありません。</translation>
+    </message>
+    <message>
+        <source>Remove correction</source>
+        <translation>修正を取り消す</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CorrectionTool</name>
+    <message>
+        <source>Drag the target to where it is</source>
+        <translation>ターゲットを実際の位置へドラッグしてください</translation>
+    </message>
+    <message>
+        <source>Image of %1: arrow keys move a cross, Enter says that the target is there</source>
+        <translation>%1 の画像：矢印キーで十字を動かし、Enter でターゲットの位置を指定します</translation>
+    </message>
+    <message>
+        <source>Frames are being tracked again: wait until that is done, or pause.</source>
+        <translation>フレームを再追跡しています。終わるまで待つか、一時停止してください。</translation>
+    </message>
+    <message>
+        <source>There is no target yet: learn its color first.</source>
+        <translation>ターゲットがまだありません。先にその色を学習してください。</translation>
+    </message>
+    <message>
+        <source>Drag an estimate, or select the target in the list first.</source>
+        <translation>推定位置をドラッグするか、先に一覧でターゲットを選んでください。</translation>
     </message>
 </context>
 <context>
@@ -5850,8 +5924,12 @@ Effective sample size %8 of %9</source>
         <translation>状態</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate</source>
-        <translation>追跡中: カメラが推定を裏付けている</translation>
+        <source>◆ corrected</source>
+        <translation>◆ 修正済み</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Corrected: you said where the target is</source>
+        <translation>追跡中：カメラが推定を裏付けています。修正済み：ターゲットの位置をあなたが指定しました</translation>
     </message>
 </context>
 <context>
@@ -5901,6 +5979,10 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The boxes are on the clipboard as CSV.</source>
         <translation>枠を CSV としてクリップボードにコピーしました。</translation>
+    </message>
+    <message>
+        <source>Remove the correction</source>
+        <translation>修正を取り消す</translation>
     </message>
 </context>
 <context>
@@ -6062,6 +6144,77 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Saved the picture %1.</source>
         <translation>画像 %1 を保存しました。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::VolumeForm</name>
+    <message>
+        <source>&amp;Volume of interest</source>
+        <translation>探索範囲(&amp;V)</translation>
+    </message>
+    <message>
+        <source>From X, Y, Z</source>
+        <translation>始点 X, Y, Z</translation>
+    </message>
+    <message>
+        <source>To X, Y, Z</source>
+        <translation>終点 X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Volume of interest from %1</source>
+        <translation>探索範囲の始点 %1</translation>
+    </message>
+    <message>
+        <source>Volume of interest to %1</source>
+        <translation>探索範囲の終点 %1</translation>
+    </message>
+    <message>
+        <source>Where the volume of interest begins, in meters; targets are searched for in it alone</source>
+        <translation>探索範囲の始点（メートル）。ターゲットはこの中だけで探します</translation>
+    </message>
+    <message>
+        <source>Where the volume of interest ends, in meters; targets are searched for in it alone</source>
+        <translation>探索範囲の終点（メートル）。ターゲットはこの中だけで探します</translation>
+    </message>
+    <message>
+        <source>From the cameras</source>
+        <translation>カメラから</translation>
+    </message>
+    <message>
+        <source>Search for targets in the box around what at least two cameras see</source>
+        <translation>少なくとも二台のカメラに写る範囲を囲む箱の中でターゲットを探します</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Search for targets anywhere</source>
+        <translation>ターゲットをあらゆる場所で探します</translation>
+    </message>
+    <message>
+        <source>Set volume of interest</source>
+        <translation>探索範囲を設定</translation>
+    </message>
+    <message>
+        <source>Remove volume of interest</source>
+        <translation>探索範囲を解除</translation>
+    </message>
+    <message>
+        <source>Targets are searched for in this box alone.</source>
+        <translation>ターゲットはこの箱の中だけで探します。</translation>
+    </message>
+    <message>
+        <source>None: targets are searched for anywhere. The numbers are what the cameras see; change one to search in a box.</source>
+        <translation>なし：ターゲットはあらゆる場所で探します。数値はカメラに写る範囲です。変更すると箱の中で探します。</translation>
+    </message>
+    <message>
+        <source>None: targets are searched for anywhere. Change a number to search in a box.</source>
+        <translation>なし：ターゲットはあらゆる場所で探します。数値を変更すると箱の中で探します。</translation>
+    </message>
+    <message>
+        <source>Change volume of interest</source>
+        <translation>探索範囲を変更</translation>
     </message>
 </context>
 <context>
