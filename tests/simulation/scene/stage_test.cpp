@@ -198,5 +198,29 @@ TEST(Stage, IsMeteredInTheLightItHas) {
   EXPECT_NEAR(meteredStops(stage, 0, 0.0)[2], 2.222, 1e-3);
 }
 
+TEST(Stage, PeopleWalkBehindBodies) {
+  Stage stage;
+  stage.noiseSigma = 0.0;
+  Camera camera;
+  camera.intrinsics = {80, 60, 87.5, 87.5, 39.5, 29.5};
+  camera.cameraFromWorld = lookAt({0.5, -0.5, 0.35}, {0.5, 0.5, 0.35});
+  stage.views = {std::make_shared<const RoomView>(camera, Room(Furnishing::Desk))};
+  const cv::Mat empty = renderStage(stage, 0, 1.0, 0);
+  Walker walker;
+  walker.height = 1.75;
+  walker.way = {{0.0, {0.3, 1.75}}, {2.0, {0.7, 1.75}}};
+  stage.people = {walker};
+  stage.floorHeight = -0.75F;
+  const cv::Mat with = renderStage(stage, 0, 1.0, 0);
+  // The chest, 1.2 m above the floor, is 0.45 m above the desk: 2.25 m away, 0.1 m above the axis.
+  EXPECT_GT(cv::norm(with.at<cv::Vec3b>(26, 40), empty.at<cv::Vec3b>(26, 40)), 20.0);
+  StageBody& ball = stage.bodies.emplace_back();
+  ball.path = [](double) { return Eigen::Vector3d(0.5, 0.5, 0.39); };
+  // The ball is nearer: at row 29.5 - 87.5 x 0.04 = 26 it is what is seen.
+  const cv::Vec3b pixel = renderStage(stage, 0, 1.0, 0).at<cv::Vec3b>(26, 40);
+  EXPECT_GT(pixel[2], 1.5 * pixel[1]);
+  EXPECT_GT(pixel[0], 1.15 * pixel[1]);
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace dewpoint::tests {
+namespace {
+
+TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
+  std::set<std::string_view> names;
+  for (const Method& method : methods()) {
+    EXPECT_TRUE(names.insert(method.name).second) << method.name << " twice";
+    EXPECT_EQ(findMethod(method.name), &method);
+    EXPECT_FALSE(method.sentence.empty()) << method.name;
+    EXPECT_EQ(methodSentence(method.name), method.sentence);
+    EXPECT_FALSE(methodParameters(method.name).empty()) << method.name;
+    ASSERT_NE(method.family.describe, nullptr) << method.name;
+    ASSERT_NE(method.make, nullptr) << method.name;
+  }
+  EXPECT_EQ(methodNames().size(), methods().size());
+  EXPECT_EQ(findMethod("condensation"), nullptr);
+  EXPECT_TRUE(methodParameters("condensation").empty());
+  EXPECT_TRUE(methodSentence("condensation").empty());
+}
+
+// Project files without a method, and unknown ones, get the first.
+TEST(MethodCatalog, TheDefaultComesFirst) {
+  EXPECT_EQ(methods().front().name, "dewpoint");
+  EXPECT_EQ(methodFamily("condensation").targets, methods().front().family.targets);
+}
+
+TEST(MethodCatalog, NamesByFamilyAreAllNamesOnce) {
+  std::vector<std::string> all;
+  for (const TargetsFrom from : {TargetsFrom::Color, TargetsFrom::Box, TargetsFrom::Images}) {
+    const auto names = methodNames(from);
+    EXPECT_FALSE(names.empty());
+    all.insert(all.end(), names.begin(), names.end());
+  }
+  std::vector<std::string> expected = methodNames();
+  std::ranges::sort(all);
+  std::ranges::sort(expected);
+  EXPECT_EQ(all, expected);
+}
+
+TEST(MethodCatalog, ATrackerIsMadeOfTheMethodsOwnParametersAlone) {
+  const Target ball{"ball", 0.035, {310.0, 350.0, 0.3, 1.0, 0.2, 0.9}};
+  const auto unknown =
+      makeTracker("condensation", ParameterValues(methodParameters("dewpoint")), {}, {ball});
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
+  const auto foreign =
+      makeTracker("barrera", ParameterValues(methodParameters("histogram")), {}, {ball});
+  ASSERT_FALSE(foreign);
+  EXPECT_EQ(foreign.error().code, ErrorCode::MissingKey);
+  EXPECT_TRUE(checkParameters("barrera", ParameterValues(methodParameters("barrera"))));
+  EXPECT_FALSE(checkParameters("barrera", ParameterValues(methodParameters("histogram"))));
+}
+
+TEST(MethodCatalog, MethodsThatFollowBoxesNeedNoCalibration) {
+  for (const Method& method : methods()) {
+    EXPECT_EQ(method.family.needsCalibration, method.family.targets != TargetsFrom::Box)
+        << method.name;
+  }
+}
+
+} // namespace
+} // namespace dewpoint::tests
