@@ -6154,8 +6154,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::VolumeForm</name>
     <message>
-        <source>&amp;Volume of interest</source>
-        <translation>&amp;Suchraum</translation>
+        <source>Volume of interest</source>
+        <translation>Suchraum</translation>
     </message>
     <message>
         <source>From X, Y, Z</source>

@@ -6154,8 +6154,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::VolumeForm</name>
     <message>
-        <source>&amp;Volume of interest</source>
-        <translation>&amp;Volumen de interés</translation>
+        <source>Volume of interest</source>
+        <translation>Volumen de interés</translation>
     </message>
     <message>
         <source>From X, Y, Z</source>

@@ -6149,8 +6149,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::VolumeForm</name>
     <message>
-        <source>&amp;Volume of interest</source>
-        <translation>探索範囲(&amp;V)</translation>
+        <source>Volume of interest</source>
+        <translation>探索範囲</translation>
     </message>
     <message>
         <source>From X, Y, Z</source>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/volume_form.h"
 
-#include "core/geometry/seen_volume.h"
 #include "core/project/project.h"
-#include "core/project/project_rig.h"
+#include "core/setup/seen_by_cameras.h"
 #include "ui/document/document.h"
 #include "ui/text/axis_names.h"
 #include "ui/widgets/named_widgets.h"
@@ -37,7 +36,7 @@ VolumeForm::VolumeForm(Document& document, QWidget* parent)
 }
 
 void VolumeForm::build() {
-  auto* title = new QLabel(tr("&Volume of interest"), this);
+  auto* title = new QLabel(tr("Volume of interest"), this);
   state_->setObjectName(QStringLiteral("volumeState"));
   state_->setWordWrap(true);
   state_->setForegroundRole(QPalette::PlaceholderText);
@@ -88,7 +87,7 @@ void VolumeForm::connectFields() {
     }
   }
   connect(fromCameras_, &QPushButton::clicked, this, [this] {
-    if (const auto seen = seenVolume(rigOf(document_.project()))) {
+    if (const auto seen = setup::volumeSeenBy(document_.project())) {
       set(tr("Set volume of interest"), *seen);
     }
   });
@@ -101,7 +100,7 @@ void VolumeForm::connectFields() {
 
 std::optional<WorldBox> VolumeForm::shown() const {
   const auto& own = document_.project().volumeOfInterest;
-  return own ? own : seenVolume(rigOf(document_.project()));
+  return own ? own : setup::volumeSeenBy(document_.project());
 }
 
 void VolumeForm::refresh() {
