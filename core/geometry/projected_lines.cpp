@@ -8,6 +8,8 @@
 namespace dewpoint::geometry {
 namespace {
 
+// Chosen.
+
 constexpr double kFarOffPx = 1e4;    ///< from the image's corner, where nobody looks
 constexpr int kPiecesOfLine = 64;    ///< each is straight enough for the lenses there are
 constexpr int kPiecesOfRay = 256;    ///< more: it also passes close by the camera

@@ -8,8 +8,9 @@
 
 namespace dewpoint::setup {
 
-/// The box around what the cameras of a project see together, as geometry::seenVolume(): meters,
-/// world. Nothing without a calibrated camera.
+/// The box around what at least two cameras of a project see, of one camera where no two see
+/// anything together, as geometry::seenVolume(): meters, world. Nothing without a calibrated
+/// camera.
 std::optional<WorldBox> volumeSeenBy(const Project& project);
 
 } // namespace dewpoint::setup

@@ -11,8 +11,10 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr double kEdgeOpacity = 0.7;
-constexpr double kEdgeWidth = 1.0; ///< widget units
+// Chosen: seen on any image, and not in its way.
+
+constexpr double kEdgeOpacity = 0.7; ///< 0 to 1
+constexpr double kEdgeWidth = 1.0;   ///< widget units
 
 } // namespace
 

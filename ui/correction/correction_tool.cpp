@@ -22,6 +22,8 @@ namespace dewpoint::ui {
 
 namespace {
 
+// Chosen.
+
 constexpr double kGrabReachPx = 24.0; ///< of the widget: an estimate this near is meant
 constexpr double kBeyond = 1.25;      ///< a line of sight ends so many times as far as the position
 
