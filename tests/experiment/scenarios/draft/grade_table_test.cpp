@@ -194,7 +194,7 @@ TEST(GradeTable, RunsAreDrawnFromAllOfIt) {
 TEST(GradeTable, CalibrationErrorsAreThoseOfTheTable) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   for (const auto& [grade, times] : {std::pair(Grade::Room, 1.0), std::pair(Grade::Wild, 2.0)}) {
-    const CalibrationError& error = drawnRuns(grade).front().cameras.front().calibration;
+    const CalibrationError error = drawnRuns(grade).front().cameras.front().calibration;
     EXPECT_NEAR(error.focal, times * 0.005, 1e-12);
     EXPECT_NEAR(error.position, times * 0.002, 1e-12);
     EXPECT_NEAR(error.rotation, times * 0.2 * kDegree, 1e-12);
