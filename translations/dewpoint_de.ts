@@ -1940,6 +1940,22 @@
         <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
         <translation>Was höchstens um diesen Faktor dunkler ist als sonst, bei gleichem Farbton, ist ein Schatten.</translation>
     </message>
+    <message>
+        <source>Calibration error</source>
+        <translation>Fehler der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>How far off the directions are in which the cameras see things. The stated uncertainty of a position includes it. 0.25 suits a calibration by hand.</source>
+        <translation>Wie weit die Richtungen daneben liegen, in denen die Kameras etwas sehen. Die angegebene Unsicherheit einer Position enthält es. 0,25 passt zu einer Kalibrierung von Hand.</translation>
+    </message>
+    <message>
+        <source>How far off the times of the images are. The stated uncertainty of a moving target includes it. 8 suits webcams.</source>
+        <translation>Wie weit die Zeiten der Bilder daneben liegen. Die angegebene Unsicherheit eines bewegten Ziels enthält es. 8 passt zu Webcams.</translation>
+    </message>
+    <message>
+        <source>Time error</source>
+        <translation>Fehler der Zeit</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -2205,6 +2221,10 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>m/s</source>
         <translation>m/s</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
     </message>
 </context>
 <context>

@@ -1940,6 +1940,22 @@
         <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
         <translation>Lo que es más oscuro de lo habitual en no más de este factor, con el mismo tono, es una sombra.</translation>
     </message>
+    <message>
+        <source>Calibration error</source>
+        <translation>Error de calibración</translation>
+    </message>
+    <message>
+        <source>How far off the directions are in which the cameras see things. The stated uncertainty of a position includes it. 0.25 suits a calibration by hand.</source>
+        <translation>Cuánto se desvían las direcciones en las que las cámaras ven las cosas. La incertidumbre indicada de una posición lo incluye. 0,25 es adecuado para una calibración a mano.</translation>
+    </message>
+    <message>
+        <source>How far off the times of the images are. The stated uncertainty of a moving target includes it. 8 suits webcams.</source>
+        <translation>Cuánto se desvían los tiempos de las imágenes. La incertidumbre indicada de un objetivo en movimiento lo incluye. 8 es adecuado para cámaras web.</translation>
+    </message>
+    <message>
+        <source>Time error</source>
+        <translation>Error de tiempo</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -2205,6 +2221,10 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>m/s</source>
         <translation>m/s</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>grados</translation>
     </message>
 </context>
 <context>

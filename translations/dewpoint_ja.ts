@@ -1940,6 +1940,22 @@
         <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
         <translation>ふだんと同じ色合いで、暗さがこの倍率以内のものは影とみなします。</translation>
     </message>
+    <message>
+        <source>Calibration error</source>
+        <translation>キャリブレーション誤差</translation>
+    </message>
+    <message>
+        <source>How far off the directions are in which the cameras see things. The stated uncertainty of a position includes it. 0.25 suits a calibration by hand.</source>
+        <translation>カメラが物を見る方向のずれ。表示される位置の不確かさに含まれます。手動キャリブレーションには 0.25 が適しています。</translation>
+    </message>
+    <message>
+        <source>How far off the times of the images are. The stated uncertainty of a moving target includes it. 8 suits webcams.</source>
+        <translation>画像の時刻のずれ。動くターゲットの表示される不確かさに含まれます。ウェブカメラには 8 が適しています。</translation>
+    </message>
+    <message>
+        <source>Time error</source>
+        <translation>時刻の誤差</translation>
+    </message>
 </context>
 <context>
     <name>ParameterRow</name>
@@ -2205,6 +2221,10 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>m/s</source>
         <translation>m/s</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,8 @@ public:
     return (pointWorld - cameraCenter_).dot(axis_);
   }
 
+  /// Optical center, meters, world.
+  const Eigen::Vector3d& cameraCenter() const { return cameraCenter_; }
   const Projector& projector() const { return projector_; }
 
 private:

@@ -63,6 +63,14 @@ Result<ParameterValues> parametersFor(const std::string& method, const ScenarioR
       }
     }
   }
+  if (run.exactSensing) {
+    for (const char* key : {"calibration_error", "time_error"}) {
+      const auto known = values.declarations();
+      if (std::ranges::find(known, key, &ParameterDeclaration::key) != known.end()) {
+        (void)values.set(key, 0.0);
+      }
+    }
+  }
   return values;
 }
 

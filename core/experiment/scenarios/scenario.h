@@ -61,7 +61,10 @@ struct ScenarioRun {
   std::string scenario;
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
-  CameraRig rig;     ///< as the method believes it
+  CameraRig rig; ///< as the method believes it
+  /// Whether a method is told that the calibration and the time stamps are exact. If not, it goes
+  /// by what it assumes of any rig.
+  bool exactSensing = false;
   CameraRig trueRig; ///< as the images were rendered, until a camera is moved
   std::vector<Target> targets;
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, meters

@@ -2,6 +2,7 @@
 #include "core/observation/sphere/adaptive_color.h"
 
 #include "core/color/hsi.h"
+#include "core/observation/sphere/color_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,7 +197,8 @@ std::pair<double, double> quantiles(std::vector<double>& values) {
 
 AdaptiveColor::AdaptiveColor(const ColorRange& learned, std::size_t cameras)
     : learned_(learned), learnedClassifier_(std::make_shared<const ColorClassifier>(learned)),
-      cameras_(cameras, PerCamera{.range = learned, .classifier = *learnedClassifier_}) {}
+      cameras_(cameras,
+               PerCamera{.base = learned, .range = learned, .classifier = *learnedClassifier_}) {}
 
 std::vector<ColorRange> AdaptiveColor::rangesInUse() const {
   std::vector<ColorRange> ranges;
@@ -210,27 +212,37 @@ std::vector<ColorRange> AdaptiveColor::rangesInUse() const {
 }
 
 void AdaptiveColor::forget() {
-  cameras_.assign(cameras_.size(), PerCamera{.range = learned_, .classifier = *learnedClassifier_});
+  cameras_.assign(
+      cameras_.size(),
+      PerCamera{.base = learned_, .range = learned_, .classifier = *learnedClassifier_});
 }
 
-double AdaptiveColor::hueCenter() const {
-  return learned_.hueMin + 0.5 * widthOf(learned_);
+void AdaptiveColor::reach(std::size_t index, const cv::Mat& image) {
+  PerCamera& camera = cameras_.at(index);
+  const ColorRange base = reachInLight(learned_, image);
+  if (!(base == camera.base)) {
+    camera = PerCamera{.base = base, .range = base, .classifier = ColorClassifier(base)};
+  }
 }
 
-AdaptiveColor::Quantiles AdaptiveColor::learnedBounds() const {
-  const double half = 0.5 * widthOf(learned_);
+double AdaptiveColor::hueCenter(const ColorRange& range) {
+  return range.hueMin + 0.5 * widthOf(range);
+}
+
+AdaptiveColor::Quantiles AdaptiveColor::boundsOf(const ColorRange& range) {
+  const double half = 0.5 * widthOf(range);
   return {-half,
           half,
-          learned_.saturationMin,
-          learned_.saturationMax,
-          std::log(learned_.intensityMin),
-          std::log(learned_.intensityMax)}; // of 0: no bound, see rangeOf()
+          range.saturationMin,
+          range.saturationMax,
+          std::log(range.intensityMin),
+          std::log(range.intensityMax)}; // of 0: no bound, see rangeOf()
 }
 
 bool AdaptiveColor::measure(const PerCamera& camera, const TargetImage& target,
                             Quantiles& measured) const {
   const ColorRange wider = widened(camera.range);
-  const double center = hueCenter();
+  const double center = hueCenter(camera.base);
   std::array<std::vector<double>, 3> values;
   int all = 0;
   const double area = kInside * kInside * 3.2 * target.outline.radius * target.outline.radius;
@@ -257,7 +269,7 @@ ColorRange AdaptiveColor::rangeOf(const PerCamera& camera, const Quantiles& now,
                                   const Quantiles& slack) const {
   static constexpr Quantiles kMost{kMostHue,        kMostHue,       kMostSaturation,
                                    kMostSaturation, kMostIntensity, kMostIntensity};
-  Quantiles bounds = learnedBounds();
+  Quantiles bounds = boundsOf(camera.base);
   for (std::size_t k = 0; k < kBounds; ++k) {
     const double outward = k % 2 == 0 ? -1.0 : 1.0;
     const double way = bounds[k] - camera.reference[k];
@@ -265,21 +277,22 @@ ColorRange AdaptiveColor::rangeOf(const PerCamera& camera, const Quantiles& now,
     const double moved = std::clamp(now[k] - camera.reference[k], -kMost[k], kMost[k]);
     bounds[k] = camera.reference[k] + moved + kept;
   }
-  ColorRange range = learned_; // a bound that is no bound stays none
-  if (!spansEveryHue(learned_)) {
-    range.hueMin = hueOf(hueCenter() + bounds[0]);
-    range.hueMax = hueOf(hueCenter() + std::max(bounds[0], std::min(bounds[1], bounds[0] + 350.0)));
+  ColorRange range = camera.base; // a bound that is no bound stays none
+  if (!spansEveryHue(camera.base)) {
+    range.hueMin = hueOf(hueCenter(camera.base) + bounds[0]);
+    range.hueMax =
+        hueOf(hueCenter(camera.base) + std::max(bounds[0], std::min(bounds[1], bounds[0] + 350.0)));
   }
-  if (learned_.saturationMin > 0.0) {
+  if (camera.base.saturationMin > 0.0) {
     range.saturationMin = std::clamp(bounds[2], 0.0, 1.0);
   }
-  if (learned_.saturationMax < 1.0) {
+  if (camera.base.saturationMax < 1.0) {
     range.saturationMax = std::clamp(bounds[3], 0.0, 1.0);
   }
-  if (learned_.intensityMin > 0.0) {
+  if (camera.base.intensityMin > 0.0) {
     range.intensityMin = std::min(1.0, std::exp(bounds[4]));
   }
-  if (learned_.intensityMax < 1.0) {
+  if (camera.base.intensityMax < 1.0) {
     range.intensityMax = std::min(1.0, std::exp(bounds[5]));
   }
   return range;

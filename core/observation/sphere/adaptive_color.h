@@ -37,6 +37,9 @@ public:
 
   /// Back to what was learned, in all cameras.
   void forget();
+  /// Takes the range for what it means in the light of a camera's image, see reachInLight(). For a
+  /// target that is not tracked: what follow() has found out about this camera is lost.
+  void reach(std::size_t camera, const cv::Mat& image);
   /// Updates the color in one camera by an image (CV_8UC3) that shows the target whole and alone:
   /// moves `share` (0 to 1) of the way to the colors there. The first kReferenceUpdates updates of
   /// a camera only measure the colors in the first light. `others` are outlines of other objects of
@@ -60,13 +63,14 @@ private:
     Quantiles now{};
     Quantiles slack{1, 1, 1, 1, 1, 1}; ///< from quantile to bound, as a share of that learned
     double restShare = 0.0;            ///< of the rest of the image that matched in the first light
+    ColorRange base;                   ///< the learned range as it reaches in the first light
     ColorRange range;
     ColorClassifier classifier;
   };
   struct TargetImage;
 
-  Quantiles learnedBounds() const;
-  double hueCenter() const;
+  static Quantiles boundsOf(const ColorRange& range);
+  static double hueCenter(const ColorRange& range);
   bool measure(const PerCamera& camera, const TargetImage& target, Quantiles& measured) const;
   ColorRange rangeOf(const PerCamera& camera, const Quantiles& now, const Quantiles& slack) const;
   void begin(PerCamera& camera, const TargetImage& target, const Quantiles& measured) const;

@@ -146,6 +146,16 @@ double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& 
   return sum;
 }
 
+int SphereObservation::camerasInView(const Eigen::Vector3d& center,
+                                     const Eigen::Vector3d& velocity) const {
+  int count = 0;
+  for (const View& view : views_) {
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    count += !view.labels.empty() && outline && insideImage(*outline, view.labels.size()) ? 1 : 0;
+  }
+  return count;
+}
+
 std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& center,
                                                         const Eigen::Vector3d& velocity) {
   std::vector<CameraEvidence> cameras(views_.size());

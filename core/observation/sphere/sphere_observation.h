@@ -72,6 +72,8 @@ public:
   /// The ratio if every camera into whose image the position projects saw the target fully.
   double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
                                         const Eigen::Vector3d& velocity) const;
+  /// Cameras with an image into which the position projects.
+  int camerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
   /// The evidence of each camera for one position: SphereEvidence and the share of the outline
   /// filled.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,

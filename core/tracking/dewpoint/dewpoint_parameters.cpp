@@ -43,6 +43,15 @@ std::vector<ParameterDeclaration> declare() {
        "2 is a good value in a room with daylight.",
        false},
   };
+  all.push_back({"calibration_error", ParameterKind::Real, "Calibration error", "degrees", 0.0,
+                 10.0, 0.01, 0.25,
+                 "How far off the directions are in which the cameras see things. The stated "
+                 "uncertainty of a position includes it. 0.25 suits a calibration by hand.",
+                 false});
+  all.push_back({"time_error", ParameterKind::Real, "Time error", "ms", 0.0, 1000.0, 1.0, 8.0,
+                 "How far off the times of the images are. The stated uncertainty of a moving "
+                 "target includes it. 8 suits webcams.",
+                 false});
   const auto start = startParameters({{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}});
   all.insert(all.end(), start.begin(), start.end());
   return all;

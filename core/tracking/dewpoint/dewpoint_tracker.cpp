@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace dewpoint::tracking {
@@ -43,6 +44,8 @@ BernoulliTrackSettings DewpointTracker::trackSettings() const {
   settings.accelerationSigma = parameters_.at("acceleration_sigma");
   settings.survivalTime = parameters_.at("survival_time");
   settings.searchSize = parameters_.at("search_size");
+  settings.errors.direction = parameters_.at("calibration_error") * std::numbers::pi / 180.0;
+  settings.errors.time = 1e-3 * parameters_.at("time_error");
   return settings;
 }
 
@@ -161,6 +164,7 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   if (isFirst) {
     predictTracks();
     images_.followLight();
+    reachColors();
   }
   updateTracks(team);
   budget_.endOfUpdates(parameters_.at("particles"));
@@ -179,6 +183,27 @@ void DewpointTracker::iterate(ThreadTeam& team) {
 void DewpointTracker::predictTracks() {
   for (TrackedObject& object : objects_) {
     object.track.predict(secondsSinceLastFrame(), object.keyIn(key_));
+  }
+}
+
+void DewpointTracker::reachColors() {
+  // Judgments: automatic exposure settles within the first frames, daylight changes slowly.
+  constexpr int kOften = 10;  // frames after the start, or after a track was lost
+  constexpr int kSeldom = 10; // frames between two looks after these
+  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
+    TrackedObject& object = objects_[k];
+    if (object.track.confident() != nullptr) {
+      object.unseenFrames = 0;
+      continue;
+    }
+    if (object.unseenFrames < kOften || object.unseenFrames % kSeldom == 0) {
+      for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
+        if (const FramePtr frame = images_.frame(camera)) {
+          object.color.reach(camera, frame->image);
+        }
+      }
+    }
+    ++object.unseenFrames;
   }
 }
 

@@ -66,6 +66,8 @@ private:
   BernoulliTrackSettings trackSettings() const;
   double secondsSinceLastFrame() const;
   void predictTracks();
+  /// Takes the colors of targets that are not tracked for what they mean in the light of now.
+  void reachColors();
   /// Measurement updates of all tracks, the most probable objects first.
   void updateTracks(ThreadTeam& team);
   void updateTrack(std::size_t index, ThreadTeam& team);

@@ -19,6 +19,7 @@ struct TrackedObject {
   AdaptiveColor color;
   std::unique_ptr<SlicedSearch> search; ///< under way within a time budget; else null
   std::uint32_t stream = 0;             ///< keeps its random numbers apart from those of others
+  int unseenFrames = 0;                 ///< since it was tracked last
 
   /// The key of its random numbers in a frame and an iteration of a run.
   RandomKey keyIn(const RandomKey& run) const {

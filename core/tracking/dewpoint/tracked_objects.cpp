@@ -41,8 +41,8 @@ TrackedObjects::TrackedObjects(const std::vector<Target>& targets, const CameraR
 TrackedObjects::TrackedObjects(const TrackedObjects& other)
     : rig_(other.rig_), targetCount_(other.targetCount_) {
   for (const TrackedObject& object : other.objects_) {
-    objects_.push_back(
-        {object.track, SphereObservation(rig_), object.color, nullptr, object.stream});
+    objects_.push_back({object.track, SphereObservation(rig_), object.color, nullptr, object.stream,
+                        object.unseenFrames});
   }
 }
 

@@ -97,6 +97,7 @@ bool withBump(ScenarioDraft& draft) {
       const double since = draft.timeOf(frame) - 0.5 / draft.framesPerSecond;
       draft.stage.moves.push_back({camera, since, view});
       draft.events.push_back({ScenarioEvent::Kind::Bump, frame, which});
+      draft.exactWhenIdeal = false;
       return true;
     }
   }

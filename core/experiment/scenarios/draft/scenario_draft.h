@@ -56,6 +56,8 @@ struct ScenarioDraft {
   /// Of the radius of balls, applied when the scenario is complete; at most 1.
   double radiusScale = 1.0;
   int equalCandidates = 1; ///< see ScenarioRun
+  /// Whether calibration and time stamps are exact in grade `ideal`, and methods are told so.
+  bool exactWhenIdeal = true;
   /// Sets what methods know about the targets from the images of the finished run; none: they know
   /// the range of the pink ball.
   std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;

@@ -4,7 +4,6 @@
 #include "core/filter/adaptive_size.h"
 #include "core/filter/constant_velocity.h"
 #include "core/filter/evenly_picked.h"
-#include "core/tracking/dewpoint/track/hypothesis_estimate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +110,7 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
     addNewHypotheses(observation, search, occupied, key, team, logMasses);
   }
   normalizeMasses(hypotheses_, logMasses);
+  limitOneCamera(hypotheses_);
   mergeAndPrune(hypotheses_);
 }
 
@@ -120,6 +120,9 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
     double factor =
         measurementUpdate(hypothesis, observation, particleCount(hypothesis), key, team);
     factor -= evidenceBeyondSaturation(hypothesis);
+    hypothesis.oneCameraOnly =
+        observation.cameraCount() > 1 &&
+        observation.camerasInView(hypothesis.position(), hypothesis.velocity()) == 1;
     logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
   }
 }
@@ -143,7 +146,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
                                       std::vector<double>& logMasses) {
   const bool radiusKnown = target_.radius > 0.0;
   observation.setRadius(target_.radius);
-  const double birth = absenceProbability(hypotheses_) * kBirthProbability;
+  const double birth = absenceFromSharedViews(hypotheses_) * kBirthProbability;
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
     OutlinePrior prior;
@@ -156,6 +159,10 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
       continue;
     }
     observation.setRadius(fit.radius);
+    if (observation.cameraCount() > 1 &&
+        observation.camerasInView(fit.center, Eigen::Vector3d::Zero()) < 2) {
+      continue; // one camera alone does not show where along its ray the target is
+    }
     const double logLikelihoodRatio =
         observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
     const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& other) {
@@ -230,6 +237,7 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   fit.logRadiusVariance = kRadiusSigma * kRadiusSigma;
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
+  hypotheses_.front().provenProbability = kInitialProbability;
 }
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
@@ -237,6 +245,8 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   const double radius = best() != nullptr ? best()->radius : assumedRadius();
   TrackHypothesis hypothesis = newHypothesis(position, radius, kRadiusSigma * kRadiusSigma);
   hypothesis.probability = kInitialProbability;
+  hypothesis.provenProbability = kInitialProbability;
+  hypothesis.given = position.covariance;
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);
   measurementUpdate(hypothesis, observation, settings_.maxParticles, key, team);
@@ -298,7 +308,7 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
   const TrackHypothesis* likeliest = best();
   return likeliest == nullptr || likeliest->states.rows() == 0
              ? sphereEstimateFrom(searchParticles_)
-             : sphereEstimateFrom(*likeliest, identityAmbiguity_, observation);
+             : sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.errors, observation);
 }
 
 void BernoulliTrack::particles(int limit, Eigen::ArrayXXd& positions,

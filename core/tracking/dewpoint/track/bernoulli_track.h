@@ -4,6 +4,7 @@
 #include "core/tracking/dewpoint/search/candidate_search.h"
 #include "core/tracking/dewpoint/search/search_particles.h"
 #include "core/tracking/dewpoint/search/search_prior.h"
+#include "core/tracking/dewpoint/track/hypothesis_estimate.h"
 #include "core/tracking/dewpoint/track/hypothesis_masses.h"
 #include "core/tracking/dewpoint/track/track_hypothesis.h"
 #include "core/tracking/start_parameters.h"
@@ -26,6 +27,7 @@ struct BernoulliTrackSettings {
   double accelerationSigma = 0.0; ///< m/s²; to be set: its default is with the parameters
   double survivalTime = 5.0;      ///< seconds
   double searchSize = 4.0;        ///< meters
+  SystematicErrors errors;        ///< that estimates state
 };
 
 /// Finds candidate positions of the target in the images of an observation: as

@@ -3,6 +3,8 @@
 
 #include "core/filter/estimate.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -40,6 +42,49 @@ double probabilityNearby(const TrackHypothesis& hypothesis) {
                                  std::max(kNearby, hypothesis.radius));
 }
 
+/// Relative standard deviation of the distance that the size of an outline says. A judgment: blur
+/// and shade move an edge by a tenth of the radius (docs/method-dewpoint.md, section 6).
+constexpr double kSizeSigma = 0.1;
+
+/// Covariance (m²) of a position from directions that are off by `sigma` (radians) in the cameras
+/// that see it.
+Eigen::Matrix3d covarianceOfDirections(const Eigen::Vector3d& position,
+                                       const std::vector<CameraEvidence>& cameras, double sigma,
+                                       const SphereObservation& observation) {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (!cameras[k].inView || cameras[k].visible < kSeenShare) {
+      continue;
+    }
+    const Eigen::Vector3d ray = position - observation.projector(k).cameraCenter();
+    const double distance = ray.norm();
+    const Eigen::Vector3d along = ray / distance;
+    const Eigen::Matrix3d depth = along * along.transpose();
+    information += (Eigen::Matrix3d::Identity() - depth) / std::pow(distance * sigma, 2) +
+                   depth / std::pow(distance * kSizeSigma, 2);
+  }
+  return information.isZero(0.0) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero())
+                                 : Eigen::Matrix3d(information.inverse());
+}
+
+/// The covariance (m²) of a position whose covariance by images and by what was `given` is `known`,
+/// when `systematic` errors of the images add to it. They do not touch what was given by hand.
+Eigen::Matrix3d withSystematicErrors(const Eigen::Matrix3d& known,
+                                     const Eigen::Matrix3d& systematic,
+                                     const std::optional<Eigen::Matrix3d>& given) {
+  if (!given || systematic.isZero(0.0)) {
+    return known + systematic;
+  }
+  const Eigen::Matrix3d byHand = given->inverse();
+  // What the images alone say; none in a direction in which they say nothing.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> images(known.inverse() - byHand);
+  const Eigen::Matrix3d root = images.eigenvectors() *
+                               images.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                               images.eigenvectors().transpose();
+  const Eigen::Matrix3d wider = Eigen::Matrix3d::Identity() + root * systematic * root;
+  return (byHand + root * wider.inverse() * root).inverse();
+}
+
 bool isUseful(const TrackHypothesis& hypothesis) {
   const double variance = hypothesis.gaussian.covariance.diagonal().head<3>().maxCoeff();
   const double sigma = std::max(kUsefulSigma, kUsefulRadii * hypothesis.radius);
@@ -61,7 +106,7 @@ SphereEstimate momentsOf(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& we
 } // namespace
 
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
-                                  SphereObservation& observation) {
+                                  const SystematicErrors& errors, SphereObservation& observation) {
   SphereEstimate result = momentsOf(hypothesis.states, hypothesis.weights);
   result.covariance = hypothesis.gaussian.covariance.topLeftCorner<3, 3>();
   if (hypothesis.outlineFound) {
@@ -74,6 +119,13 @@ SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double iden
   observation.setRadius(hypothesis.radius);
   result.cameras = observation.evidence(result.mean, hypothesis.velocity());
   result.camerasSeeing = SphereObservation::camerasSeeing(result.cameras);
+  const Eigen::Vector3d shift = errors.time * hypothesis.velocity();
+  Eigen::Matrix3d systematic = shift * shift.transpose();
+  if (errors.direction > 0.0) {
+    systematic +=
+        covarianceOfDirections(result.mean, result.cameras, errors.direction, observation);
+  }
+  result.covariance = withSystematicErrors(result.covariance, systematic, hypothesis.given);
   result.valid = hypothesis.probability * near > 0.5 && isUseful(hypothesis);
   return result;
 }

@@ -29,6 +29,24 @@ double absenceProbability(const std::vector<TrackHypothesis>& hypotheses) {
   return std::max(kMinAbsence, 1.0 - present);
 }
 
+double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses) {
+  double present = 0.0;
+  for (const TrackHypothesis& hypothesis : hypotheses) {
+    present += hypothesis.oneCameraOnly ? 0.0 : hypothesis.probability;
+  }
+  return std::max(kMinAbsence, 1.0 - present);
+}
+
+void limitOneCamera(std::vector<TrackHypothesis>& hypotheses) {
+  for (TrackHypothesis& hypothesis : hypotheses) {
+    if (hypothesis.oneCameraOnly) {
+      hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
+    } else {
+      hypothesis.provenProbability = hypothesis.probability;
+    }
+  }
+}
+
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis) {
   return std::max(0.0,
                   hypothesis.logLikelihoodRatio - TrackHypothesis::kSaturationShare *
@@ -51,7 +69,8 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
     return true;
   }
   const TrackHypothesis& hypothesis = hypotheses[static_cast<std::size_t>(top - logMasses.begin())];
-  return shareOfLargest(logMasses, absenceProbability(hypotheses)) < kNoSearchProbability ||
+  return hypothesis.oneCameraOnly ||
+         shareOfLargest(logMasses, absenceProbability(hypotheses)) < kNoSearchProbability ||
          hypothesis.logLikelihoodRatio <
              TrackHypothesis::kMostlyVisibleShare * hypothesis.fullyVisibleLogLikelihoodRatio ||
          hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;

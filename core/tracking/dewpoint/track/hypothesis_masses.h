@@ -26,6 +26,14 @@ struct OccupiedSphere {
 /// logarithm.
 double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 
+/// Probability that the target is at none of the positions that more than one camera can see now:
+/// what one camera alone shows does not keep the target from being found where two show it.
+double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses);
+
+/// Takes from each hypothesis that one camera alone can see now what it has gained since more than
+/// one could: one camera's evidence counts up to its prior.
+void limitOneCamera(std::vector<TrackHypothesis>& hypotheses);
+
 /// The part of the log likelihood ratio above TrackHypothesis::kSaturationShare, which does not
 /// count.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,12 +22,16 @@ namespace dewpoint::tracking {
 /// target that may be at several has several hypotheses (mixture tracking: Vermaak, Doucet and
 /// Pérez 2003). World frame, meters, m/s.
 struct TrackHypothesis {
-  Eigen::ArrayXXd states;          ///< one row per particle: x y z vx vy vz
-  Eigen::ArrayXd weights;          ///< linear, sum 1
-  Gaussian6 gaussian;              ///< position and velocity
-  double radius = 0.0;             ///< meters
-  double logRadiusVariance = 0;    ///< of log(radius); 0 when the radius is known
-  double probability = 0.0;        ///< that the target exists and is here
+  Eigen::ArrayXXd states;       ///< one row per particle: x y z vx vy vz
+  Eigen::ArrayXd weights;       ///< linear, sum 1
+  Gaussian6 gaussian;           ///< position and velocity
+  double radius = 0.0;          ///< meters
+  double logRadiusVariance = 0; ///< of log(radius); 0 when the radius is known
+  double probability = 0.0;     ///< that the target exists and is here
+  /// Whether one camera of several alone can see it now.
+  bool oneCameraOnly = false;
+  /// Its probability when more than one camera could see it last.
+  double provenProbability = 0.0;
   double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
   /// The log likelihood ratio if every camera in whose image the target lies saw it fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
@@ -35,6 +40,8 @@ struct TrackHypothesis {
   bool outlineFound = false; ///< at the last measurement update
   /// If so, the position (m, m²) by that measurement alone, without the prediction.
   Gaussian3 measurement;
+  /// Covariance (m²) of a position that somebody gave by hand in this frame.
+  std::optional<Eigen::Matrix3d> given;
   AdaptiveProcessNoise processNoise;
   /// Running mean of OutlineFit::disagreement per degree of freedom: 1 when the cameras disagree as
   /// much as the assumed errors of the edges explain.

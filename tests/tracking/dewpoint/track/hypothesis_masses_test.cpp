@@ -38,6 +38,25 @@ TEST(HypothesisMasses, AbsenceIsWhatTheHypothesesLeave) {
   EXPECT_EQ(absenceProbability({at(0, 0.7), at(1, 0.3001)}), 1e-9);
 }
 
+TEST(HypothesisMasses, WhatOneCameraShowsLeavesAbsenceToTheOthers) {
+  std::vector<TrackHypothesis> all{at(0, 0.5), at(1, 0.3)};
+  all[1].oneCameraOnly = true;
+  EXPECT_NEAR(absenceFromSharedViews(all), 0.5, 1e-15);
+  EXPECT_NEAR(absenceProbability(all), 0.2, 1e-15);
+}
+
+TEST(HypothesisMasses, OneCameraGivesBackWhatWasProvenAndNoMore) {
+  std::vector<TrackHypothesis> all{at(0, 0.6)};
+  limitOneCamera(all); // two cameras see it: 0.6 is proven
+  all[0].oneCameraOnly = true;
+  all[0].probability = 0.3; // time has passed
+  limitOneCamera(all);
+  EXPECT_EQ(all[0].probability, 0.3);
+  all[0].probability = 0.9; // what one camera says of it
+  limitOneCamera(all);
+  EXPECT_EQ(all[0].probability, 0.6);
+}
+
 // Priors 0.5, 0.3 and 0.2 for "not there"; the images make the first four times likelier than
 // "not there" and say nothing of the second: masses 2, 0.3, 0.2 of 2.5 in all.
 TEST(HypothesisMasses, ProbabilitiesAreShareOfAllMass) {
