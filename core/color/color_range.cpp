@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
 namespace dewpoint::color {
@@ -31,6 +32,10 @@ Status checkFraction(const char* field, double low, double high) {
 
 bool spansEveryHue(const ColorRange& range) {
   return range.hueMax - range.hueMin >= 360.0;
+}
+
+double hueOf(double angle) {
+  return angle - 360.0 * std::floor(angle / 360.0);
 }
 
 Status checkColorRange(const ColorRange& range) {

@@ -22,6 +22,9 @@ struct ColorRange {
 /// has none, is let through as well.
 bool spansEveryHue(const ColorRange& range);
 
+/// The hue of an angle in degrees, any number of turns away: within [0, 360).
+double hueOf(double angle);
+
 /// BadValue naming "hue", "saturation" or "intensity" when a bound is not finite or out of bounds,
 /// or when no color could ever match. A hue bound of 360 is allowed: 0 to 360 is every hue.
 Status checkColorRange(const ColorRange& range);

@@ -120,6 +120,18 @@ TEST(CorrectedDewpoint, GoesOnFromThereAndLeavesTheOther) {
   }
 }
 
+// What was given by hand is free of the calibration's error, but for its frame alone.
+TEST(CorrectedDewpoint, StatesTheErrorsOfTheImagesAgainFromTheNextFrame) {
+  LeftRun run;
+  const double before = run.estimate().covariance.trace();
+  run.correct(around(kLeft, 0.001));
+  EXPECT_LE(run.estimate().covariance.trace(), 3.0 * 0.001 * 0.001 + 1e-12);
+  for (int frame = 0; frame < 3; ++frame) {
+    run.show({Ball{kLeft}, Ball{kRight}});
+  }
+  EXPECT_GT(run.estimate().covariance.trace(), 0.9 * before);
+}
+
 // A click in one camera leaves the depth open: 0.15 m along the ray, 0.007 m across.
 TEST(CorrectedDewpoint, FindsTheTargetAlongTheRayOfOneClick) {
   LeftRun run;

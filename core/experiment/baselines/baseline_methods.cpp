@@ -44,31 +44,28 @@ StartVolume startOf(const std::string& method, const ScenarioRun& run) {
              : StartVolume{run.startCenter, run.startHalf};
 }
 
-/// The method's defaults with the start of the run.
+/// The method's defaults with what the run says of its start and sensing.
 Result<ParameterValues> parametersFor(const std::string& method, const ScenarioRun& run) {
-  ParameterValues values(methodParameters(method));
   const StartVolume start = startOf(method, run);
+  std::map<std::string, double> told;
   const std::array<std::string, 3> axes{"x", "y", "z"};
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     const auto k = static_cast<Eigen::Index>(axis);
-    for (const auto& [key, value] :
-         std::map<std::string, double>{{"start_" + axes[axis], start.center[k]},
-                                       {"start_half_" + axes[axis], start.half[k]}}) {
-      const auto known = values.declarations();
-      if (std::ranges::find(known, key, &ParameterDeclaration::key) == known.end()) {
-        continue; // a method may do without a start
-      }
-      if (const auto set = values.set(key, value); !set) {
-        return tl::make_unexpected(set.error());
-      }
-    }
+    told["start_" + axes[axis]] = start.center[k];
+    told["start_half_" + axes[axis]] = start.half[k];
   }
   if (run.exactSensing) {
-    for (const char* key : {"calibration_error", "time_error"}) {
-      const auto known = values.declarations();
-      if (std::ranges::find(known, key, &ParameterDeclaration::key) != known.end()) {
-        (void)values.set(key, 0.0);
-      }
+    told["calibration_error"] = 0.0;
+    told["time_error"] = 0.0;
+  }
+  ParameterValues values(methodParameters(method));
+  for (const auto& [key, value] : told) {
+    const auto known = values.declarations();
+    if (std::ranges::find(known, key, &ParameterDeclaration::key) == known.end()) {
+      continue; // a method may do without it
+    }
+    if (const auto set = values.set(key, value); !set) {
+      return tl::make_unexpected(set.error());
     }
   }
   return values;

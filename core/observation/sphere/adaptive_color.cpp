@@ -45,9 +45,6 @@ using Pixel = cv::Vec3b;
 double aside(double angle) {
   return angle - 360.0 * std::floor((angle + 180.0) / 360.0);
 }
-double hueOf(double angle) {
-  return angle - 360.0 * std::floor(angle / 360.0);
-}
 double widthOf(const ColorRange& range) {
   return spansEveryHue(range) ? 360.0 : hueOf(range.hueMax - range.hueMin);
 }
@@ -215,6 +212,13 @@ void AdaptiveColor::forget() {
   cameras_.assign(
       cameras_.size(),
       PerCamera{.base = learned_, .range = learned_, .classifier = *learnedClassifier_});
+}
+
+void AdaptiveColor::undoFollowing() {
+  for (PerCamera& camera : cameras_) {
+    camera = PerCamera{
+        .base = camera.base, .range = camera.base, .classifier = ColorClassifier(camera.base)};
+  }
 }
 
 void AdaptiveColor::reach(std::size_t index, const cv::Mat& image) {

@@ -37,6 +37,8 @@ public:
 
   /// Back to what was learned, in all cameras.
   void forget();
+  /// Back to the first light of each camera: what follow() has changed is undone, reach() is not.
+  void undoFollowing();
   /// Takes the range for what it means in the light of a camera's image, see reachInLight(). For a
   /// target that is not tracked: what follow() has found out about this camera is lost.
   void reach(std::size_t camera, const cv::Mat& image);

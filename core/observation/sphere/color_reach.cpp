@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,21 +26,23 @@ constexpr double kLeastCoreShare = 0.2;
 constexpr double kMostElsewhere = 0.0015;
 /// Of what matched before, by how much the things must grow: less is their blurred rim.
 constexpr double kWorthwhileGrowth = 0.12;
+/// Saturation below which a hue is noise: no bound is moved there.
+constexpr double kLeastSaturation = 0.02;
 
-/// Which bound is moved, and how far at most.
-enum class Bound { Darker, Paler, LowerHue, HigherHue, Brighter };
+/// Which bound is moved, both of the saturation at once, and how far at most.
+enum class Bound { Darker, Saturation, LowerHue, HigherHue, Brighter };
 struct Step {
   Bound bound;
-  double amount; ///< factor of the intensity, else saturation or degrees
+  double amount; ///< factor of the intensity, else saturation (0 to 1) or degrees
 };
 /// The farthest first; of each bound the first that is allowed is taken.
 constexpr std::array<Step, 14> kSteps{{{Bound::Darker, 0.3},
                                        {Bound::Darker, 0.45},
                                        {Bound::Darker, 0.65},
                                        {Bound::Darker, 0.8},
-                                       {Bound::Paler, 0.2},
-                                       {Bound::Paler, 0.12},
-                                       {Bound::Paler, 0.06},
+                                       {Bound::Saturation, 0.2},
+                                       {Bound::Saturation, 0.12},
+                                       {Bound::Saturation, 0.06},
                                        {Bound::LowerHue, 16.0},
                                        {Bound::LowerHue, 10.0},
                                        {Bound::LowerHue, 5.0},
@@ -48,10 +50,6 @@ constexpr std::array<Step, 14> kSteps{{{Bound::Darker, 0.3},
                                        {Bound::HigherHue, 10.0},
                                        {Bound::HigherHue, 5.0},
                                        {Bound::Brighter, 1.4}}};
-
-double hueOf(double angle) {
-  return angle - 360.0 * std::floor(angle / 360.0);
-}
 
 ColorRange moved(ColorRange range, const Step& step) {
   switch (step.bound) {
@@ -61,8 +59,9 @@ ColorRange moved(ColorRange range, const Step& step) {
   case Bound::Brighter:
     range.intensityMax = std::min(1.0, range.intensityMax * step.amount);
     break;
-  case Bound::Paler:
-    range.saturationMin = std::max(0.02, range.saturationMin - step.amount);
+  case Bound::Saturation:
+    range.saturationMin = std::min(range.saturationMin,
+                                   std::max(kLeastSaturation, range.saturationMin - step.amount));
     range.saturationMax = std::min(1.0, range.saturationMax + step.amount);
     break;
   case Bound::LowerHue:

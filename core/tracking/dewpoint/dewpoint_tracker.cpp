@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/dewpoint_tracker.h"
 
+#include "core/base/angle.h"
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace dewpoint::tracking {
@@ -22,6 +22,11 @@ constexpr double kDefaultGap = 1.0 / 30.0;
 /// reflection lie there.
 constexpr double kNotLearnedRadii = 1.4;
 constexpr double kNotLearnedPx = 2.0;
+/// Frames in which the reach of a color is looked at in each after the start, or after its track
+/// was lost, and frames from one look to the next after these. Judgments (docs/method-dewpoint.md,
+/// section 8): the exposure settles within the first, daylight changes slowly.
+constexpr int kLooksAtOnce = 10;
+constexpr int kLookPeriod = 10;
 
 } // namespace
 
@@ -44,7 +49,7 @@ BernoulliTrackSettings DewpointTracker::trackSettings() const {
   settings.accelerationSigma = parameters_.at("acceleration_sigma");
   settings.survivalTime = parameters_.at("survival_time");
   settings.searchSize = parameters_.at("search_size");
-  settings.errors.direction = parameters_.at("calibration_error") * std::numbers::pi / 180.0;
+  settings.errors.direction = parameters_.at("calibration_error") * kDegree;
   settings.errors.time = 1e-3 * parameters_.at("time_error");
   return settings;
 }
@@ -54,7 +59,7 @@ void DewpointTracker::configure(const ParameterValues& parameters) {
   for (TrackedObject& object : objects_) {
     object.track.configure(trackSettings());
     if (parameters_.at("color_adaptation") <= 0.0) {
-      object.color.forget();
+      object.color.undoFollowing();
     }
   }
   if (!lastTime_) {
@@ -130,6 +135,7 @@ void DewpointTracker::restart(std::uint64_t seed) {
   for (TrackedObject& object : objects_) {
     object.search.reset();
     object.color.forget();
+    object.unseenFrames = 0;
     object.track.configure(trackSettings());
     object.track.restart(startVolume(parameters_), object.keyIn(key_).seed);
   }
@@ -187,16 +193,13 @@ void DewpointTracker::predictTracks() {
 }
 
 void DewpointTracker::reachColors() {
-  // Judgments: automatic exposure settles within the first frames, daylight changes slowly.
-  constexpr int kOften = 10;  // frames after the start, or after a track was lost
-  constexpr int kSeldom = 10; // frames between two looks after these
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
     TrackedObject& object = objects_[k];
     if (object.track.confident() != nullptr) {
       object.unseenFrames = 0;
       continue;
     }
-    if (object.unseenFrames < kOften || object.unseenFrames % kSeldom == 0) {
+    if (object.unseenFrames < kLooksAtOnce || object.unseenFrames % kLookPeriod == 0) {
       for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
         if (const FramePtr frame = images_.frame(camera)) {
           object.color.reach(camera, frame->image);

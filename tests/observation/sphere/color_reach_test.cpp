@@ -55,10 +55,19 @@ TEST(ColorReach, StaysWhereTheRangeFitsAlready) {
 }
 
 TEST(ColorReach, FollowsAShiftedHue) {
-  const cv::Scalar redder(95.0, 60.0,
-                          220.0); // hue 347 at the bright side, within the range just so
+  // Hue 347 at the bright side: within the range just so.
+  const cv::Scalar redder(95.0, 60.0, 220.0);
   const cv::Mat image = sideLit(0.25, redder);
+  EXPECT_LT(taken(kPink, image), 0.9);
   EXPECT_GT(taken(reachInLight(kPink, image), image), 0.95);
+}
+
+TEST(ColorReach, NeverNarrowsTheRange) {
+  ColorRange pale = kPink;
+  pale.saturationMin = 0.0;
+  const ColorRange reached = reachInLight(pale, sideLit(0.2));
+  EXPECT_EQ(reached.saturationMin, 0.0);
+  EXPECT_LT(reached.intensityMin, pale.intensityMin);
 }
 
 // A dark wall of the target's hue: taking in the shaded side would take in the wall.

@@ -2,10 +2,12 @@
 #include "core/tracking/dewpoint/dewpoint_tracker.h"
 #include "tests/tracking/drawn_run.h"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace dewpoint::tests {
 namespace {
@@ -239,6 +241,81 @@ TEST(DewpointTracker, UnknownRadiusIsEstimated) {
     EXPECT_NEAR(run.estimate().radius, radius, 0.05 * radius);
     EXPECT_LT(errorOf(run.estimate(), onCircle(9)), 2.0 * kClose) << radius;
   }
+}
+
+// The ball is outside the second camera's image: nothing says where along the first one's ray it
+// is.
+TEST(DewpointTracker, NothingIsBornInOneCamerasViewOfTwo) {
+  const Eigen::Vector3d aside = drawn::kMiddle + Eigen::Vector3d(0.0, 0.7, 0.0);
+  const CameraRig both = rigAround(2);
+  DrawnRun one({both[0]}, {redBall()});
+  DrawnRun two(both, {redBall()});
+  for (int frame = 0; frame < 15; ++frame) {
+    one.show({Ball{aside}});
+    two.show({Ball{aside}});
+    EXPECT_FALSE(two.estimate().valid) << frame;
+    EXPECT_LT(two.estimate().existenceProbability, 0.5) << frame;
+  }
+  EXPECT_TRUE(one.estimate().valid); // a camera that is alone is believed: its image shows the ball
+}
+
+TEST(DewpointTracker, StatesTheCalibrationError) {
+  DrawnRun exact(rigAround(2), {redBall()}, {{"calibration_error", 0.0}, {"time_error", 0.0}});
+  DrawnRun wrong(rigAround(2), {redBall()}, {{"calibration_error", 1.0}, {"time_error", 0.0}});
+  for (int frame = 0; frame < 3; ++frame) {
+    exact.show({Ball{drawn::kMiddle}});
+    wrong.show({Ball{drawn::kMiddle}});
+  }
+  EXPECT_EQ(exact.estimate().mean, wrong.estimate().mean);
+  const Eigen::Matrix3d added = wrong.estimate().covariance - exact.estimate().covariance;
+  // A degree at the cameras' mean distance, across one ray; two such rays at a right angle nearly.
+  const double distance = 0.5 * ((exact.rig()[0].center() - drawn::kMiddle).norm() +
+                                 (exact.rig()[1].center() - drawn::kMiddle).norm());
+  const double variance = std::pow(distance * std::numbers::pi / 180.0, 2);
+  const Eigen::Vector3d along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(added).eigenvalues();
+  EXPECT_GT(along.minCoeff(), 0.45 * variance);
+  EXPECT_LT(along.minCoeff(), 0.55 * variance);
+  EXPECT_LT(along.maxCoeff(), 1.5 * variance);
+}
+
+TEST(DewpointTracker, StatesTheTimeErrorOfAMovingTarget) {
+  DrawnRun exact(rigAround(2), {redBall()}, {{"calibration_error", 0.0}, {"time_error", 0.0}});
+  DrawnRun late(rigAround(2), {redBall()}, {{"calibration_error", 0.0}, {"time_error", 20.0}});
+  followCircle(exact, 40);
+  followCircle(late, 40);
+  EXPECT_EQ(exact.estimate().mean, late.estimate().mean);
+  const double speed = 30.0 * (onCircle(39) - onCircle(38)).norm();
+  const double added = (late.estimate().covariance - exact.estimate().covariance).trace();
+  EXPECT_NEAR(std::sqrt(added), 0.02 * speed, 0.2 * 0.02 * speed);
+}
+
+/// A target half of whose pixels are darker than its range, by the noise of the images: its color
+/// reaches farther than it was learned.
+Target halfTooDark() {
+  Target target = redBall();
+  target.color.intensityMin = 230.0 / (3.0 * 255.0);
+  return target;
+}
+
+TEST(DewpointTracker, HowFarAColorReachesStaysWhenAParameterChanges) {
+  DrawnRun run(rigAround(2), {halfTooDark()});
+  for (int frame = 0; frame < 3; ++frame) {
+    run.show({Ball{drawn::kMiddle}});
+  }
+  ASSERT_TRUE(run.estimate().valid);
+  const std::vector<ColorRange> reached = run.estimate().colors;
+  ASSERT_FALSE(reached.empty());
+  run.tracker().configure(drawn::parametersOf("dewpoint", {{"particles", 2000}}));
+  EXPECT_EQ(run.show({Ball{drawn::kMiddle}}).colors, reached);
+}
+
+TEST(DewpointTracker, ARestartLooksAtOnceHowFarAColorReaches) {
+  DrawnRun run(rigAround(2), {halfTooDark()});
+  for (int frame = 0; frame < 13; ++frame) {
+    run.show({}); // nothing to be seen: the next look comes later
+  }
+  run.tracker().restart(1);
+  EXPECT_FALSE(run.show({Ball{drawn::kMiddle}}).colors.empty());
 }
 
 TEST(DewpointTracker, ParticlesAreThoseOfTheStartBoxAtFirst) {

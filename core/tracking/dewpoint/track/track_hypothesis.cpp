@@ -259,6 +259,7 @@ double evidenceVolume(double radius) {
 void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key) {
   const ConstantVelocity motion = hypothesis.processNoise.next(allowed);
   motion.predict(hypothesis.gaussian);
+  hypothesis.given.reset();
   hypothesis.pending.emplace_back(motion, key.stream(RandomPurpose::Motion));
 }
 
