@@ -6,7 +6,8 @@
 namespace dewpoint::tests {
 
 std::vector<std::string> quantitiesByHand(const std::string& path, std::string_view text) {
-  if (!path.starts_with("ui/") || path.starts_with("ui/text/quantity_text.")) {
+  const bool inWindow = path.starts_with("ui/") && !path.starts_with("ui/text/quantity_text.");
+  if (!inWindow && !path.starts_with("app/")) {
     return {};
   }
   // A text may be divided over lines; what comments say is shown to nobody.
@@ -17,8 +18,10 @@ std::vector<std::string> quantitiesByHand(const std::string& path, std::string_v
   static const std::regex kUnit("%[0-9]+(°| ?(px|mm|cm|m|µs|ms|s)(?![A-Za-z0-9_/]))");
   static const std::regex kFactor(
       "(number|table|digits)Text\\([^,;]*\\b(1000\\.0|1e3|200\\.0|180\\.0|100\\.0|kDegree)\\b");
+  static const std::regex kAnyFactor("\\b(1000\\.0|1e3|180\\.0|100\\.0) \\*|"
+                                     "\\* (1000\\.0|1e3|180\\.0|100\\.0)|/ kDegree\\b");
   std::vector<std::string> found;
-  for (const std::regex& rule : {kUnit, kFactor}) {
+  for (const std::regex& rule : inWindow ? std::vector{kUnit, kFactor} : std::vector{kAnyFactor}) {
     for (std::sregex_iterator match(code.begin(), code.end(), rule), end; match != end; ++match) {
       found.push_back(match->str());
     }

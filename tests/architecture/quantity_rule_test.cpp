@@ -32,7 +32,18 @@ TEST(QuantityRule, ANumberIsNotBroughtToAnotherUnitAsItIsWritten) {
   EXPECT_EQ(quantitiesByHand(kFile, "numberText(value, 3); x = 100.0 * y;"), Found{});
 }
 
-TEST(QuantityRule, ItIsAskedOfTheWindowAlone) {
+TEST(QuantityRule, TheCommandLineBringsNumbersToAnotherUnitInOnePlace) {
+  const std::string file = "app/dewpoint-cli/track/track_job.cpp";
+  EXPECT_EQ(quantitiesByHand(file, "fmt::print(\"{:.1f} mm\", 1000.0 * rmse);"), Found{"1000.0 *"});
+  EXPECT_EQ(quantitiesByHand(file, "fmt::print(\"{}\", angle * 180.0 / pi);"), Found{"* 180.0"});
+  EXPECT_EQ(quantitiesByHand(file, "fmt::print(\"{}\", heading.yaw / kDegree);"),
+            Found{"/ kDegree"});
+
+  EXPECT_EQ(quantitiesByHand(file, "fmt::print(\"{}\", inDegrees(yaw)); x = turn * kDegree;"),
+            Found{});
+}
+
+TEST(QuantityRule, TextsWithUnitsAreAskedOfTheWindowAlone) {
   const std::string planted = "namespace dewpoint::ui {\nauto a = tr(\"%1 mm\");\n}\n";
   EXPECT_EQ(violations(kFile, planted).size(), 1U);
   EXPECT_EQ(violations("ui/text/quantity_text.cpp", planted).size(), 0U);

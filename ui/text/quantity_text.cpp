@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/quantity_text.h"
 
+#include "core/base/units.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::ui {
 namespace {
@@ -30,17 +31,13 @@ QString metersText(const QString& number) {
 double unitsOf(double meters, LengthScale scale) {
   switch (scale) {
   case LengthScale::Millimeters:
-    return 1000.0 * meters;
+    return inMillimeters(meters);
   case LengthScale::Centimeters:
-    return 100.0 * meters;
+    return inCentimeters(meters);
   case LengthScale::Meters:
     break;
   }
   return meters;
-}
-
-double inDegrees(double radians) {
-  return radians * 180.0 / std::numbers::pi;
 }
 
 QString degreesText(const QString& number) {
@@ -77,7 +74,7 @@ QString withoutTrailingZeros(QString text) {
 }
 
 QString shortLength(double meters) {
-  const double size = 1000.0 * meters;
+  const double size = inMillimeters(meters);
   if (size >= 999.5) {
     return metersText(numberText(meters, 2));
   }
@@ -133,7 +130,7 @@ QString lengthText(double meters, LengthForm form) {
   case LengthForm::Short:
     return shortLength(meters);
   case LengthForm::TwoDigits:
-    return meters < 1.0 ? millimeters(digitsText(1000.0 * meters, 2))
+    return meters < 1.0 ? millimeters(digitsText(inMillimeters(meters), 2))
                         : metersText(digitsText(meters, 2));
   }
   return readout(meters);
@@ -170,16 +167,16 @@ QString angleAccuracyText(double radians) {
 
 QString shareText(double share) {
   const bool part = share > 0.0 && share < 1.0;
-  const double percent = part ? std::clamp(100.0 * share, 1.0, 99.0) : 100.0 * share;
+  const double percent = part ? std::clamp(inPercent(share), 1.0, 99.0) : inPercent(share);
   return numberText(percent, 0) + QStringLiteral(" %");
 }
 
 QString percentText(double share, int decimals) {
-  return numberText(100.0 * share, decimals);
+  return numberText(inPercent(share), decimals);
 }
 
 QString percentAccuracyText(double share) {
-  return digitsText(100.0 * share, 2);
+  return digitsText(inPercent(share), 2);
 }
 
 QString secondsText(double seconds, int decimals) {
@@ -191,7 +188,7 @@ QString millisecondsText(double milliseconds) {
 }
 
 QString millisecondsNumber(double seconds, NumberForm form) {
-  return numberText(1000.0 * seconds, 1, form);
+  return numberText(inMilliseconds(seconds), 1, form);
 }
 
 QString durationText(double microseconds) {

@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/calibrate/calibrate_output.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
+#include "core/base/units.h"
 #include "core/setup/board_outcome.h"
 
 #include <CLI/CLI.hpp>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 
 namespace dewpoint::app {
 namespace {
@@ -82,7 +82,7 @@ void printIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& 
   fmt::print("{} {:.2f} +- {:.2f} px; a ray is known to {:.2f} px (1 sigma) where the image is "
              "known least; corners in {:.0f} % of it\n",
              focal.name, focal.value, focal.sigma, result.worstProjectionPx,
-             100.0 * result.coverage.imagePart());
+             inPercent(result.coverage.imagePart()));
   printViews(result.views);
 }
 
@@ -110,8 +110,8 @@ void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
     fmt::print("rms {:.4f} px; at {:.4f} {:.4f} {:.4f} m, looking along {:.4f} {:.4f} {:.4f}",
                fit.rmsPx, center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z());
     if (fit.centerSigma > 0.0) {
-      fmt::print("; +- {:.2f} mm, {:.3f} degrees against the first", 1e3 * fit.centerSigma,
-                 fit.turnSigma * 180.0 / std::numbers::pi);
+      fmt::print("; +- {:.2f} mm, {:.3f} degrees against the first", inMillimeters(fit.centerSigma),
+                 inDegrees(fit.turnSigma));
     }
     fmt::print("\n");
     printViews(fit.views);

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/calibrate/calibrate_commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
+#include "core/base/units.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
@@ -87,7 +88,7 @@ void printPoints(const Project& project, const PointSolution& solution) {
     fmt::print("{:<24} {:<16} {:>8.3f} {:>8.2f}\n",
                project.points[static_cast<std::size_t>(residual.point)].name,
                solution.rig[static_cast<std::size_t>(residual.camera)].name, residual.pixels,
-               1000.0 * residual.meters);
+               inMillimeters(residual.meters));
   }
   if (solution.worst) {
     const std::string& name = project.points[static_cast<std::size_t>(*solution.worst)].name;

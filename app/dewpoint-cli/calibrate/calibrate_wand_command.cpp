@@ -8,6 +8,7 @@
 #include "app/wiring/open_project.h"
 #include "core/base/angle.h"
 #include "core/base/text_file.h"
+#include "core/base/units.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/project/project_save.h"
 #include "core/setup/wand_refinement.h"
@@ -100,10 +101,10 @@ void printCameras(const WandRefinement& refinement) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(refinement.before[c], camera);
     fmt::print("{:<16} {:>6} {:>8} {:>7.3f} {:>9.2f} {:>10.2f}", camera.name, result.views[c],
-               result.dropped[c], result.cameraMedianPx[c], 100.0 * shift.meters,
-               shift.radians / kDegree);
+               result.dropped[c], result.cameraMedianPx[c], inCentimeters(shift.meters),
+               inDegrees(shift.radians));
     if (options.findOffsets) {
-      fmt::print(" {:>9.2f}", -1000.0 * result.offsets[c] + 0.0); // no -0.00
+      fmt::print(" {:>9.2f}", -inMilliseconds(result.offsets[c]) + 0.0); // no -0.00
     }
     if (options.findFocal) {
       fmt::print(" {:>7.1f}", camera.intrinsics.focalX);
@@ -119,14 +120,15 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
                        : result.scale == WandScale::Distance ? "the measured distance"
                        : result.scale == WandScale::Diameter ? "the ball's diameter"
                                                              : "the cameras as they were";
-  fmt::print("Size: from {}, {:+.2f} % against before", source, 100.0 * (result.scaleFactor - 1.0));
+  fmt::print("Size: from {}, {:+.2f} % against before", source,
+             inPercent(result.scaleFactor - 1.0));
   if (result.scaleSigma > 0.0) {
-    fmt::print(" (+-{:.2f} %)", 100.0 * result.scaleSigma);
+    fmt::print(" (+-{:.2f} %)", inPercent(result.scaleSigma));
   }
   fmt::print(".\n");
   if (result.floorFound) {
     fmt::print("Floor: from {} places, flat to {:.1f} mm; z is 0 there.\n",
-               options.floorTimes.size(), 1000.0 * result.floorRms);
+               options.floorTimes.size(), inMillimeters(result.floorRms));
   } else if (!options.floorTimes.empty()) {
     fmt::print("Floor: its height from {} places; three would show where up is.\n",
                options.floorTimes.size());
@@ -136,7 +138,7 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
                result.drop->gravity, result.drop->sigma, result.drop->instants);
   }
   if (result.floorFound || result.drop) {
-    fmt::print("Up: turned by {:.2f} degrees.\n", result.upRotated / kDegree);
+    fmt::print("Up: turned by {:.2f} degrees.\n", inDegrees(result.upRotated));
   } else {
     fmt::print("World: as it was, up unchanged.\n");
   }

@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/wiring/open_project.h"
 #include "core/base/angle.h"
+#include "core/base/units.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/manual/interactive_pose.h"
 #include "core/calibration/planning/camera_placement.h"
@@ -68,9 +69,9 @@ void printRig(const CameraRig& rig, const PlacementSettings& settings) {
   fmt::print("volume                  {:.2f} {:.2f} {:.2f} to {:.2f} {:.2f} {:.2f} m\n", low.x(),
              low.y(), low.z(), high.x(), high.y(), high.z());
   fmt::print("cameras                 {}\n", rig.size());
-  fmt::print("within {:.4g} mm         {:.1f} % of the volume\n", 1e3 * settings.goodSigma,
-             100.0 * summary.within);
-  fmt::print("fewer than two cameras  {:.1f} %\n", 100.0 * summary.tooFew);
+  fmt::print("within {:.4g} mm         {:.1f} % of the volume\n", inMillimeters(settings.goodSigma),
+             inPercent(summary.within));
+  fmt::print("fewer than two cameras  {:.1f} %\n", inPercent(summary.tooFew));
 }
 
 int plan(PlanOptions& options) {
@@ -98,10 +99,10 @@ int plan(PlanOptions& options) {
   const Heading heading = headingOf(found->camera);
   fmt::print("best place for another  {:.2f} {:.2f} {:.2f} m, looking {:.1f} degrees from x to y, "
              "{:.1f} above the horizon\n",
-             center.x(), center.y(), center.z(), heading.yaw / kDegree, heading.pitch / kDegree);
+             center.x(), center.y(), center.z(), inDegrees(heading.yaw), inDegrees(heading.pitch));
   fmt::print("within {:.4g} mm then    {:.1f} % of the volume, {:.1f} % before\n",
-             1e3 * options.placement.goodSigma, 100.0 * found->withinAfter,
-             100.0 * found->withinBefore);
+             inMillimeters(options.placement.goodSigma), inPercent(found->withinAfter),
+             inPercent(found->withinBefore));
   if (!options.out.empty()) {
     rig.push_back(found->camera);
     if (const auto written = saveCalibration(rig, options.out); !written) {

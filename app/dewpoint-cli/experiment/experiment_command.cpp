@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
 #include "core/base/text_file.h"
+#include "core/base/units.h"
 #include "core/experiment/report/report_folder.h"
 #include "core/experiment/studies/convergence_csv.h"
 #include "core/experiment/studies/wand_study.h"
@@ -63,7 +64,7 @@ int studyBarrera(const ConvergenceOptions& options) {
     }
     fmt::print("{:<50} {:>4} / {:<4} {:>11} {:>11.1f} {:>9.1f} {:>8.1f} mm\n", setup.name,
                result->converged, setup.runs, result->within, result->medianIterations,
-               1000.0 * result->rmse, 1000.0 * result->depthBias);
+               inMillimeters(result->rmse), inMillimeters(result->depthBias));
     std::fflush(stdout);
     results.push_back(*result);
   }
@@ -73,7 +74,7 @@ int studyBarrera(const ConvergenceOptions& options) {
   }
   for (const DriftResult& drift : *drifts) {
     fmt::print("drift away from a single camera: {:.1f} mm per iteration over the first {}\n",
-               1000.0 * drift.meters, drift.iterations);
+               inMillimeters(drift.meters), drift.iterations);
   }
   fmt::print("Seeds {}.\n", seedSentence(options.first, options.runs));
   if (!options.folder.empty()) {
@@ -91,9 +92,9 @@ void printTrial(const WandTrial& trial) {
     return;
   }
   fmt::print(" {:>9.2f} {:>8.2f} {:>8.3f} {:>9.2f} {:>7.3f} {:>6} {:>7.2f}  {}\n",
-             1000.0 * trial.cameraRms, 1000.0 * trial.pointRms, 100.0 * trial.scaleError,
-             1000.0 * trial.offsetError, trial.medianPx, trial.views, trial.solveSeconds,
-             trial.passed ? "yes" : "no");
+             inMillimeters(trial.cameraRms), inMillimeters(trial.pointRms),
+             inPercent(trial.scaleError), inMilliseconds(trial.offsetError), trial.medianPx,
+             trial.views, trial.solveSeconds, trial.passed ? "yes" : "no");
   std::fflush(stdout);
 }
 
@@ -120,8 +121,9 @@ int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
     fmt::print("{}: {} of {} within {:.1f} mm; worst {:.2f} mm cameras, {:.2f} mm points, "
                "{:.2f} ms, {:.1f} s\n",
                wandCaseName(kind), std::ranges::count(trials, true, &WandTrial::passed),
-               trials.size(), 1000.0 * wandBar(kind), 1000.0 * worst.cameraRms,
-               1000.0 * worst.pointRms, 1000.0 * worst.offsetError, worst.solveSeconds);
+               trials.size(), inMillimeters(wandBar(kind)), inMillimeters(worst.cameraRms),
+               inMillimeters(worst.pointRms), inMilliseconds(worst.offsetError),
+               worst.solveSeconds);
   }
   fmt::print("Seeds {}.\n", seedSentence(first, seeds));
   return interruptionRequested() ? kExitInterrupted : kExitDone;

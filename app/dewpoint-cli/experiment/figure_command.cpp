@@ -4,6 +4,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "app/dewpoint-cli/experiment/experiment_commands.h"
+#include "core/base/units.h"
 #include "core/experiment/studies/figure_experiments.h"
 
 #include <CLI/CLI.hpp>
@@ -20,7 +21,7 @@ int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
   Progress bar(std::string(experiment.name), 100);
   options.runs = options.runs > 0 ? options.runs : experiment.runs;
   options.progress = [&](double part) {
-    bar.show(static_cast<std::int64_t>(100.0 * part));
+    bar.show(static_cast<std::int64_t>(inPercent(part)));
     return !interruptionRequested();
   };
   const auto made = experiment.run(options);

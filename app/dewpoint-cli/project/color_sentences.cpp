@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/project/color_sentences.h"
 
+#include "core/base/units.h"
+
 #include <fmt/format.h>
 
 namespace dewpoint::app {
@@ -68,11 +70,11 @@ std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
   std::vector<std::string> sentences{
       fmt::format("{}: {} of 100.", separation(assessment.score()), assessment.score()),
       fmt::format("{:.0f} % of the target and {:.2f} % of the background match.",
-                  100.0 * assessment.targetShare, 100.0 * assessment.backgroundShare)};
+                  inPercent(assessment.targetShare), inPercent(assessment.backgroundShare))};
   if (assessment.backgroundShareOfWhole) {
     sentences.push_back(
         fmt::format("A range for all of the target would match {:.2f} % of the background.",
-                    100.0 * *assessment.backgroundShareOfWhole));
+                    inPercent(*assessment.backgroundShareOfWhole)));
   }
   if (assessment.sampleLeftOut) {
     sentences.emplace_back("One sample does not go with the others: no single range holds both.");

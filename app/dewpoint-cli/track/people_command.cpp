@@ -6,6 +6,7 @@
 #include "app/dewpoint-cli/common/parameter_settings.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "app/wiring/open_project.h"
+#include "core/base/units.h"
 #include "core/session/people/people_overlay.h"
 #include "core/session/people/people_writer.h"
 #include "core/session/run/frame_loop.h"
@@ -208,7 +209,7 @@ int runPeople(const PeopleOptions& options) {
   fmt::print("frames                  {:>10}\n", observer.frames());
   fmt::print("most people at once     {:>10}\n", observer.most());
   fmt::print("ms per frame            {:>10.2f}\n",
-             1000.0 * observer.seconds() /
+             inMilliseconds(observer.seconds()) /
                  static_cast<double>(std::max<std::int64_t>(1, observer.frames())));
   if (!tracked) {
     const int code = report(tracked.error());

@@ -6,6 +6,7 @@
 #include "app/dewpoint-cli/common/parameter_settings.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "app/dewpoint-cli/project/sample_argument.h"
+#include "core/base/units.h"
 #include "core/capture/frame_writer.h"
 #include "core/capture/recording.h"
 #include "core/session/run/box_track_file.h"
@@ -154,7 +155,7 @@ public:
   std::int64_t frames() const { return frames_; }
   /// Without the first frame, in which boxes are only taken as they were given.
   double millisecondsPerFrame() const {
-    return 1e3 * seconds_ / std::max(1.0, static_cast<double>(frames_));
+    return inMilliseconds(seconds_) / std::max(1.0, static_cast<double>(frames_));
   }
 
 private:

@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/base/text_file.h"
+#include "core/base/units.h"
 #include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/reason_log.h"
@@ -160,12 +161,12 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, int itera
     if (one.framesToConverge) {
       fmt::print("iterations to converge  {:>10}\n",
                  (*one.framesToConverge + 1) * iterationsPerFrame);
-      fmt::print("error RMSE              {:>7.1f} mm\n", 1000.0 * one.rmse);
-      fmt::print("error p95               {:>7.1f} mm\n", 1000.0 * one.p95);
+      fmt::print("error RMSE              {:>7.1f} mm\n", inMillimeters(one.rmse));
+      fmt::print("error p95               {:>7.1f} mm\n", inMillimeters(one.p95));
       fmt::print("frames lost             {:>10}\n", one.lostFrames);
     } else {
       fmt::print("iterations to converge  {:>10}\n", "never");
-      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", 1000.0 * one.rmseAll);
+      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", inMillimeters(one.rmseAll));
     }
   }
 }

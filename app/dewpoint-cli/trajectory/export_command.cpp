@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/base/text_file.h"
+#include "core/base/units.h"
 #include "core/trajectory/export/export_catalog.h"
 #include "core/trajectory/export/trajectory_export.h"
 #include "core/trajectory/figure/figure_drawing.h"
@@ -143,7 +144,7 @@ int writeExport(const ExportCommand& command, const Trajectory& trajectory) {
   Progress bar("export", 100);
   const auto summary =
       exportTrajectory(trajectory, command.options, command.file, [&](double done) {
-        bar.show(static_cast<std::int64_t>(100.0 * done));
+        bar.show(static_cast<std::int64_t>(inPercent(done)));
         return true;
       });
   bar.finish();

@@ -37,6 +37,12 @@ public:
   static double matchShare(const LabelImage& labels, const SphereImage& outline);
 };
 
+/// Whether the center of an outline is in an image of this size.
+inline bool isInImage(const SphereImage& outline, const cv::Size& size) {
+  return outline.center.x() >= 0.0 && outline.center.y() >= 0.0 &&
+         outline.center.x() <= size.width - 1 && outline.center.y() <= size.height - 1;
+}
+
 /// The part of an image within `radii` radii of an outline's center, `margin` pixels wider.
 cv::Rect areaOf(const SphereImage& outline, double radii, double margin = 2.0);
 

@@ -20,11 +20,6 @@ Eigen::Vector3d positionInRow(ConstStateRows rows, Eigen::Index row, double time
   return position;
 }
 
-bool insideImage(const SphereImage& outline, const cv::Size& size) {
-  return outline.center.x() >= 0.0 && outline.center.y() >= 0.0 &&
-         outline.center.x() <= size.width - 1 && outline.center.y() <= size.height - 1;
-}
-
 } // namespace
 
 SphereObservation::SphereObservation(const CameraRig& rig) {
@@ -139,7 +134,7 @@ double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& 
   double sum = 0.0;
   for (const View& view : views_) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
-    if (!view.labels.empty() && outline && insideImage(*outline, view.labels.size())) {
+    if (!view.labels.empty() && outline && isInImage(*outline, view.labels.size())) {
       sum += SphereEvidence::best();
     }
   }
@@ -151,7 +146,7 @@ int SphereObservation::camerasInView(const Eigen::Vector3d& center,
   int count = 0;
   for (const View& view : views_) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
-    count += !view.labels.empty() && outline && insideImage(*outline, view.labels.size()) ? 1 : 0;
+    count += !view.labels.empty() && outline && isInImage(*outline, view.labels.size()) ? 1 : 0;
   }
   return count;
 }
@@ -164,7 +159,7 @@ std::vector<CameraEvidence> SphereObservation::evidence(const Eigen::Vector3d& c
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (!view.labels.empty() && outline && outline->radius < kLargestRadiusPx) {
       view.labels.require(areaOf(*outline, SphereEvidence::kReach));
-      cameras[k].inView = insideImage(*outline, view.labels.size());
+      cameras[k].inView = isInImage(*outline, view.labels.size());
       cameras[k].logLikelihood = SphereEvidence::logLikelihoodRatio(view.labels, *outline);
       cameras[k].existenceProbability = probabilityFrom(cameras[k].logLikelihood);
       cameras[k].visible = SphereEvidence::matchShare(view.labels, *outline);

@@ -47,11 +47,6 @@ std::optional<double> distanceToLabel(const LabelImage& labels, PixelLabel label
   return distanceToNearest(mask, point);
 }
 
-bool isInside(const SphereImage& outline, const cv::Size& size) {
-  return outline.center.x() >= 0.0 && outline.center.y() >= 0.0 &&
-         outline.center.x() <= size.width - 1 && outline.center.y() <= size.height - 1;
-}
-
 double gapBetween(const SphereImage& a, const SphereImage& b) {
   return std::max(0.0, (a.center - b.center).norm() - a.radius - b.radius);
 }
@@ -119,7 +114,7 @@ CameraReport explainCamera(const TrackedObjects& objects, const FrameImages& ima
   if (images.background(camera).novelShare() > kCoveredShare) {
     return {CameraStatus::Covered, 0.0};
   }
-  if (expected && (!outline || !isInside(*outline, labels.size()))) {
+  if (expected && (!outline || !isInImage(*outline, labels.size()))) {
     return {CameraStatus::OutOfView, 0.0};
   }
   if (outline && unknownShare(labels, *outline) >= kHiddenShare) {
@@ -185,7 +180,7 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
   for (std::size_t camera = 0; camera < cameraCount; ++camera) {
     LabelImage& labels = observation.labels(camera);
     const auto outline = observation.projector(camera).project(estimate.mean, radius);
-    if (labels.empty() || !outline || !isInside(*outline, labels.size()) || radius <= 0.0) {
+    if (labels.empty() || !outline || !isInImage(*outline, labels.size()) || radius <= 0.0) {
       continue;
     }
     LikelihoodMap& map = maps[camera];
