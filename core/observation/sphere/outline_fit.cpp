@@ -271,7 +271,7 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
   }
   const Matrix4 covariance = total.inverse();
   fit.covariance = covariance.topLeftCorner<3, 3>();
-  fit.logRadiusVariance = covariance(3, 3);
+  fit.logRadiusVariance = prior.logRadiusVariance > 0.0 ? covariance(3, 3) : 0.0;
   fit.found = covariance.allFinite();
   compareCameras(cameras, step, fit);
   return fit;

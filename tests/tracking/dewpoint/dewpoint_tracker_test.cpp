@@ -245,6 +245,21 @@ TEST(DewpointTracker, UnknownRadiusIsEstimated) {
 
 // The ball is outside the second camera's image: nothing says where along the first one's ray it
 // is.
+// A quarter too large or too small is measured; a tenth does no harm.
+TEST(DewpointTracker, ARadiusThatIsGivenWronglyIsCorrected) {
+  for (const double factor : {0.75, 0.9, 1.1, 1.25}) {
+    Target target = redBall();
+    target.radius *= factor;
+    DrawnRun run(rigAround(2), {target});
+    for (int frame = 0; frame < 10; ++frame) {
+      run.show({Ball{onCircle(frame)}});
+    }
+    EXPECT_TRUE(run.estimate().valid) << factor;
+    EXPECT_NEAR(run.estimate().radius, 0.035, 0.11 * 0.035) << factor;
+    EXPECT_LT(errorOf(run.estimate(), onCircle(9)), 2.0 * kClose) << factor;
+  }
+}
+
 TEST(DewpointTracker, NothingIsBornInOneCamerasViewOfTwo) {
   const Eigen::Vector3d aside = drawn::kMiddle + Eigen::Vector3d(0.0, 0.7, 0.0);
   const CameraRig both = rigAround(2);

@@ -26,43 +26,39 @@ constexpr double kInitialProbability = 0.98;
 constexpr double kInitialSigmaRadii = 0.1;
 /// Largest size misfit (squared standard deviations) that counts against an initial hypothesis.
 constexpr double kMaxSizeMisfit = 20.0;
+/// By this much the log likelihood ratio must be larger with another radius than the given one.
+constexpr double kOtherRadiusGain = 3.0;
 /// Radii, edge of the cubes in which KLD-sampling counts the particles.
 constexpr double kBinRadii = 0.5;
-/// Relative standard deviation of a radius that is estimated from the images.
-constexpr double kRadiusSigma = 0.2;
-/// Meters, radius of a target that is searched for while its radius is not known. Origin not
-/// recorded.
-constexpr double kAssumedRadius = 0.03;
 
 } // namespace
 
-BernoulliTrack::BernoulliTrack(const Target& target) : target_(target) {
+BernoulliTrack::BernoulliTrack(const Target& target)
+    : target_(target), radiusPrior_(target.radius) {
   restart({}, 0);
 }
 
 void BernoulliTrack::setTarget(const Target& target) {
   const bool radiusChanged = target.radius != target_.radius;
   target_ = target;
-  for (TrackHypothesis& hypothesis : hypotheses_) {
-    if (radiusChanged && target.radius > 0.0) {
-      hypothesis.radius = target.radius;
+  if (radiusChanged) {
+    radiusPrior_ = RadiusPrior(target.radius);
+    for (TrackHypothesis& hypothesis : hypotheses_) {
+      hypothesis.radius = target.radius > 0.0 ? target.radius : hypothesis.radius;
+      hypothesis.logRadiusVariance = radiusPrior_.logVariance();
     }
-    hypothesis.logRadiusVariance = target.radius > 0.0 ? 0.0 : kRadiusSigma * kRadiusSigma;
   }
   predicted_ = hypotheses_;
 }
 
 void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
+  radiusPrior_.restart();
   searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
   identityAmbiguity_ = 0.0;
   nextStream_ = 1;
   hypotheses_.clear();
   predicted_.clear();
   searchParticles_.restart(searchPrior_, settings_.maxParticles, {seed, 0, 0}, bounds_);
-}
-
-double BernoulliTrack::assumedRadius() const {
-  return target_.radius > 0.0 ? target_.radius : kAssumedRadius;
 }
 
 void BernoulliTrack::predict(double interval, const RandomKey& key) {
@@ -101,17 +97,20 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   }
   std::vector<double> logMasses;
   updateHypotheses(observation, key, team, logMasses);
-  removeOutside(logMasses);
+  removeImpossible(logMasses);
   if (createsHypotheses_ && mustSearch(hypotheses_, logMasses)) {
     if (confident() == nullptr) {
-      searchParticles_.update(searchPrior_, settings_.maxParticles, assumedRadius(), bounds_,
-                              observation, key, team);
+      searchParticles_.update(searchPrior_, settings_.maxParticles, radiusPrior_.expected(),
+                              bounds_, observation, key, team);
     }
     addNewHypotheses(observation, search, occupied, key, team, logMasses);
   }
   normalizeMasses(hypotheses_, logMasses);
   limitOneCamera(hypotheses_);
   mergeAndPrune(hypotheses_);
+  if (const TrackHypothesis* sure = confident(); sure != nullptr && sure->isSaturated()) {
+    radiusPrior_.learn(sure->radius, sure->logRadiusVariance);
+  }
 }
 
 void BernoulliTrack::updateHypotheses(SphereObservation& observation, const RandomKey& key,
@@ -127,17 +126,43 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
   }
 }
 
-void BernoulliTrack::removeOutside(std::vector<double>& logMasses) {
-  for (std::size_t k = hypotheses_.size(); bounds_ && k-- > 0;) {
-    if (!bounds_->contains(hypotheses_[k].position(), hypotheses_[k].radius)) {
+void BernoulliTrack::removeImpossible(std::vector<double>& logMasses) {
+  const std::size_t before = hypotheses_.size();
+  for (std::size_t k = before; k-- > 0;) {
+    const TrackHypothesis& one = hypotheses_[k];
+    if ((bounds_ && !bounds_->contains(one.position(), one.radius)) ||
+        !radiusPrior_.allows(one.radius)) {
       const auto at = static_cast<std::ptrdiff_t>(k);
       hypotheses_.erase(hypotheses_.begin() + at);
       logMasses.erase(logMasses.begin() + at);
     }
   }
-  if (bounds_ && hypotheses_.empty()) {
+  if (before > 0 && hypotheses_.empty()) {
     identityAmbiguity_ = 0.0; // the next hypothesis is a new track
   }
+}
+
+OutlineFit BernoulliTrack::fitBirth(const Candidate& candidate,
+                                    SphereObservation& observation) const {
+  OutlinePrior prior;
+  prior.center = candidate.center;
+  prior.radius = radiusPrior_.isGiven() ? radiusPrior_.expected() : candidate.radius;
+  prior.logRadiusVariance = radiusPrior_.logVariance();
+  prior.information = Eigen::Matrix3d::Identity() / (settings_.searchSize * settings_.searchSize);
+  const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());
+  if (!radiusPrior_.isTrusted()) {
+    return fit;
+  }
+  prior.logRadiusVariance = RadiusPrior::unknownLogVariance();
+  const OutlineFit free = observation.fit(prior, Eigen::Vector3d::Zero());
+  if (!free.found || !radiusPrior_.contradicts(free.radius)) {
+    return fit;
+  }
+  const auto evidence = [&observation](const OutlineFit& of) {
+    observation.setRadius(of.radius);
+    return of.found ? observation.logLikelihoodRatio(of.center, Eigen::Vector3d::Zero()) : 0.0;
+  };
+  return evidence(free) > evidence(fit) + kOtherRadiusGain ? free : fit;
 }
 
 void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
@@ -149,12 +174,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
   const double birth = absenceFromSharedViews(hypotheses_) * kBirthProbability;
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
-    OutlinePrior prior;
-    prior.center = candidate.center;
-    prior.radius = candidate.radius;
-    prior.logRadiusVariance = radiusKnown ? 0.0 : kRadiusSigma * kRadiusSigma;
-    prior.information = Eigen::Matrix3d::Identity() / (settings_.searchSize * settings_.searchSize);
-    const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());
+    const OutlineFit fit = fitBirth(candidate, observation);
     if (!fit.found) {
       continue;
     }
@@ -169,13 +189,14 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
       return (other.position() - fit.center).norm() < fit.radius;
     });
     const double density = searchPrior_.birthDensity(fit.center, settings_.searchSize, bounds_);
-    if (known || isOccupied(fit.center, fit.radius, occupied) ||
+    if (known || !radiusPrior_.allows(fit.radius) || isOccupied(fit.center, fit.radius, occupied) ||
         logLikelihoodRatio < kMinLogLikelihoodRatio || density <= 0.0) {
       continue;
     }
     hypotheses_.push_back(createHypothesis(fit, observation, key, team));
     logMasses.push_back(std::log(birth * density * evidenceVolume(fit.radius)) +
-                        logLikelihoodRatio - evidenceBeyondSaturation(hypotheses_.back()));
+                        logLikelihoodRatio - evidenceBeyondSaturation(hypotheses_.back()) -
+                        radiusPrior_.penalty(fit.radius));
   }
   if (first) {
     scoreInitialHypotheses(observation, logMasses);
@@ -201,7 +222,7 @@ TrackHypothesis BernoulliTrack::newHypothesis(const Gaussian3& position, double 
   TrackHypothesis hypothesis;
   hypothesis.stream = nextStream_++ % 4096U; // see firstIndex() in track_hypothesis.cpp
   hypothesis.radius = radius;
-  hypothesis.logRadiusVariance = target_.radius > 0.0 ? 0.0 : logRadiusVariance;
+  hypothesis.logRadiusVariance = logRadiusVariance;
   hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
   hypothesis.gaussian.covariance.setZero();
   hypothesis.gaussian.covariance.topLeftCorner<3, 3>() = position.covariance;
@@ -220,7 +241,7 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.outlineFound = true;
-  hypothesis.sizeMisfit = target_.radius > 0.0 ? fit.sizeMisfit : 0.0;
+  hypothesis.sizeMisfit = radiusPrior_.isTrusted() ? fit.sizeMisfit : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
   return hypothesis;
@@ -234,7 +255,7 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   fit.radius = radius;
   fit.covariance =
       Eigen::Matrix3d::Identity() * (kInitialSigmaRadii * radius) * (kInitialSigmaRadii * radius);
-  fit.logRadiusVariance = kRadiusSigma * kRadiusSigma;
+  fit.logRadiusVariance = radiusPrior_.logVariance();
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
   hypotheses_.front().provenProbability = kInitialProbability;
@@ -242,8 +263,8 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
                              const RandomKey& key, ThreadTeam& team) {
-  const double radius = best() != nullptr ? best()->radius : assumedRadius();
-  TrackHypothesis hypothesis = newHypothesis(position, radius, kRadiusSigma * kRadiusSigma);
+  const double radius = best() != nullptr ? best()->radius : radiusPrior_.expected();
+  TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
   hypothesis.given = position.covariance;
@@ -301,7 +322,7 @@ std::optional<OccupiedSphere> BernoulliTrack::expectedSphere() const {
     return OccupiedSphere{likeliest->position(), likeliest->radius};
   }
   const auto last = searchPrior_.lastPosition();
-  return last ? std::optional(OccupiedSphere{*last, assumedRadius()}) : std::nullopt;
+  return last ? std::optional(OccupiedSphere{*last, radiusPrior_.expected()}) : std::nullopt;
 }
 
 SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {

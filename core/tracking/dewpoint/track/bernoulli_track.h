@@ -6,6 +6,7 @@
 #include "core/tracking/dewpoint/search/search_prior.h"
 #include "core/tracking/dewpoint/track/hypothesis_estimate.h"
 #include "core/tracking/dewpoint/track/hypothesis_masses.h"
+#include "core/tracking/dewpoint/track/radius_prior.h"
 #include "core/tracking/dewpoint/track/track_hypothesis.h"
 #include "core/tracking/start_parameters.h"
 #include "core/tracking/target.h"
@@ -101,11 +102,14 @@ public:
 private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
-  /// Removes hypotheses that are more than their radius outside the bounds.
-  void removeOutside(std::vector<double>& logMasses);
+  /// Removes hypotheses that are more than their radius outside the bounds, and those of a radius
+  /// that the target cannot have.
+  void removeImpossible(std::vector<double>& logMasses);
   void addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
                         const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                         ThreadTeam& team, std::vector<double>& logMasses);
+  /// The outline at a candidate, of the given radius or, where the images contradict it, of theirs.
+  OutlineFit fitBirth(const Candidate& candidate, SphereObservation& observation) const;
   /// Changes the masses of the first hypotheses of a target: their evidence does not saturate, that
   /// of their neighbors does not count against them, and their size counts.
   void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
@@ -114,12 +118,11 @@ private:
   TrackHypothesis createHypothesis(const OutlineFit& fit, SphereObservation& observation,
                                    const RandomKey& key, ThreadTeam& team);
   Eigen::Index particleCount(const TrackHypothesis& hypothesis) const;
-  /// The target's radius, or a usual one where it is not known; meters.
-  double assumedRadius() const;
 
   Target target_;
   BernoulliTrackSettings settings_;
   std::optional<WorldBox> bounds_;
+  RadiusPrior radiusPrior_;
   SearchPrior searchPrior_;
   SearchParticles searchParticles_;
   double identityAmbiguity_ = 0.0; ///< probability that resolveIdentity() chose wrongly

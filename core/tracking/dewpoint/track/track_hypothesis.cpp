@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::tracking {
@@ -46,6 +47,14 @@ constexpr double kFarFitMinGain = 3.0;
 constexpr double kBlurSeconds = 0.0005;
 /// Radii, least standard deviation of an outline's center: shading, color noise.
 constexpr double kShadingShareOfRadius = 0.003;
+
+/// Standard deviation by which the logarithm of a radius that is measured becomes less certain with
+/// each frame: one that was mistaken is left behind within seconds.
+constexpr double kRadiusDrift = 0.001;
+constexpr double kWidestRadius = 0.2; ///< standard deviation that it reaches at most
+/// A radius that is known as well as this (standard deviation of its logarithm) stays while one
+/// camera of several alone sees the outline.
+constexpr double kHeldRadius = 0.05;
 
 /// Index of its first particle in the random streams, which all hypotheses of a target share.
 std::uint32_t firstIndex(const TrackHypothesis& hypothesis) {
@@ -145,6 +154,16 @@ OutlineMeasurement measure(const TrackHypothesis& hypothesis, SphereObservation&
   prior.logRadiusVariance = hypothesis.logRadiusVariance;
   prior.information = before.covariance.inverse();
   OutlineMeasurement result{observation.fit(prior, hypothesis.velocity(), reach), before};
+  if (result.fit.found && result.fit.freedoms == 0 && prior.logRadiusVariance > 0.0 &&
+      prior.logRadiusVariance < kHeldRadius * kHeldRadius && observation.cameraCount() > 1) {
+    // One camera alone does not tell a larger target from a nearer one: the radius stays, and how
+    // well it is known counts in the covariance (a Schmidt-Kalman update).
+    const OutlineFit free = std::exchange(result.fit, {});
+    prior.logRadiusVariance = 0.0;
+    result.fit = observation.fit(prior, hypothesis.velocity(), reach);
+    result.fit.covariance = free.covariance;
+    result.fit.logRadiusVariance = hypothesis.logRadiusVariance;
+  }
   if (!result.fit.found || prediction.prepared.squaredDistance(result.fit.center) > kGate * kGate) {
     return result;
   }
@@ -260,6 +279,11 @@ void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const
   const ConstantVelocity motion = hypothesis.processNoise.next(allowed);
   motion.predict(hypothesis.gaussian);
   hypothesis.given.reset();
+  // One camera alone does not tell a larger target from a nearer one.
+  if (hypothesis.logRadiusVariance > 0.0 && !hypothesis.oneCameraOnly &&
+      hypothesis.logRadiusVariance < kWidestRadius * kWidestRadius) {
+    hypothesis.logRadiusVariance += kRadiusDrift * kRadiusDrift;
+  }
   hypothesis.pending.emplace_back(motion, key.stream(RandomPurpose::Motion));
 }
 

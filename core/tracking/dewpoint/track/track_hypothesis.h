@@ -26,7 +26,7 @@ struct TrackHypothesis {
   Eigen::ArrayXd weights;       ///< linear, sum 1
   Gaussian6 gaussian;           ///< position and velocity
   double radius = 0.0;          ///< meters
-  double logRadiusVariance = 0; ///< of log(radius); 0 when the radius is known
+  double logRadiusVariance = 0; ///< of log(radius); 0: the radius stays as it is
   double probability = 0.0;     ///< that the target exists and is here
   /// Whether one camera of several alone can see it now.
   bool oneCameraOnly = false;

@@ -197,6 +197,33 @@ TEST_F(BernoulliTrackTest, StartsWithinTheBounds) {
   EXPECT_LE(positions.col(0).maxCoeff(), kThere.x() + 0.5 + 1e-12);
 }
 
+// What was measured before it was lost says that a ball of half the size is another.
+TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
+  const double half = 0.5 * kRadius;
+  const Eigen::Vector3d elsewhere = kThere + Eigen::Vector3d(0.2, 0.1, 0.0);
+  track_.setTarget(Target{"ball", 0.0, drawn::kRed});
+  show({Ball{elsewhere, half}});
+  predict(kFrame);
+  update({{elsewhere, half, 0.0}});
+  ASSERT_NE(track_.confident(), nullptr); // nothing is known yet
+  EXPECT_NEAR(track_.best()->radius, half, 0.1 * half);
+
+  track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
+  show({Ball{kThere}});
+  for (int frame = 0; frame < 10; ++frame) {
+    predict(kFrame);
+    update({{kThere, kRadius, 0.0}});
+  }
+  ASSERT_NE(track_.confident(), nullptr);
+  EXPECT_NEAR(track_.best()->radius, kRadius, 0.03 * kRadius);
+  show({Ball{elsewhere, half}});
+  for (int frame = 0; frame < 10; ++frame) {
+    predict(kFrame);
+    update({{elsewhere, half, 0.0}});
+  }
+  EXPECT_EQ(track_.confident(), nullptr);
+}
+
 /// Two equal balls side by side, as far from the middle of the start volume: nothing tells which is
 /// the target.
 class TwoEqualBalls : public BernoulliTrackTest {

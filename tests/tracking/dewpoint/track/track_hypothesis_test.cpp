@@ -171,6 +171,34 @@ TEST_F(TrackHypothesisTest, AnUnknownRadiusIsLearnedLookByLook) {
   EXPECT_GT(hypothesis_.logRadiusVariance, 0.0);
 }
 
+// A camera that shows the wall alone sees no outline: the other one does not tell a ball of 33 mm
+// from one of 35 mm that is farther away.
+TEST_F(TrackHypothesisTest, ARadiusThatIsKnownStaysWhereOneCameraAloneSeesTheOutline) {
+  show({Ball{drawn::kMiddle}});
+  images_[1] = drawn::wall(rig_[1]);
+  observation_.setImage(1, images_[1], 0.0, backgrounds_[1], classifier_);
+  hypothesis_.radius = 0.033;
+  hypothesis_.logRadiusVariance = 0.0004; // a fiftieth
+  measurementUpdate(hypothesis_, observation_, 500, key_, team_);
+  ASSERT_TRUE(hypothesis_.outlineFound);
+  EXPECT_EQ(hypothesis_.radius, 0.033);
+  EXPECT_EQ(hypothesis_.logRadiusVariance, 0.0004);
+}
+
+TEST_F(TrackHypothesisTest, AMeasuredRadiusBecomesLessCertainUnlessOneCameraAloneCanSeeIt) {
+  const ConstantVelocity motion{1.0 / 30.0, 8.0};
+  hypothesis_.logRadiusVariance = 0.0004;
+  hypothesis_.oneCameraOnly = true;
+  predict(hypothesis_, motion, key_);
+  EXPECT_EQ(hypothesis_.logRadiusVariance, 0.0004);
+  hypothesis_.oneCameraOnly = false;
+  predict(hypothesis_, motion, key_);
+  EXPECT_GT(hypothesis_.logRadiusVariance, 0.0004);
+  hypothesis_.logRadiusVariance = 0.0; // known
+  predict(hypothesis_, motion, key_);
+  EXPECT_EQ(hypothesis_.logRadiusVariance, 0.0);
+}
+
 TEST(EvidenceVolume, GrowsWithTheCubeOfTheRadius) {
   EXPECT_GT(evidenceVolume(0.035), 0.0);
   EXPECT_NEAR(evidenceVolume(0.07) / evidenceVolume(0.035), 8.0, 1e-9);
