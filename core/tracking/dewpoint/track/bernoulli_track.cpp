@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace dewpoint::tracking {
 namespace {
@@ -271,7 +270,7 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);
   measurementUpdate(hypothesis, observation, settings_.maxParticles, key, team);
-  hypotheses_.assign(1, std::move(hypothesis));
+  hypotheses_.assign(1, hypothesis);
   identityAmbiguity_ = 0.0;
 }
 

@@ -229,14 +229,14 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
 class TwoEqualBalls : public BernoulliTrackTest {
 protected:
   TwoEqualBalls() {
-    show({Ball{kLeft}, Ball{kRight}});
+    show({Ball{left_}, Ball{right_}});
     for (int frame = 0; frame < 8; ++frame) {
       predict(kFrame);
-      update({{kLeft, kRadius, 0.0}, {kRight, kRadius, 0.0}});
+      update({{left_, kRadius, 0.0}, {right_, kRadius, 0.0}});
     }
   }
-  const Eigen::Vector3d kLeft = kThere + Eigen::Vector3d(-0.1, 0.1, 0.0);
-  const Eigen::Vector3d kRight = kThere + Eigen::Vector3d(0.1, -0.1, 0.0);
+  const Eigen::Vector3d left_ = kThere + Eigen::Vector3d(-0.1, 0.1, 0.0);
+  const Eigen::Vector3d right_ = kThere + Eigen::Vector3d(0.1, -0.1, 0.0);
 };
 
 // The ambiguity is the share that the rival had; the estimate's existence is what is left of the
