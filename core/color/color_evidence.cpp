@@ -222,8 +222,9 @@ public:
 
   /// What the samples alone show, for so many images.
   void takeSamples(std::int64_t views);
-  /// The image of the next camera.
-  void takeImage(const cv::Mat& image, const std::optional<ColorRange>& range);
+  /// The image of the next camera, and where it may show the target.
+  void takeImage(const cv::Mat& image, const std::optional<ColorRange>& range,
+                 const cv::Mat& undecided);
   /// After all images.
   ColorEvidence finish() &&;
 
@@ -270,9 +271,10 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
   }
 }
 
-void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<ColorRange>& range) {
+void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<ColorRange>& range,
+                                  const cv::Mat& undecided) {
   const std::size_t camera = evidence_.images.size();
-  ImageEvidence& shown = evidence_.images.emplace_back(ImageEvidence{image, {}, {}});
+  ImageEvidence& shown = evidence_.images.emplace_back(ImageEvidence{image, {}, {}, undecided});
   cv::Mat& mask = evidence_.targetMasks.emplace_back();
   if (image.type() != CV_8UC3) {
     return;
@@ -290,6 +292,9 @@ void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<Colo
                         ? before_->images[camera].similar
                         : likelyTarget(image, evidence_.typicalRange, area, evidence_.work);
     mask = unclickedTarget(image, shown.similar, range, area, evidence_.work);
+  }
+  if (undecided.size() == mask.size()) {
+    mask |= undecided;
   }
   widen(mask);
 }
@@ -333,12 +338,14 @@ ColorEvidence EvidenceCollector::finish() && {
 }
 
 ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector<cv::Mat>& images,
-                      const std::optional<ColorRange>& range, const ColorEvidence* before) {
+                      const std::optional<ColorRange>& range, const std::vector<cv::Mat>& undecided,
+                      const ColorEvidence* before) {
   EvidenceCollector collector(samples, before);
   collector.takeSamples(
       std::ranges::count(images, CV_8UC3, [](const cv::Mat& image) { return image.type(); }));
-  for (const cv::Mat& image : images) {
-    collector.takeImage(image, range);
+  for (std::size_t camera = 0; camera < images.size(); ++camera) {
+    collector.takeImage(images[camera], range,
+                        camera < undecided.size() ? undecided[camera] : cv::Mat());
   }
   return std::move(collector).finish();
 }
@@ -347,14 +354,19 @@ ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector
 
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
-                            const std::optional<ColorRange>& range) {
-  return collect(samples, images, range, nullptr);
+                            const std::optional<ColorRange>& range,
+                            const std::vector<cv::Mat>& undecided) {
+  return collect(samples, images, range, undecided, nullptr);
 }
 
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorRange& range,
                             const ColorEvidence& before) {
-  return collect(samples, images, range, &before);
+  std::vector<cv::Mat> undecided;
+  for (const ImageEvidence& image : before.images) {
+    undecided.push_back(image.undecided);
+  }
+  return collect(samples, images, range, undecided, &before);
 }
 
 } // namespace dewpoint::color

@@ -20,6 +20,8 @@ struct ImageEvidence {
   cv::Mat image;   ///< pixels are shared, not copied
   cv::Mat clicked; ///< where it still shows what was clicked; empty when no click does
   cv::Mat similar; ///< where no click does: the object of the samples' typical colors
+  /// Where the target may be, so that these pixels are no evidence; empty: nowhere.
+  cv::Mat undecided;
 };
 
 /// The steps that collecting evidence took.
@@ -53,16 +55,20 @@ struct ColorEvidence {
 
 /// The target in an image is the region grown from a click, where the image still shows the clicked
 /// object; elsewhere the one connected object of its color that is about as large. With a `range`,
-/// all parts of that object that match it belong to the target.
+/// all parts of that object that match it belong to the target. What is `undecided` (per camera, as
+/// ImageEvidence::undecided; fewer than cameras: nothing in the others) is no evidence about the
+/// rest.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
-                            const std::optional<ColorRange>& range = std::nullopt);
+                            const std::optional<ColorRange>& range = std::nullopt,
+                            const std::vector<cv::Mat>& undecided = {});
 
-/// The same bits as colorEvidence(samples, images, range), from what was collected `before` of the
-/// same samples. Regions are grown only in images that have other pixels by now, objects that match
-/// the range are searched only where no click shows the target, and only pixels are counted that
-/// are target in one and not in the other; with excluded samples all pixels are, once any has
-/// changed.
+/// The same bits as colorEvidence(samples, images, range, undecided), from what was collected
+/// `before` of the same samples with the same undecided pixels, which have to be of the same size
+/// as the images still. Regions are grown only in images that have other pixels by now, objects
+/// that match the range are searched only where no click shows the target, and only pixels are
+/// counted that are target in one and not in the other; with excluded samples all pixels are, once
+/// any has changed.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorRange& range,
                             const ColorEvidence& before);

@@ -79,8 +79,9 @@ ColorAssessment assessColorWithBackground(const ColorRange& range,
 
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
-                                              const std::vector<cv::Mat>& rooms) {
-  const ColorEvidence evidence = colorEvidence(samples, images);
+                                              const std::vector<cv::Mat>& rooms,
+                                              const std::vector<cv::Mat>& undecided) {
+  const ColorEvidence evidence = colorEvidence(samples, images, std::nullopt, undecided);
   return learnRange(evidence).map([&](const ColorRange& range) {
     const auto shown = anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images;
     return LearnedColor{range, assessColor(range, samples, shown, evidence)};

@@ -30,10 +30,11 @@ ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSamp
                             const std::vector<cv::Mat>& images);
 
 /// learnColor() for trackers that know the empty rooms, which are in the order of the images
-/// (withoutBackgroundColors()).
+/// (withoutBackgroundColors()). Pixels that are `undecided` (colorEvidence()) count for nothing.
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
-                                              const std::vector<cv::Mat>& rooms);
+                                              const std::vector<cv::Mat>& rooms,
+                                              const std::vector<cv::Mat>& undecided = {});
 
 /// assessColor() for them.
 ColorAssessment assessColorWithBackground(const ColorRange& range,

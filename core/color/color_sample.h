@@ -23,6 +23,7 @@ struct ColorSample {
   static constexpr std::size_t kMostColors = 256;
 
   bool excluded = false; ///< shows what the target is not
+  bool found = false;    ///< by the geometry of the cameras, from a click in another one
   int camera = 0;        ///< in the order of the project
   std::int64_t frame = 0;
   double x = 0.0; ///< pixels: of the click, or of the box's upper left corner

@@ -108,6 +108,7 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
   sample.width = place[2];
   sample.height = place[3];
   reader.boolean("excluded", sample.excluded);
+  reader.boolean("found", sample.found);
   reader.integer("area", sample.area, 0, std::numeric_limits<int>::max());
   sample.colors = readColors(reader, "colors");
   error = reader.finish();

@@ -34,6 +34,9 @@ std::string sampleText(const ColorSample& sample) {
   if (sample.excluded) {
     text += "excluded = true\n";
   }
+  if (sample.found) {
+    text += "found = true   # not clicked\n";
+  }
   text += fmt::format("area = {}\ncolors = \"", sample.area);
   const char* space = "";
   for (const auto& [blue, green, red] : sample.colors) {

@@ -15,6 +15,19 @@ expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,11
 expectText out.txt 'pink ball' 'Hue ' 'degrees' ' of 100.' 'background'
 [[ $(head -c 8 mask.png | od -An -tx1 | tr -d ' \n') == 89504e470d0a1a0a ]] || fail "mask.png is no PNG"
 expectText taught.toml '[[target]]' 'name = "pink ball"' '[[target.sample]]' 'pixel = [157, 117]'
+# The other camera was found to show it, within ten pixels of its center too.
+expectText out.txt 'Found in camera 2 at '
+read -r x y < <(sed -nE 's/^Found in camera 2 at ([0-9]+),([0-9]+)\.$/\1 \2/p' out.txt)
+(((x - 119) ** 2 + (y - 159) ** 2 < 24 ** 2)) || fail "camera 2 does not show it at $x,$y"
+expectText taught.toml 'found = true'
+! grep -q 'Its radius' out.txt || fail "the radius fits: $(cat out.txt)"
+# A diameter given as radius, a radius that nothing has, and none.
+expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 0.07
+expectText out.txt 'Its radius seems to be about 0.03' 'but 0.07 m is given. Is that its diameter?'
+expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117 --radius 100
+expectText out.txt 'Its radius seems to be about 0.03' 'but 100 m is given.'
+expectExit 0 learn-color fresh.toml --camera "camera 1" --frame 2 --pixel 157,117
+expectText out.txt 'Its radius seems to be about 0.03'
 ! grep -q target fresh.toml || fail "the project itself was changed"
 
 expectExit 0 track taught.toml --out run

@@ -303,5 +303,21 @@ TEST(ColorEvidence, OtherLightKeepsTheWeight) {
   EXPECT_NEAR(varied[0].weight, 30.0 * 0.05 * 0.1 * 0.1, 1e-12);
 }
 
+// What may be the target is no background, also when it is collected again with a range.
+TEST(ColorEvidence, LeavesOutWhatIsUndecided) {
+  const cv::Mat clicked = wallWith({{kSquare, kRed}});
+  const cv::Mat other = wallWith({{kSquare, kGreen}});
+  cv::Mat undecided = cv::Mat::zeros(other.size(), CV_8UC1);
+  undecided(kSquare).setTo(255);
+  const std::vector<ColorSample> samples{clickOn(clicked, {15, 13})};
+  const ColorEvidence with =
+      colorEvidence(samples, {clicked, other}, std::nullopt, {{}, undecided});
+  EXPECT_EQ(weightOf(with.rest, kGreen), 0.0);
+  EXPECT_GT(weightOf(colorEvidence(samples, {clicked, other}).rest, kGreen), 99.0);
+  const ColorRange range{100.0, 140.0, 0.0, 1.0, 0.0, 1.0};
+  const ColorEvidence again = colorEvidence(samples, {clicked, other}, range, with);
+  EXPECT_EQ(weightOf(again.rest, kGreen), 0.0);
+}
+
 } // namespace
 } // namespace dewpoint::tests

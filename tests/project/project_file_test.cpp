@@ -191,6 +191,7 @@ frame = 17
 pixel = [120.5, 88]
 area = 700
 colors = "ff0080 0a0b0c"
+found = true
 [[target.sample]]
 camera = 1
 box = [10, 20, 30, 40]
@@ -203,7 +204,7 @@ TEST(ProjectFile, KeepsWhatAColorWasLearnedFrom) {
   ASSERT_TRUE(project) << sentence(project.error());
   const Target& target = project->targets.front();
   ASSERT_EQ(target.samples.size(), 2U);
-  ColorSample click{.camera = 1, .frame = 17, .x = 120.5, .y = 88, .area = 700};
+  ColorSample click{.found = true, .camera = 1, .frame = 17, .x = 120.5, .y = 88, .area = 700};
   click.colors = {{0x80, 0x00, 0xff}, {0x0c, 0x0b, 0x0a}};
   EXPECT_EQ(target.samples[0], click);
   const ColorSample box{.excluded = true, .x = 10, .y = 20, .width = 30, .height = 40};

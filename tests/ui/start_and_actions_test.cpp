@@ -241,25 +241,36 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   const Eigen::Vector3d mean = std::get<SphereEstimate>(window_->shown()->targets[0].estimate).mean;
   QVERIFY((mean - Eigen::Vector3d(0.5, 0.5, 0.15)).norm() < 0.035);
   QVERIFY(find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
-  QCOMPARE(find<QListWidget>("colorSamples")->count(), 1);
+  // The other camera was found to show the same.
+  QCOMPARE(find<QListWidget>("colorSamples")->count(), 2);
+  const auto samples = [this] { return window_->document().project().targets[0].samples; };
+  QVERIFY(!samples()[0].found && samples()[1].found);
+  QCOMPARE(samples()[1].camera, 1);
+  const auto other = Projector(demoRig()[1]).project({0.5, 0.5, 0.15});
+  QVERIFY(std::hypot(samples()[1].x - other->x(), samples()[1].y - other->y()) <
+          24.0); // its radius
 
   // One more sample by Shift-click; taken away again, and all of it undone.
   QTest::mouseClick(layer, Qt::LeftButton, Qt::ShiftModifier, place.toPoint() + QPoint(3, 3));
-  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 2; }));
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 3; }));
   const auto* listed = find<QListWidget>("colorSamples"); // two of one image can be told apart
   QVERIFY(listed->item(0)->text() != listed->item(1)->text());
   // The same with Ctrl excludes, where a desktop keeps Alt for itself. The place: a red-free one.
   QTest::mouseClick(layer, Qt::LeftButton, Qt::ShiftModifier | Qt::ControlModifier,
                     view->placement().corner.toPoint() + QPoint(5, 5));
-  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 3; }));
-  const auto samples = [this] { return window_->document().project().targets[0].samples; };
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 4; }));
   QVERIFY(samples()[2].excluded && !samples()[1].excluded);
   action("actionUndo")->trigger();
-  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 2; }));
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 3; }));
   find<QListWidget>("colorSamples")->setCurrentRow(1);
   QTest::mouseClick(find<QPushButton>("colorRemoveSample"), Qt::LeftButton);
-  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 1; }));
-  for (int i = 0; i < 3; ++i) {
+  QVERIFY(waitFor([this] { return find<QListWidget>("colorSamples")->count() == 2; }));
+  // What was found and is taken away is not the target, and is not found again.
+  find<QListWidget>("colorSamples")->setCurrentRow(1);
+  QTest::mouseClick(find<QPushButton>("colorRemoveSample"), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return samples()[1].excluded; }));
+  QCOMPARE(samples().size(), std::size_t{2});
+  for (int i = 0; i < 4; ++i) {
     action("actionUndo")->trigger();
   }
   QVERIFY(window_->document().project().targets.empty());

@@ -3,6 +3,8 @@
 
 #include "core/color/color_learning.h"
 #include "core/project/project.h"
+#include "core/project/project_rig.h"
+#include "core/setup/click_lesson.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"
@@ -36,6 +38,29 @@ void ColorLearner::start(Work work) {
   Q_EMIT busyChanged(true);
 }
 
+/// What of a project and the images shown clicks on a target are explained by.
+struct ColorLearner::Scene {
+  CameraRig rig;
+  setup::ClickedImages shown;
+  setup::CounterpartLimits limits;
+
+  Result<setup::ClickLesson> learn(const std::vector<ColorSample>& samples) const {
+    return setup::learnFromClicks(rig, shown, samples, limits);
+  }
+};
+
+ColorLearner::Scene ColorLearner::scene() const {
+  const Project& project = document_.project();
+  Scene scene;
+  scene.rig = rigOf(project);
+  scene.shown = {images(), emptyRooms(), snapshot_ ? snapshot_->frame : 0};
+  if (target_ >= 0 && target_ < static_cast<int>(project.targets.size())) {
+    scene.limits.radius = project.targets[static_cast<std::size_t>(target_)].radius;
+  }
+  scene.limits.volume = project.volumeOfInterest;
+  return scene;
+}
+
 void ColorLearner::point(int camera, const QRectF& region, SampleAction action) {
   const auto shown = images();
   const auto index = static_cast<std::size_t>(camera);
@@ -58,7 +83,7 @@ void ColorLearner::point(int camera, const QRectF& region, SampleAction action) 
   const QString step = action == SampleAction::Exclude ? tr("Exclude color")
                        : action == SampleAction::Add   ? tr("Add color sample")
                                                        : tr("Learn color");
-  start([this, shown, rooms = emptyRooms(), camera, frame, region, action, samples, target, step,
+  start([this, scene = scene(), camera, frame, region, action, samples, target, step,
          index]() mutable -> std::function<void()> {
     ColorSample place;
     place.excluded = action == SampleAction::Exclude;
@@ -68,18 +93,16 @@ void ColorLearner::point(int camera, const QRectF& region, SampleAction action) 
     place.y = region.y();
     place.width = region.width();
     place.height = region.height();
-    auto sample = takeSample(shown[index], place);
+    auto sample = takeSample(scene.shown.images[index], place);
     if (!sample) {
       return [this, error = sample.error()] { Q_EMIT failed(errorSentence(error)); };
     }
     samples.push_back(std::move(*sample));
-    const auto color = learnColorWithBackground(samples, shown, rooms);
-    if (!color) {
-      return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
+    const auto lesson = scene.learn(samples);
+    if (!lesson) {
+      return [this, error = lesson.error()] { Q_EMIT failed(errorSentence(error)); };
     }
-    return [this, target, samples, color = *color, step] {
-      applyResult(target, samples, color, step);
-    };
+    return [this, target, lesson = *lesson, step] { applyResult(target, lesson, step); };
   });
 }
 
@@ -88,35 +111,30 @@ void ColorLearner::removeSample(int index) {
   if (target_ < 0 || target_ >= static_cast<int>(project.targets.size())) {
     return;
   }
-  auto samples = project.targets[static_cast<std::size_t>(target_)].samples;
-  if (index < 0 || index >= static_cast<int>(samples.size())) {
+  const auto& all = project.targets[static_cast<std::size_t>(target_)].samples;
+  if (index < 0 || index >= static_cast<int>(all.size())) {
     return;
   }
-  samples.erase(samples.begin() + index);
+  const auto samples = setup::withoutSample(all, static_cast<std::size_t>(index));
   const int target = target_;
   const QString step = tr("Remove color sample");
-  const auto anyLeft =
-      std::ranges::any_of(samples, [](const ColorSample& sample) { return !sample.excluded; });
-  if (!anyLeft) {
-    LearnedColor same{project.targets[static_cast<std::size_t>(target)].color, {}};
-    same.assessment.targetKnown = false;
-    applyResult(target, samples, same, step);
+  if (!setup::anyClicked(samples)) {
+    setup::ClickLesson same;
+    same.color.range = project.targets[static_cast<std::size_t>(target)].color;
+    same.color.assessment.targetKnown = false;
+    applyResult(target, same, step);
     return;
   }
-  start([this, samples, target, step, shown = images(),
-         rooms = emptyRooms()]() -> std::function<void()> {
-    const auto color = learnColorWithBackground(samples, shown, rooms);
-    if (!color) {
-      return [this, error = color.error()] { Q_EMIT failed(errorSentence(error)); };
+  start([this, samples, target, step, scene = scene()]() -> std::function<void()> {
+    const auto lesson = scene.learn(samples);
+    if (!lesson) {
+      return [this, error = lesson.error()] { Q_EMIT failed(errorSentence(error)); };
     }
-    return [this, target, samples, color = *color, step] {
-      applyResult(target, samples, color, step);
-    };
+    return [this, target, lesson = *lesson, step] { applyResult(target, lesson, step); };
   });
 }
 
-void ColorLearner::applyResult(int target, const std::vector<ColorSample>& samples,
-                               const LearnedColor& color, const QString& step) {
+void ColorLearner::applyResult(int target, const setup::ClickLesson& lesson, const QString& step) {
   int learnedTarget = target;
   const auto edited = document_.edit(step, [&](Project& project) {
     if (target < 0 || target >= static_cast<int>(project.targets.size())) {
@@ -126,8 +144,8 @@ void ColorLearner::applyResult(int target, const std::vector<ColorSample>& sampl
       learnedTarget = static_cast<int>(project.targets.size()) - 1;
     }
     Target& changed = project.targets[static_cast<std::size_t>(learnedTarget)];
-    changed.color = color.range;
-    changed.samples = samples;
+    changed.color = lesson.color.range;
+    changed.samples = lesson.samples;
   });
   if (!edited) {
     Q_EMIT failed(errorSentence(edited.error()));
@@ -135,8 +153,9 @@ void ColorLearner::applyResult(int target, const std::vector<ColorSample>& sampl
   }
   setTarget(learnedTarget);
   Q_EMIT learned(learnedTarget, learnedTarget != target);
-  if (color.assessment.targetKnown) {
-    Q_EMIT assessed(color.assessment);
+  Q_EMIT taught(lesson);
+  if (lesson.color.assessment.targetKnown) {
+    Q_EMIT assessed(lesson.color.assessment);
   } else {
     assess();
   }

@@ -4,6 +4,7 @@
 #include "core/color/color_learning.h"
 #include "core/session/run/empty_rooms.h"
 #include "core/session/run/snapshot.h"
+#include "core/setup/click_lesson.h"
 #include "ui/jobs/latest_job.h"
 
 #include <QObject>
@@ -16,7 +17,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Learns a target's color from clicks and boxes in the images, and assesses it. The work is done
+/// Learns a target's color from clicks and boxes in the images (learnFromClicks()), and assesses
+/// it. The work is done
 /// in a thread; the result is an undoable step of the document.
 class ColorLearner : public QObject {
   Q_OBJECT
@@ -31,7 +33,8 @@ public:
   enum class SampleAction { Replace, Add, Exclude };
   /// A click (an empty size) or a box in the image of a camera, pixels.
   void point(int camera, const QRectF& region, SampleAction action);
-  /// Takes a sample away and learns from the rest; the last one keeps the color as it is.
+  /// Takes a sample away (withoutSample()) and learns from the rest; the last click keeps the color
+  /// as it is.
   void removeSample(int index);
   bool isBusy() const { return learning_.isRunning(); }
   /// Assesses the color of the target in the images shown.
@@ -40,18 +43,21 @@ public:
 Q_SIGNALS:
   /// A color was learned; `isNew`: of a target that was not there before.
   void learned(int target, bool isNew);
+  /// What clicks taught, before the color is assessed.
+  void taught(const dewpoint::setup::ClickLesson& lesson);
   void assessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);
   void busyChanged(bool busy);
 
 private:
   using Work = std::function<std::function<void()>()>;
+  struct Scene;
+  Scene scene() const;
   std::vector<cv::Mat> images() const;
   std::vector<cv::Mat> emptyRooms() const;
   /// Does `work` in the thread, then what it returns here; of several only the last counts.
   void start(Work work);
-  void applyResult(int target, const std::vector<ColorSample>& samples, const LearnedColor& color,
-                   const QString& step);
+  void applyResult(int target, const setup::ClickLesson& lesson, const QString& step);
 
   Document& document_;
   TrackSnapshotPtr snapshot_;

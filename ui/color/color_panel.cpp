@@ -13,6 +13,7 @@
 #include "ui/document/method_presentation.h"
 #include "ui/style/theme.h"
 #include "ui/text/camera_names.h"
+#include "ui/text/click_radius_text.h"
 #include "ui/text/color_assessment_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
@@ -99,6 +100,10 @@ void ColorPanel::connectLearner() {
   connect(learner_, &ColorLearner::learned, this, showLearned);
   connect(boxes_, &BoxPicker::learned, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
+  connect(learner_, &ColorLearner::taught, this, [this](const setup::ClickLesson& lesson) {
+    found_ = lesson.found;
+    shownRadius_ = lesson.radius;
+  });
   connect(learner_, &ColorLearner::assessed, this, &ColorPanel::showAssessment);
   assessSoon_->setSingleShot(true);
   assessSoon_->setInterval(kAssessMs);
@@ -167,6 +172,7 @@ void ColorPanel::setPicking(bool picking) {
 
 void ColorPanel::setTarget(int target) {
   target_ = target;
+  shownRadius_.reset();
   assessed_ = false;
   refresh();
 }
@@ -208,6 +214,7 @@ void ColorPanel::refresh() {
 
 void ColorPanel::clearRegions() {
   outlined_ = false;
+  found_.clear();
   pick_.clearRegions();
 }
 
@@ -263,7 +270,14 @@ void ColorPanel::updateAssessment() {
   for (const auto& camera : document_.project().cameras) {
     cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
-  assessmentText_->setText(colorAssessmentText(assessment_, cameras));
+  QString text = colorAssessmentText(assessment_, cameras);
+  const auto& targets = document_.project().targets;
+  if (target_ >= 0 && target_ < static_cast<int>(targets.size())) {
+    const QString radius =
+        clickRadiusText(targets[static_cast<std::size_t>(target_)].radius, shownRadius_);
+    text += radius.isEmpty() ? QString() : QLatin1Char('\n') + radius;
+  }
+  assessmentText_->setText(text);
 }
 
 void ColorPanel::showAssessment(const ColorAssessment& assessment) {
@@ -276,12 +290,18 @@ void ColorPanel::showAssessment(const ColorAssessment& assessment) {
   assessment_ = assessment;
   updateAssessment();
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
-  for (const DistractorRegion& region : assessment.distractors) {
-    QPolygonF outline;
-    for (const cv::Point& point : region.outline) {
-      outline << QPointF(point.x, point.y);
+  const auto outline = [&](int camera, const std::vector<cv::Point>& points, const QString& text) {
+    QPolygonF polygon;
+    for (const cv::Point& point : points) {
+      polygon << QPointF(point.x, point.y);
     }
-    regions[region.camera].push_back({outline, tr("matches too")});
+    regions[camera].push_back({polygon, text});
+  };
+  for (const DistractorRegion& region : assessment.distractors) {
+    outline(region.camera, region.outline, tr("matches too"));
+  }
+  for (const setup::FoundOutline& found : found_) {
+    outline(found.camera, found.outline, tr("also the target (Alt-click if not)"));
   }
   pick_.clearRegions();
   for (const auto& [camera, all] : regions) {

@@ -3,12 +3,15 @@
 
 #include "core/color/color_learning.h"
 #include "core/session/run/snapshot.h"
+#include "core/setup/click_lesson.h"
 #include "ui/jobs/background_job.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 class QLabel;
 class QTimer;
@@ -82,10 +85,12 @@ private:
   int target_ = 0;
   bool picking_ = false;
   ColorAssessment assessment_;
-  bool inFront_ = false;            ///< the panel is seen, not behind another tab
-  bool assessed_ = false;           ///< the quality is of the range shown
-  std::int64_t assessedFrame_ = -1; ///< and about this frame
-  bool outlined_ = false;           ///< distractors are outlined in the views
+  bool inFront_ = false;                   ///< the panel is seen, not behind another tab
+  bool assessed_ = false;                  ///< the quality is of the range shown
+  std::int64_t assessedFrame_ = -1;        ///< and about this frame
+  bool outlined_ = false;                  ///< distractors are outlined in the views
+  std::vector<setup::FoundOutline> found_; ///< beside them: what is the target too
+  std::optional<double> shownRadius_;      ///< meters, by the last clicks on this target
   QTimer* assessSoon_;
   QElapsedTimer sinceSurvey_;
   BackgroundJob survey_;

@@ -43,10 +43,13 @@ ColorSampleList::ColorSampleList(QWidget* parent)
 void ColorSampleList::retranslate() {
   title_->setText(tr("Learned from"));
   list_->setAccessibleName(tr("Samples the color was learned from"));
-  list_->setToolTip(
-      tr("Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one"));
+  list_->setToolTip(tr(
+      "Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples that "
+      "were found in other cameras, not clicked, are marked “found”."));
   remove_->setText(tr("Remove"));
-  remove_->setToolTip(tr("Forget the chosen sample and learn from the rest (Del)"));
+  remove_->setToolTip(
+      tr("Forget the chosen sample and learn from the rest (Del). A sample that was "
+         "found is excluded: it is not the target."));
 }
 
 void ColorSampleList::setSamples(const Project& project, int target) {
@@ -59,8 +62,9 @@ void ColorSampleList::setSamples(const Project& project, int target) {
       const QString name = cameraName(
           camera < project.cameras.size() ? project.cameras[camera].camera.name : std::string(),
           camera);
-      const QString text =
-          sample.excluded ? tr("not this: %1, frame %2, at %3, %4") : tr("%1, frame %2, at %3, %4");
+      const QString text = sample.excluded ? tr("not this: %1, frame %2, at %3, %4")
+                           : sample.found  ? tr("found: %1, frame %2, at %3, %4")
+                                           : tr("%1, frame %2, at %3, %4");
       list_->addItem(text.arg(name)
                          .arg(sample.frame + 1)
                          .arg(std::lround(sample.x + sample.width / 2.0))

@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/project/color_sentences.h"
 
 #include "core/base/units.h"
+#include "core/setup/click_lesson.h"
 
 #include <fmt/format.h>
 
@@ -90,6 +91,19 @@ std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
     sentences.push_back(text);
   }
   return sentences;
+}
+
+std::string radiusSentence(double given, const std::optional<double>& shown) {
+  const auto fit =
+      shown && given > 0.0 ? setup::compareRadius(given, *shown) : setup::RadiusFit::Differs;
+  if (!shown || fit == setup::RadiusFit::Fits) {
+    return {};
+  }
+  std::string text = fmt::format("Its radius seems to be about {:.2g} m", *shown);
+  if (given > 0.0) {
+    text += fmt::format(", but {:g} m is given", given);
+  }
+  return text + (fit == setup::RadiusFit::IsDiameter ? ". Is that its diameter?" : ".");
 }
 
 } // namespace dewpoint::app

@@ -3,6 +3,7 @@
 
 #include "core/color/color_learning.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,9 @@ std::string rangeSentence(const ColorRange& range);
 /// each. `cameras` are the names, in the order of the project.
 std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
                                              const std::vector<std::string>& cameras);
+
+/// What the click shows of the target's radius (meters), where that is not the one `given` (0:
+/// unknown); empty where they agree or none is shown.
+std::string radiusSentence(double given, const std::optional<double>& shown);
 
 } // namespace dewpoint::app

@@ -7,8 +7,11 @@
 #include "core/base/text_file.h"
 #include "core/color/color_learning.h"
 #include "core/color/match_image.h"
+#include "core/geometry/camera_name.h"
 #include "core/project/project_check.h"
+#include "core/project/project_rig.h"
 #include "core/project/project_save.h"
+#include "core/setup/click_lesson.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -137,31 +140,60 @@ Status writeMask(const std::string& file, const cv::Mat& image, const ColorRange
   return writeTextFile(file, std::string(png.begin(), png.end()));
 }
 
-void printLearned(const Target& target, const LearnedColor& learned, const Project& project) {
+/// Where and how large the target can be, as far as command line and project say it.
+setup::CounterpartLimits limitsOf(const LearnColorOptions& options, const Project& project) {
+  setup::CounterpartLimits limits;
+  limits.volume = project.volumeOfInterest;
+  for (const Target& target : project.targets) {
+    if (options.target ? target.name == *options.target : project.targets.size() == 1) {
+      limits.radius = target.radius;
+    }
+  }
+  limits.radius = options.radius.value_or(limits.radius);
+  return limits;
+}
+
+/// Where the other cameras were found to show the target.
+void printFound(const std::vector<ColorSample>& samples, const Project& project) {
+  for (const ColorSample& sample : samples) {
+    if (sample.found) {
+      const auto camera = static_cast<std::size_t>(sample.camera);
+      const std::string& name = project.cameras[camera].camera.name;
+      fmt::print("Found in {} at {:.0f},{:.0f}.\n",
+                 name.empty() ? geometry::defaultCameraName(camera) : name, sample.x, sample.y);
+    }
+  }
+}
+
+void printLearned(const Target& target, const setup::ClickLesson& lesson, const Project& project) {
   std::vector<std::string> cameras;
   for (const ProjectCamera& camera : project.cameras) {
     cameras.push_back(camera.camera.name);
   }
   fmt::print("{}: {} pixels were clicked.\n", target.name, target.samples.front().area);
-  fmt::print("{}\n", rangeSentence(learned.range));
-  for (const std::string& text : assessmentSentences(learned.assessment, cameras)) {
+  printFound(target.samples, project);
+  fmt::print("{}\n", rangeSentence(lesson.color.range));
+  for (const std::string& text : assessmentSentences(lesson.color.assessment, cameras)) {
+    fmt::print("{}\n", text);
+  }
+  if (const auto text = radiusSentence(target.radius, lesson.radius); !text.empty()) {
     fmt::print("{}\n", text);
   }
 }
 
 /// The learned color into the project's target, its mask and the project into files.
-Status keep(const LearnColorOptions& options, const LearnedColor& learned,
-            std::vector<ColorSample> samples, const cv::Mat& image, Project& project) {
+Status keep(const LearnColorOptions& options, setup::ClickLesson lesson, const cv::Mat& image,
+            Project& project) {
   const auto target = taughtTarget(project, options.target);
   if (!target) {
     return tl::make_unexpected(target.error());
   }
-  (*target)->color = learned.range;
-  (*target)->samples = std::move(samples);
+  (*target)->color = lesson.color.range;
+  (*target)->samples = std::move(lesson.samples);
   (*target)->radius = options.radius.value_or((*target)->radius);
-  printLearned(**target, learned, project);
+  printLearned(**target, lesson, project);
   const auto drawn =
-      options.mask.empty() ? Status() : writeMask(options.mask, image, learned.range);
+      options.mask.empty() ? Status() : writeMask(options.mask, image, lesson.color.range);
   if (!drawn || options.out.empty()) {
     return drawn;
   }
@@ -209,12 +241,13 @@ int learn(const LearnColorOptions& options) {
     return fail(images.error());
   }
   const auto& shown = images->at(options.frame);
-  const auto learned = learnColorWithBackground(*samples, shown, inputs->emptyRooms);
-  if (!learned) {
-    return fail(learned.error());
+  auto lesson = learnFromClicks(rigOf(inputs->project), {shown, inputs->emptyRooms, options.frame},
+                                *samples, limitsOf(options, inputs->project));
+  if (!lesson) {
+    return fail(lesson.error());
   }
   const auto& image = shown.at(static_cast<std::size_t>(samples->front().camera));
-  const auto kept = keep(options, *learned, std::move(*samples), image, inputs->project);
+  const auto kept = keep(options, std::move(*lesson), image, inputs->project);
   return kept ? static_cast<int>(kExitDone) : fail(kept.error());
 }
 

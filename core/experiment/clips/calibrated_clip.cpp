@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/clips/calibrated_clip.h"
 
-#include "core/color/color_learning.h"
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
+#include "core/setup/click_lesson.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ Status checkSizes(const CalibratedClip& clip, const FrameSet& set) {
   return {};
 }
 
-Result<Target> learnedTarget(const ClipTarget& target, ClipFrames& frames) {
+Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, ClipFrames& frames) {
   const FrameSetPtr set = frames.at(target.click.frame);
   std::vector<cv::Mat> images;
   images.reserve(set->frames.size());
@@ -44,14 +44,16 @@ Result<Target> learnedTarget(const ClipTarget& target, ClipFrames& frames) {
   if (!sample) {
     return tl::make_unexpected(sample.error());
   }
-  const auto learned = learnColor({*sample}, images);
-  if (!learned) {
-    return tl::make_unexpected(learned.error());
+  sample->frame = target.click.frame;
+  auto lesson = setup::learnFromClicks(
+      rig, {.images = images, .emptyRooms = {}, .frame = target.click.frame}, {*sample});
+  if (!lesson) {
+    return tl::make_unexpected(lesson.error());
   }
   Target result;
   result.name = target.name;
-  result.color = learned->range;
-  result.samples = {std::move(*sample)};
+  result.color = lesson->color.range;
+  result.samples = std::move(lesson->samples);
   return result;
 }
 
@@ -170,7 +172,7 @@ Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed) {
   run.framesPerSecond = clip.framesPerSecond;
   run.frameCount = frames->count();
   for (const ClipTarget& target : clip.targets) {
-    auto learned = learnedTarget(target, *frames);
+    auto learned = learnedTarget(target, clip.rig, *frames);
     if (!learned) {
       return tl::make_unexpected(learned.error());
     }

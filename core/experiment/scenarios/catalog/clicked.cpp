@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S22: balls of seven colors, whose range is learned from one sloppy click in the first images.
-#include "core/color/color_learning.h"
 #include "core/color/color_sample.h"
 #include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/setup/click_lesson.h"
 #include "core/simulation/scene/scene.h"
 
 #include <Eigen/Geometry>
@@ -45,14 +45,10 @@ std::optional<Eigen::Vector2d> pixelOf(const Camera& camera, const simulation::S
   return Projector(camera).project(center + offset);
 }
 
-struct Lesson {
-  ColorRange range;
-  ColorSample sample;
-};
-
 /// What `dewpoint-cli learn-color` makes of one click; nothing where it fails.
-std::optional<Lesson> learnFrom(const std::vector<cv::Mat>& images, std::size_t camera,
-                                const Eigen::Vector2d& pixel) {
+std::optional<setup::ClickLesson> learnFrom(const CameraRig& rig,
+                                            const std::vector<cv::Mat>& images, std::size_t camera,
+                                            const Eigen::Vector2d& pixel) {
   ColorSample click;
   click.camera = static_cast<int>(camera);
   click.x = std::round(pixel.x());
@@ -61,11 +57,8 @@ std::optional<Lesson> learnFrom(const std::vector<cv::Mat>& images, std::size_t 
   if (!sample) {
     return std::nullopt;
   }
-  const auto learned = learnColor({*sample}, images);
-  if (!learned) {
-    return std::nullopt;
-  }
-  return Lesson{learned->range, *sample};
+  auto lesson = setup::learnFromClicks(rig, {.images = images, .emptyRooms = {}}, {*sample});
+  return lesson ? std::optional(std::move(*lesson)) : std::nullopt;
 }
 
 /// Sets the first target's color to what the click teaches, in the images as the grade has them.
@@ -82,10 +75,10 @@ void teach(const ScenarioDraft& draft, const Click& click, ScenarioRun& run) {
   const simulation::StageBody& ball = draft.stage.bodies[draft.targets.front()];
   for (const Eigen::Vector2d& aside : {click.aside, Eigen::Vector2d::Zero().eval()}) {
     const auto pixel = pixelOf(draft.rig[click.camera], ball, aside);
-    const auto lesson = pixel ? learnFrom(images, click.camera, *pixel) : std::nullopt;
+    const auto lesson = pixel ? learnFrom(run.rig, images, click.camera, *pixel) : std::nullopt;
     if (lesson) {
-      target.color = lesson->range;
-      target.samples = {lesson->sample};
+      target.color = lesson->color.range;
+      target.samples = lesson->samples;
       return;
     }
   }

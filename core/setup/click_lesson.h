@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/color/color_learning.h"
+#include "core/geometry/camera.h"
+#include "core/setup/counterpart_search.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace dewpoint::setup {
+
+/// The images that clicks are explained by: of one instant, in the order of the rig, CV_8UC3, empty
+/// where there is none.
+struct ClickedImages {
+  std::vector<cv::Mat> images;
+  std::vector<cv::Mat> emptyRooms; ///< as learnColorWithBackground()
+  std::int64_t frame = 0;          ///< that they show
+};
+
+/// The outline of what was found in the image of a camera, pixels.
+struct FoundOutline {
+  int camera = 0;
+  std::vector<cv::Point> outline;
+};
+
+/// What clicks on a target teach.
+struct ClickLesson {
+  LearnedColor color;
+  std::vector<ColorSample> samples; ///< those that were clicked, then those that were found
+  std::vector<FoundOutline> found;  ///< in the images shown
+  /// Meters, as Counterparts::radius; nothing when nothing was found in the images shown.
+  std::optional<double> radius;
+};
+
+/// How a radius compares with the one that clicks show, good to a third.
+enum class RadiusFit : std::uint8_t {
+  Fits,
+  IsDiameter, ///< it is about twice as large: the diameter may be meant
+  Differs,
+};
+RadiusFit compareRadius(double given, double shown);
+
+/// The color of a target from samples of it: learned by what was clicked, and by what the cameras
+/// in which it was not clicked show of the same object (findCounterparts()). For each click in the
+/// images shown the other cameras are searched again; what was found of clicks in other frames
+/// stays, as long as there is such a click. Errors as learnColor().
+Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
+                                    const std::vector<ColorSample>& samples,
+                                    const CounterpartLimits& limits = {});
+
+/// The samples without one of them. One that was found is not forgotten but excluded: it would be
+/// found again.
+std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index);
+
+/// Whether one of them was clicked on the target.
+bool anyClicked(const std::vector<ColorSample>& samples);
+
+} // namespace dewpoint::setup

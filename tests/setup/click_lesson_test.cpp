@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/color/color_classifier.h"
+#include "core/setup/click_lesson.h"
+#include "tests/setup/painted_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+using setup::learnFromClicks;
+
+const color::BgrColor kRed{40, 40, 200};
+const color::BgrColor kWarmRed{26, 60, 168}; // the same ball in a warm, dark camera
+const Eigen::Vector3d kBall(0.1, -0.05, 0.08);
+constexpr double kRadius = 0.1;
+
+PaintedRig ballInTwoColors() {
+  PaintedRig scene(2);
+  scene.paint(0, kBall, kRadius, kRed);
+  scene.paint(1, kBall, kRadius, kWarmRed);
+  return scene;
+}
+
+bool matches(const color::ColorRange& range, const color::BgrColor& bgr) {
+  return color::ColorClassifier(range).matches(bgr[0], bgr[1], bgr[2]);
+}
+
+TEST(ClickLesson, TakesInWhatTheOtherCameraShows) {
+  const PaintedRig scene = ballInTwoColors();
+  const auto lesson =
+      learnFromClicks(scene.rig, {scene.images, {}, 7}, {scene.clickOn(0, kBall, kRadius)});
+  // The click is of frame 0, the images are of frame 7: nothing is searched for.
+  ASSERT_TRUE(lesson);
+  EXPECT_EQ(lesson->samples.size(), 1U);
+
+  color::ColorSample click = scene.clickOn(0, kBall, kRadius);
+  click.frame = 7;
+  const auto now = learnFromClicks(scene.rig, {scene.images, {}, 7}, {click});
+  ASSERT_TRUE(now);
+  ASSERT_EQ(now->samples.size(), 2U);
+  EXPECT_EQ(now->samples[0], click);
+  EXPECT_TRUE(now->samples[1].found);
+  EXPECT_EQ(now->samples[1].frame, 7);
+  EXPECT_EQ(now->found.size(), 1U);
+  EXPECT_TRUE(matches(now->color.range, kRed));
+  EXPECT_TRUE(matches(now->color.range, kWarmRed));
+  EXPECT_FALSE(matches(now->color.range, {120, 120, 120}));
+}
+
+TEST(ClickLesson, DoesNotSearchWhereTheTargetWasClicked) {
+  const PaintedRig scene = ballInTwoColors();
+  const std::vector<color::ColorSample> clicks{scene.clickOn(0, kBall, kRadius),
+                                               scene.clickOn(1, kBall, kRadius)};
+  const auto lesson = learnFromClicks(scene.rig, {scene.images, {}, 0}, clicks);
+  ASSERT_TRUE(lesson);
+  EXPECT_EQ(lesson->samples, clicks);
+}
+
+TEST(ClickLesson, KeepsWhatWasFoundInOtherFramesWithTheirClicks) {
+  const PaintedRig scene = ballInTwoColors();
+  const auto first =
+      learnFromClicks(scene.rig, {scene.images, {}, 0}, {scene.clickOn(0, kBall, kRadius)});
+  ASSERT_TRUE(first);
+  color::ColorSample later = scene.clickOn(0, kBall, kRadius);
+  later.frame = 5;
+  std::vector<color::ColorSample> samples = first->samples;
+  samples.push_back(later);
+  const auto both = learnFromClicks(scene.rig, {scene.images, {}, 5}, samples);
+  ASSERT_TRUE(both);
+  ASSERT_EQ(both->samples.size(), 4U); // two clicks, and one found of each
+  EXPECT_EQ(both->samples[2].frame, 0);
+  EXPECT_EQ(both->samples[3].frame, 5);
+
+  // Without the first click its companion goes too.
+  const auto rest =
+      learnFromClicks(scene.rig, {scene.images, {}, 5}, setup::withoutSample(both->samples, 0));
+  ASSERT_TRUE(rest);
+  ASSERT_EQ(rest->samples.size(), 2U);
+  EXPECT_EQ(rest->samples[0].frame, 5);
+  EXPECT_EQ(rest->samples[1].frame, 5);
+}
+
+TEST(ClickLesson, ExcludesWhatWasFoundAndTakenAway) {
+  const PaintedRig scene = ballInTwoColors();
+  const auto lesson =
+      learnFromClicks(scene.rig, {scene.images, {}, 0}, {scene.clickOn(0, kBall, kRadius)});
+  ASSERT_TRUE(lesson);
+  const auto without = setup::withoutSample(lesson->samples, 1);
+  ASSERT_EQ(without.size(), 2U);
+  EXPECT_TRUE(without[1].excluded && !without[1].found);
+  EXPECT_TRUE(setup::anyClicked(without));
+  const auto again = learnFromClicks(scene.rig, {scene.images, {}, 0}, without);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->samples, without);
+  EXPECT_FALSE(setup::anyClicked(setup::withoutSample(without, 0)));
+}
+
+TEST(ClickLesson, ComparesRadii) {
+  EXPECT_EQ(setup::compareRadius(0.035, 0.040), setup::RadiusFit::Fits);
+  EXPECT_EQ(setup::compareRadius(0.070, 0.036), setup::RadiusFit::IsDiameter);
+  EXPECT_EQ(setup::compareRadius(100.0, 0.036), setup::RadiusFit::Differs);
+  EXPECT_EQ(setup::compareRadius(0.010, 0.036), setup::RadiusFit::Differs);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/click_radius_text.h"
+
+#include "core/setup/click_lesson.h"
+#include "ui/text/quantity_text.h"
+
+#include <QCoreApplication>
+
+namespace dewpoint::ui {
+
+namespace {
+
+struct ClickRadiusText {
+  Q_DECLARE_TR_FUNCTIONS(ClickRadiusText)
+};
+
+} // namespace
+
+QString clickRadiusText(double given, const std::optional<double>& shown) {
+  if (!shown) {
+    return {};
+  }
+  const QString seen = lengthText(*shown, LengthForm::TwoDigits);
+  if (given <= 0.0) {
+    return ClickRadiusText::tr("Its radius seems to be about %1.").arg(seen);
+  }
+  const QString declared = lengthText(given, LengthForm::TwoDigits);
+  switch (setup::compareRadius(given, *shown)) {
+  case setup::RadiusFit::Fits:
+    return {};
+  case setup::RadiusFit::IsDiameter:
+    return ClickRadiusText::tr(
+               "Its radius seems to be about %1, but %2 is given. Is that its diameter?")
+        .arg(seen, declared);
+  case setup::RadiusFit::Differs:
+    return ClickRadiusText::tr("Its radius seems to be about %1, but %2 is given.")
+        .arg(seen, declared);
+  }
+  return {};
+}
+
+} // namespace dewpoint::ui
