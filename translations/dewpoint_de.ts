@@ -865,6 +865,21 @@
     </message>
 </context>
 <context>
+    <name>ClickRadiusText</name>
+    <message>
+        <source>Its radius seems to be about %1.</source>
+        <translation>Der Radius ist anscheinend etwa %1.</translation>
+    </message>
+    <message>
+        <source>Its radius seems to be about %1, but %2 is given. Is that its diameter?</source>
+        <translation>Der Radius ist anscheinend etwa %1, angegeben ist %2. Ist das der Durchmesser?</translation>
+    </message>
+    <message>
+        <source>Its radius seems to be about %1, but %2 is given.</source>
+        <translation>Der Radius ist anscheinend etwa %1, angegeben ist %2.</translation>
+    </message>
+</context>
+<context>
     <name>ColorLearner</name>
     <message>
         <source>target %1</source>
@@ -3660,6 +3675,10 @@ bei %4, %5, %6</translation>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
     </message>
+    <message>
+        <source>also the target (Alt-click if not)</source>
+        <translation>auch das Ziel (sonst Alt+Klick)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
@@ -3731,20 +3750,24 @@ bei %4, %5, %6</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Forget the chosen sample and learn from the rest (Del)</source>
-        <translation>Die gewählte Probe vergessen und aus den übrigen lernen (Entf)</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
-        <translation>Umschalt-Klick in einem Bild fügt eine hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt eine aus</translation>
-    </message>
-    <message>
         <source>not this: %1, frame %2, at %3, %4</source>
         <translation>dies nicht: %1, Bild %2, bei %3, %4</translation>
     </message>
     <message>
         <source>%1, frame %2, at %3, %4</source>
         <translation>%1, Bild %2, bei %3, %4</translation>
+    </message>
+    <message>
+        <source>found: %1, frame %2, at %3, %4</source>
+        <translation>gefunden: %1, Bild %2, bei %3, %4</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples marked “found” were not clicked, but found in other cameras.</source>
+        <translation>Umschalt+Klick in einem Bild fügt eine hinzu, Alt+Klick oder Strg+Umschalt+Klick schließt eine aus. Mit „gefunden“ bezeichnete Proben wurden nicht angeklickt, sondern in anderen Kameras gefunden.</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del). A found sample becomes an excluded one.</source>
+        <translation>Die gewählte Probe vergessen und aus den übrigen lernen (Entf). Eine gefundene Probe wird zu einer ausgeschlossenen.</translation>
     </message>
 </context>
 <context>

@@ -865,6 +865,21 @@
     </message>
 </context>
 <context>
+    <name>ClickRadiusText</name>
+    <message>
+        <source>Its radius seems to be about %1.</source>
+        <translation>Su radio parece ser de unos %1.</translation>
+    </message>
+    <message>
+        <source>Its radius seems to be about %1, but %2 is given. Is that its diameter?</source>
+        <translation>Su radio parece ser de unos %1, pero se indicó %2. ¿Es ese su diámetro?</translation>
+    </message>
+    <message>
+        <source>Its radius seems to be about %1, but %2 is given.</source>
+        <translation>Su radio parece ser de unos %1, pero se indicó %2.</translation>
+    </message>
+</context>
+<context>
     <name>ColorLearner</name>
     <message>
         <source>target %1</source>
@@ -3660,6 +3675,10 @@ en %4, %5, %6</translation>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
     </message>
+    <message>
+        <source>also the target (Alt-click if not)</source>
+        <translation>también el objetivo (si no, Alt+clic)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
@@ -3731,20 +3750,24 @@ en %4, %5, %6</translation>
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Forget the chosen sample and learn from the rest (Del)</source>
-        <translation>Olvidar la muestra elegida y aprender de las demás (Supr)</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
-        <translation>Mayús-clic en una imagen añade una; Alt-clic o Ctrl+Mayús-clic excluye una</translation>
-    </message>
-    <message>
         <source>not this: %1, frame %2, at %3, %4</source>
         <translation>esto no: %1, fotograma %2, en %3, %4</translation>
     </message>
     <message>
         <source>%1, frame %2, at %3, %4</source>
         <translation>%1, fotograma %2, en %3, %4</translation>
+    </message>
+    <message>
+        <source>found: %1, frame %2, at %3, %4</source>
+        <translation>encontrada: %1, fotograma %2, en %3, %4</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples marked “found” were not clicked, but found in other cameras.</source>
+        <translation>Mayús+clic en una imagen añade una; Alt+clic o Ctrl+Mayús+clic excluye una. Las muestras marcadas como «encontrada» no se marcaron con un clic, sino que se encontraron en otras cámaras.</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del). A found sample becomes an excluded one.</source>
+        <translation>Olvidar la muestra elegida y aprender de las demás (Supr). Una muestra encontrada pasa a estar excluida.</translation>
     </message>
 </context>
 <context>

@@ -865,6 +865,21 @@
     </message>
 </context>
 <context>
+    <name>ClickRadiusText</name>
+    <message>
+        <source>Its radius seems to be about %1.</source>
+        <translation>半径は約 %1 のようです。</translation>
+    </message>
+    <message>
+        <source>Its radius seems to be about %1, but %2 is given. Is that its diameter?</source>
+        <translation>半径は約 %1 のようですが、%2 と指定されています。それは直径ではありませんか?</translation>
+    </message>
+    <message>
+        <source>Its radius seems to be about %1, but %2 is given.</source>
+        <translation>半径は約 %1 のようですが、%2 と指定されています。</translation>
+    </message>
+</context>
+<context>
     <name>ColorLearner</name>
     <message>
         <source>target %1</source>
@@ -3659,6 +3674,10 @@ at %4, %5, %6</source>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
     </message>
+    <message>
+        <source>also the target (Alt-click if not)</source>
+        <translation>これもターゲット (違う場合は Alt+クリック)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
@@ -3730,20 +3749,24 @@ at %4, %5, %6</source>
         <translation>取り除く</translation>
     </message>
     <message>
-        <source>Forget the chosen sample and learn from the rest (Del)</source>
-        <translation>選んだ見本を忘れ、残りから学習します（Del）</translation>
-    </message>
-    <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one</source>
-        <translation>画像上で Shift クリックすると追加、Alt クリックまたは Ctrl+Shift クリックで除外します</translation>
-    </message>
-    <message>
         <source>not this: %1, frame %2, at %3, %4</source>
         <translation>除外: %1、フレーム %2、位置 %3, %4</translation>
     </message>
     <message>
         <source>%1, frame %2, at %3, %4</source>
         <translation>%1、フレーム %2、位置 %3, %4</translation>
+    </message>
+    <message>
+        <source>found: %1, frame %2, at %3, %4</source>
+        <translation>検出: %1、フレーム %2、位置 %3, %4</translation>
+    </message>
+    <message>
+        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples marked “found” were not clicked, but found in other cameras.</source>
+        <translation>画像を Shift+クリックするとサンプルを追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示されたサンプルは、クリックしたものではなく、他のカメラで見つかったものです。</translation>
+    </message>
+    <message>
+        <source>Forget the chosen sample and learn from the rest (Del). A found sample becomes an excluded one.</source>
+        <translation>選択したサンプルを破棄し、残りから学習します (Del)。検出されたサンプルは除外サンプルになります。</translation>
     </message>
 </context>
 <context>

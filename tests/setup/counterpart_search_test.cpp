@@ -96,20 +96,23 @@ TEST(CounterpartSearch, DecidesByAThirdCamera) {
   EXPECT_TRUE(scene.isOn(counterparts.found[0], kBall, kRadius));
 }
 
-// And so does a volume that only the nearer one lies in.
+// And so does a volume that only the nearer one lies in, if what lies outside is not so much that
+// its color is common.
 TEST(CounterpartSearch, DecidesByTheVolume) {
+  constexpr double kSmall = 0.05;
   PaintedRig scene(2);
   const Eigen::Vector3d sight = (kBall - scene.rig[0].center()).normalized();
-  scene.paint(0, kBall, kRadius, kRed);
-  scene.paint(1, kBall, kRadius, kRed);
-  scene.paint(1, kBall + 0.6 * sight, kRadius * 1.3, kRed);
+  scene.paint(0, kBall, kSmall, kRed);
+  scene.paint(1, kBall, kSmall, kRed);
+  scene.paint(1, kBall + 0.6 * sight, kSmall * 1.3, kRed);
+  const ColorSample click = scene.clickOn(0, kBall, kSmall);
+  EXPECT_TRUE(findCounterparts(scene.rig, scene.images, click).found.empty());
   CounterpartLimits limits;
   limits.volume =
       WorldBox{kBall - Eigen::Vector3d::Constant(0.1), kBall + Eigen::Vector3d::Constant(0.1)};
-  const Counterparts counterparts =
-      findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius), limits);
+  const Counterparts counterparts = findCounterparts(scene.rig, scene.images, click, limits);
   ASSERT_EQ(counterparts.found.size(), 1U);
-  EXPECT_TRUE(scene.isOn(counterparts.found[0], kBall, kRadius));
+  EXPECT_TRUE(scene.isOn(counterparts.found[0], kBall, kSmall));
 }
 
 // The discs are 14.9 and 14.0 px in radius; regions lack some of their rims.

@@ -43,13 +43,12 @@ ColorSampleList::ColorSampleList(QWidget* parent)
 void ColorSampleList::retranslate() {
   title_->setText(tr("Learned from"));
   list_->setAccessibleName(tr("Samples the color was learned from"));
-  list_->setToolTip(tr(
-      "Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples that "
-      "were found in other cameras, not clicked, are marked “found”."));
+  list_->setToolTip(
+      tr("Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples "
+         "marked “found” were not clicked, but found in other cameras."));
   remove_->setText(tr("Remove"));
-  remove_->setToolTip(
-      tr("Forget the chosen sample and learn from the rest (Del). A sample that was "
-         "found is excluded: it is not the target."));
+  remove_->setToolTip(tr("Forget the chosen sample and learn from the rest (Del). A found sample "
+                         "becomes an excluded one."));
 }
 
 void ColorSampleList::setSamples(const Project& project, int target) {
