@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/click_lesson.h"
 
+#include "core/project/project_rig.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -99,6 +101,21 @@ Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& s
         lesson.color = learned;
         return lesson;
       });
+}
+
+Result<ClickLesson> learnFromClicks(const Project& project, const ClickedImages& shown,
+                                    const std::vector<ColorSample>& samples,
+                                    const CounterpartLimits& limits) {
+  return learnFromClicks(rigOf(project), shown, samples, limits);
+}
+
+CounterpartLimits limitsOf(const Project& project, int target) {
+  CounterpartLimits limits;
+  limits.volume = project.volumeOfInterest;
+  if (target >= 0 && target < static_cast<int>(project.targets.size())) {
+    limits.radius = project.targets[static_cast<std::size_t>(target)].radius;
+  }
+  return limits;
 }
 
 RadiusFit compareRadius(double given, double shown) {

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/color/color_learning.h"
 #include "core/geometry/camera.h"
+#include "core/project/project.h"
 #include "core/setup/counterpart_search.h"
 
 #include <opencv2/core/mat.hpp>
@@ -53,6 +54,15 @@ RadiusFit compareRadius(double given, double shown);
 Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
                                     const std::vector<ColorSample>& samples,
                                     const CounterpartLimits& limits = {});
+
+/// The same with the cameras of a project.
+Result<ClickLesson> learnFromClicks(const Project& project, const ClickedImages& shown,
+                                    const std::vector<ColorSample>& samples,
+                                    const CounterpartLimits& limits = {});
+
+/// What a project says of a target (index in Project::targets; none: a new one): its radius, and
+/// the volume of interest.
+CounterpartLimits limitsOf(const Project& project, int target);
 
 /// The samples without one of them. One that was found is not forgotten but excluded: it would be
 /// found again.

@@ -3,7 +3,6 @@
 
 #include "core/color/color_learning.h"
 #include "core/project/project.h"
-#include "core/project/project_rig.h"
 #include "core/setup/click_lesson.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"
@@ -38,27 +37,19 @@ void ColorLearner::start(Work work) {
   Q_EMIT busyChanged(true);
 }
 
-/// What of a project and the images shown clicks on a target are explained by.
+/// A project and the images shown, by which clicks are explained.
 struct ColorLearner::Scene {
-  CameraRig rig;
+  Project project;
+  int target = -1;
   setup::ClickedImages shown;
-  setup::CounterpartLimits limits;
 
   Result<setup::ClickLesson> learn(const std::vector<ColorSample>& samples) const {
-    return setup::learnFromClicks(rig, shown, samples, limits);
+    return setup::learnFromClicks(project, shown, samples, setup::limitsOf(project, target));
   }
 };
 
 ColorLearner::Scene ColorLearner::scene() const {
-  const Project& project = document_.project();
-  Scene scene;
-  scene.rig = rigOf(project);
-  scene.shown = {images(), emptyRooms(), snapshot_ ? snapshot_->frame : 0};
-  if (target_ >= 0 && target_ < static_cast<int>(project.targets.size())) {
-    scene.limits.radius = project.targets[static_cast<std::size_t>(target_)].radius;
-  }
-  scene.limits.volume = project.volumeOfInterest;
-  return scene;
+  return {document_.project(), target_, {images(), emptyRooms(), snapshot_ ? snapshot_->frame : 0}};
 }
 
 void ColorLearner::point(int camera, const QRectF& region, SampleAction action) {

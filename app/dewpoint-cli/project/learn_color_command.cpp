@@ -9,7 +9,6 @@
 #include "core/color/match_image.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_check.h"
-#include "core/project/project_rig.h"
 #include "core/project/project_save.h"
 #include "core/setup/click_lesson.h"
 
@@ -18,6 +17,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -142,13 +142,14 @@ Status writeMask(const std::string& file, const cv::Mat& image, const ColorRange
 
 /// Where and how large the target can be, as far as command line and project say it.
 setup::CounterpartLimits limitsOf(const LearnColorOptions& options, const Project& project) {
-  setup::CounterpartLimits limits;
-  limits.volume = project.volumeOfInterest;
-  for (const Target& target : project.targets) {
-    if (options.target ? target.name == *options.target : project.targets.size() == 1) {
-      limits.radius = target.radius;
-    }
+  int index = project.targets.size() == 1 ? 0 : -1;
+  if (options.target) {
+    const auto named = std::ranges::find(project.targets, *options.target, &Target::name);
+    index = named == project.targets.end()
+                ? -1
+                : static_cast<int>(std::distance(project.targets.begin(), named));
   }
+  setup::CounterpartLimits limits = setup::limitsOf(project, index);
   limits.radius = options.radius.value_or(limits.radius);
   return limits;
 }
@@ -241,7 +242,7 @@ int learn(const LearnColorOptions& options) {
     return fail(images.error());
   }
   const auto& shown = images->at(options.frame);
-  auto lesson = learnFromClicks(rigOf(inputs->project), {shown, inputs->emptyRooms, options.frame},
+  auto lesson = learnFromClicks(inputs->project, {shown, inputs->emptyRooms, options.frame},
                                 *samples, limitsOf(options, inputs->project));
   if (!lesson) {
     return fail(lesson.error());
