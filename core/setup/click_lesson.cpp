@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/click_lesson.h"
 
+#include "core/color/color_region.h"
 #include "core/project/project_rig.h"
 
 #include <algorithm>
@@ -37,6 +38,36 @@ std::vector<ColorSample> keptSamples(const std::vector<ColorSample>& samples, st
   return kept;
 }
 
+/// Adds a mask to another one, which may be empty; both of one size.
+void unite(const cv::Mat& added, cv::Mat& mask) {
+  if (!added.empty()) {
+    mask = mask.empty() ? added : cv::Mat(mask | added);
+  }
+}
+
+BgrColor typicalColor(const std::vector<ColorSample>& samples) {
+  std::vector<BgrColor> colors;
+  for (const ColorSample& sample : samples) {
+    if (isClick(sample)) {
+      colors.insert(colors.end(), sample.colors.begin(), sample.colors.end());
+    }
+  }
+  return colors.empty() ? BgrColor{} : color::medianColor(std::move(colors));
+}
+
+/// The samples of other targets in the images of a frame whose color is about that of `samples`.
+std::vector<ColorSample> thoseAlike(const std::vector<ColorSample>& others,
+                                    const std::vector<ColorSample>& samples, std::int64_t frame) {
+  constexpr double kAlike = 4.0; // colorDistance(): a region of it would still be the same object
+  const BgrColor own = typicalColor(samples);
+  std::vector<ColorSample> alike;
+  std::ranges::copy_if(others, std::back_inserter(alike), [&](const ColorSample& sample) {
+    return !sample.excluded && sample.frame == frame && !sample.colors.empty() &&
+           color::colorDistance(color::medianColor(sample.colors), own) < kAlike;
+  });
+  return alike;
+}
+
 /// What samples in the images of one frame lead to in the other cameras.
 class FoundSamples {
 public:
@@ -54,10 +85,7 @@ public:
       }
     }
     for (std::size_t camera = 0; camera < undecided_.size(); ++camera) {
-      const cv::Mat& mask = counterparts.undecided[camera];
-      if (!mask.empty()) {
-        undecided_[camera] = undecided_[camera].empty() ? mask : cv::Mat(undecided_[camera] | mask);
-      }
+      unite(counterparts.undecided[camera], undecided_[camera]);
     }
   }
 
@@ -82,10 +110,13 @@ private:
 
 Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
                                     const std::vector<ColorSample>& samples,
-                                    const CounterpartLimits& limits) {
+                                    const CounterpartLimits& limits,
+                                    const std::vector<ColorSample>& others) {
   ClickLesson lesson;
   lesson.samples = keptSamples(samples, shown.frame);
+  const std::vector<ColorSample> alike = thoseAlike(others, samples, shown.frame);
   CounterpartLimits known = limits;
+  known.excluded.insert(known.excluded.end(), alike.begin(), alike.end());
   std::ranges::copy_if(samples, std::back_inserter(known.excluded), [&](const ColorSample& sample) {
     return sample.excluded && sample.frame == shown.frame;
   });
@@ -95,27 +126,34 @@ Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& s
       found.add(findCounterparts(rig, shown.images, sample, known));
     }
   }
-  return color::learnColorWithBackground(lesson.samples, shown.images, shown.emptyRooms,
-                                         found.undecided())
+  std::vector<cv::Mat> undecided = found.undecided();
+  for (const ColorSample& sample : alike) {
+    const auto camera = static_cast<std::size_t>(sample.camera);
+    if (camera < undecided.size() && shown.images[camera].type() == CV_8UC3) {
+      unite(color::regionOfSample(shown.images[camera], sample), undecided[camera]);
+    }
+  }
+  return color::learnColorWithBackground(lesson.samples, shown.images, shown.emptyRooms, undecided)
       .map([&](const LearnedColor& learned) {
         lesson.color = learned;
         return lesson;
       });
 }
 
-Result<ClickLesson> learnFromClicks(const Project& project, const ClickedImages& shown,
-                                    const std::vector<ColorSample>& samples,
-                                    const CounterpartLimits& limits) {
-  return learnFromClicks(rigOf(project), shown, samples, limits);
-}
-
-CounterpartLimits limitsOf(const Project& project, int target) {
+Result<ClickLesson> learnFromClicks(const Project& project, int target, const ClickedImages& shown,
+                                    const std::vector<ColorSample>& samples) {
   CounterpartLimits limits;
   limits.volume = project.volumeOfInterest;
-  if (target >= 0 && target < static_cast<int>(project.targets.size())) {
-    limits.radius = project.targets[static_cast<std::size_t>(target)].radius;
+  std::vector<ColorSample> others;
+  for (int i = 0; i < static_cast<int>(project.targets.size()); ++i) {
+    const Target& one = project.targets[static_cast<std::size_t>(i)];
+    if (i == target) {
+      limits.radius = one.radius;
+    } else {
+      others.insert(others.end(), one.samples.begin(), one.samples.end());
+    }
   }
-  return limits;
+  return learnFromClicks(rigOf(project), shown, samples, limits, others);
 }
 
 RadiusFit compareRadius(double given, double shown) {

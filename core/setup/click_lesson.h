@@ -50,19 +50,20 @@ RadiusFit compareRadius(double given, double shown);
 /// The color of a target from samples of it: learned by what was clicked, and by what the cameras
 /// in which it was not clicked show of the same object (findCounterparts()). For each click in the
 /// images shown the other cameras are searched again; what was found of clicks in other frames
-/// stays, as long as there is such a click. Errors as learnColor().
+/// stays, as long as there is such a click.
+///
+/// `others` are samples of other targets. What the images show of one of about the same color is
+/// neither this target nor background: two alike are told apart by where they are. One of another
+/// color is background. Errors as learnColor().
 Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
                                     const std::vector<ColorSample>& samples,
-                                    const CounterpartLimits& limits = {});
+                                    const CounterpartLimits& limits = {},
+                                    const std::vector<ColorSample>& others = {});
 
-/// The same with the cameras of a project.
-Result<ClickLesson> learnFromClicks(const Project& project, const ClickedImages& shown,
-                                    const std::vector<ColorSample>& samples,
-                                    const CounterpartLimits& limits = {});
-
-/// What a project says of a target (index in Project::targets; none: a new one): its radius, and
-/// the volume of interest.
-CounterpartLimits limitsOf(const Project& project, int target);
+/// The same for a target of a project (index in Project::targets; none: a new one): with its
+/// cameras and volume of interest, the target's radius, and the samples of its other targets.
+Result<ClickLesson> learnFromClicks(const Project& project, int target, const ClickedImages& shown,
+                                    const std::vector<ColorSample>& samples);
 
 /// The samples without one of them. One that was found is not forgotten but excluded: it would be
 /// found again.

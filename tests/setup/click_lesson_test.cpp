@@ -96,6 +96,30 @@ TEST(ClickLesson, ExcludesWhatWasFoundAndTakenAway) {
   EXPECT_FALSE(setup::anyClicked(setup::withoutSample(without, 0)));
 }
 
+// Two bands of one color: the second is learned beside the first, which is neither it nor what it
+// has to be told from.
+TEST(ClickLesson, TakesAnotherTargetOfTheColorForNeither) {
+  const Eigen::Vector3d other = kBall + Eigen::Vector3d(-0.5, 0.5, 0.0); // beside it in both images
+  PaintedRig scene(2);
+  scene.paintInAll(kBall, kRadius, kRed);
+  scene.paintInAll(other, kRadius, kRed);
+  const std::vector<color::ColorSample> taken{scene.clickOn(0, other, kRadius),
+                                              scene.clickOn(1, other, kRadius)};
+  const std::vector<color::ColorSample> click{scene.clickOn(0, kBall, kRadius)};
+  const auto alone = learnFromClicks(scene.rig, {scene.images, {}, 0}, click);
+  ASSERT_TRUE(alone);
+  EXPECT_LT(alone->color.assessment.score(), 90); // as much of the color is no target
+  Project project;
+  for (const Camera& camera : scene.rig) {
+    project.cameras.emplace_back().camera = camera;
+  }
+  project.targets.resize(2);
+  project.targets[0].samples = taken;
+  const auto beside = setup::learnFromClicks(project, 1, {scene.images, {}, 0}, click);
+  ASSERT_TRUE(beside);
+  EXPECT_GE(beside->color.assessment.score(), 95);
+}
+
 TEST(ClickLesson, ComparesRadii) {
   EXPECT_EQ(setup::compareRadius(0.035, 0.040), setup::RadiusFit::Fits);
   EXPECT_EQ(setup::compareRadius(0.070, 0.036), setup::RadiusFit::IsDiameter);

@@ -44,7 +44,7 @@ struct ColorLearner::Scene {
   setup::ClickedImages shown;
 
   Result<setup::ClickLesson> learn(const std::vector<ColorSample>& samples) const {
-    return setup::learnFromClicks(project, shown, samples, setup::limitsOf(project, target));
+    return setup::learnFromClicks(project, target, shown, samples);
   }
 };
 

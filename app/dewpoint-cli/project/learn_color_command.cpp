@@ -17,7 +17,6 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -117,41 +116,28 @@ Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>
   return images;
 }
 
-/// The target that is taught: the one named, the only one, or a new one.
-Result<Target*> taughtTarget(Project& project, const std::optional<std::string>& name) {
+/// The target that is taught, with its radius: the one named, the only one, or a new one.
+Result<Target*> taughtTarget(Project& project, const LearnColorOptions& options) {
   auto& targets = project.targets;
+  const auto& name = options.target;
   if (!name && targets.size() > 1) {
     return failure(ErrorCode::MissingKey, "", "--target",
                    fmt::format("the project has {} targets", targets.size()));
   }
-  const auto found = name ? std::ranges::find(targets, *name, &Target::name) : targets.begin();
-  if (found != targets.end()) {
-    return &*found;
+  auto found = name ? std::ranges::find(targets, *name, &Target::name) : targets.begin();
+  if (found == targets.end()) {
+    Target added;
+    added.name = name.value_or("target 1");
+    found = targets.insert(targets.end(), added);
   }
-  Target added;
-  added.name = name.value_or("target 1");
-  targets.push_back(added);
-  return &targets.back();
+  found->radius = options.radius.value_or(found->radius);
+  return &*found;
 }
 
 Status writeMask(const std::string& file, const cv::Mat& image, const ColorRange& range) {
   std::vector<std::uint8_t> png;
   cv::imencode(".png", matchImage(image, ColorClassifier(range)), png);
   return writeTextFile(file, std::string(png.begin(), png.end()));
-}
-
-/// Where and how large the target can be, as far as command line and project say it.
-setup::CounterpartLimits limitsOf(const LearnColorOptions& options, const Project& project) {
-  int index = project.targets.size() == 1 ? 0 : -1;
-  if (options.target) {
-    const auto named = std::ranges::find(project.targets, *options.target, &Target::name);
-    index = named == project.targets.end()
-                ? -1
-                : static_cast<int>(std::distance(project.targets.begin(), named));
-  }
-  setup::CounterpartLimits limits = setup::limitsOf(project, index);
-  limits.radius = options.radius.value_or(limits.radius);
-  return limits;
 }
 
 /// Where the other cameras were found to show the target.
@@ -183,16 +169,11 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
 }
 
 /// The learned color into the project's target, its mask and the project into files.
-Status keep(const LearnColorOptions& options, setup::ClickLesson lesson, const cv::Mat& image,
-            Project& project) {
-  const auto target = taughtTarget(project, options.target);
-  if (!target) {
-    return tl::make_unexpected(target.error());
-  }
-  (*target)->color = lesson.color.range;
-  (*target)->samples = std::move(lesson.samples);
-  (*target)->radius = options.radius.value_or((*target)->radius);
-  printLearned(**target, lesson, project);
+Status keep(const LearnColorOptions& options, const setup::ClickLesson& lesson,
+            const cv::Mat& image, Target& target, const Project& project) {
+  target.color = lesson.color.range;
+  target.samples = lesson.samples;
+  printLearned(target, lesson, project);
   const auto drawn =
       options.mask.empty() ? Status() : writeMask(options.mask, image, lesson.color.range);
   if (!drawn || options.out.empty()) {
@@ -241,14 +222,20 @@ int learn(const LearnColorOptions& options) {
   if (!images) {
     return fail(images.error());
   }
+  Project& taught = inputs->project;
+  const auto target = taughtTarget(taught, options);
+  if (!target) {
+    return fail(target.error());
+  }
   const auto& shown = images->at(options.frame);
-  auto lesson = learnFromClicks(inputs->project, {shown, inputs->emptyRooms, options.frame},
-                                *samples, limitsOf(options, inputs->project));
+  const auto lesson =
+      setup::learnFromClicks(taught, static_cast<int>(*target - taught.targets.data()),
+                             {shown, inputs->emptyRooms, options.frame}, *samples);
   if (!lesson) {
     return fail(lesson.error());
   }
   const auto& image = shown.at(static_cast<std::size_t>(samples->front().camera));
-  const auto kept = keep(options, std::move(*lesson), image, inputs->project);
+  const auto kept = keep(options, *lesson, image, **target, taught);
   return kept ? static_cast<int>(kExitDone) : fail(kept.error());
 }
 
