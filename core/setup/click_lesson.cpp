@@ -3,6 +3,8 @@
 
 #include "core/color/color_region.h"
 #include "core/project/project_rig.h"
+#include "core/setup/clicked_correction.h"
+#include "core/setup/clicked_position.h"
 
 #include <algorithm>
 #include <iterator>
@@ -68,6 +70,20 @@ std::vector<ColorSample> thoseAlike(const std::vector<ColorSample>& others,
   return alike;
 }
 
+/// Nothing where the rays through the centers do not meet.
+std::optional<PositionCorrection> correctionFrom(const std::vector<PointClick>& centers,
+                                                 const CameraRig& rig, std::int64_t frame,
+                                                 int target) {
+  if (centers.empty()) {
+    return std::nullopt;
+  }
+  const auto position = clickedPosition(rig, centers, std::nullopt);
+  if (!position) {
+    return std::nullopt;
+  }
+  return PositionCorrection{frame, target, position->mean, position->covariance, centers};
+}
+
 /// What samples in the images of one frame lead to in the other cameras.
 class FoundSamples {
 public:
@@ -75,7 +91,10 @@ public:
       : shown_(shown), lesson_(lesson), undecided_(shown.images.size()) {}
 
   void add(Counterparts counterparts) {
-    lesson_.radius = lesson_.radius ? lesson_.radius : counterparts.radius;
+    if (lesson_.centers.empty()) {
+      lesson_.radius = counterparts.radius;
+      lesson_.centers = std::move(counterparts.centers);
+    }
     for (std::size_t i = 0; i < counterparts.found.size(); ++i) {
       ColorSample& sample = counterparts.found[i];
       if (!showsTarget(lesson_.samples, sample.camera, shown_.frame)) {
@@ -153,7 +172,34 @@ Result<ClickLesson> learnFromClicks(const Project& project, int target, const Cl
       others.insert(others.end(), one.samples.begin(), one.samples.end());
     }
   }
-  return learnFromClicks(rigOf(project), shown, samples, limits, others);
+  const CameraRig rig = rigOf(project);
+  auto lesson = learnFromClicks(rig, shown, samples, limits, others);
+  if (lesson && (!lesson->color.assessment.distractors.empty() ||
+                 !thoseAlike(others, samples, shown.frame).empty())) {
+    const bool isNew = target < 0 || target >= static_cast<int>(project.targets.size());
+    lesson->correction = correctionFrom(lesson->centers, rig, shown.frame,
+                                        isNew ? static_cast<int>(project.targets.size()) : target);
+  }
+  return lesson;
+}
+
+void applyLesson(const ClickLesson& lesson, std::size_t target, Project& project) {
+  Target& taught = project.targets.at(target);
+  const auto index = static_cast<int>(target);
+  for (const ColorSample& sample : taught.samples) {
+    if (isClick(sample) && std::ranges::count(lesson.samples, sample) == 0) {
+      std::erase_if(project.corrections, [&](const PositionCorrection& correction) {
+        return correction.target == index && correction.frame == sample.frame;
+      });
+    }
+  }
+  taught.color = lesson.color.range;
+  taught.samples = lesson.samples;
+  if (lesson.correction && correctionAt(project, lesson.correction->frame, index) == nullptr) {
+    PositionCorrection correction = *lesson.correction;
+    correction.target = index;
+    addCorrection(project, correction);
+  }
 }
 
 RadiusFit compareRadius(double given, double shown) {

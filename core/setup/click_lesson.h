@@ -37,6 +37,12 @@ struct ClickLesson {
   std::vector<FoundOutline> found;  ///< in the images shown
   /// Meters, as Counterparts::radius; nothing when nothing was found in the images shown.
   std::optional<double> radius;
+  /// The centers of what shows the target in the images shown, where several cameras do: of the
+  /// first click that was found elsewhere too.
+  std::vector<PointClick> centers;
+  /// Where the target is in this frame: nothing unless the color alone does not say which object is
+  /// meant, as others match too.
+  std::optional<PositionCorrection> correction;
 };
 
 /// How a radius compares with the one that clicks show, good to a third.
@@ -61,9 +67,15 @@ Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& s
                                     const std::vector<ColorSample>& others = {});
 
 /// The same for a target of a project (index in Project::targets; none: a new one): with its
-/// cameras and volume of interest, the target's radius, and the samples of its other targets.
+/// cameras and volume of interest, the target's radius, and the samples of its other targets. Only
+/// this one makes a correction.
 Result<ClickLesson> learnFromClicks(const Project& project, int target, const ClickedImages& shown,
                                     const std::vector<ColorSample>& samples);
+
+/// Gives a target of a project (index) what was learned: color, samples, and the correction unless
+/// there is one of this frame. Corrections in frames of clicks that are not among the samples any
+/// more are removed: they may have been of another object.
+void applyLesson(const ClickLesson& lesson, std::size_t target, Project& project);
 
 /// The samples without one of them. One that was found is not forgotten but excluded: it would be
 /// found again.

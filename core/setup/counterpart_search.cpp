@@ -232,6 +232,7 @@ void CounterpartSearch::decide(std::size_t camera, const std::vector<double>& pr
                        cv::CHAIN_APPROX_SIMPLE);
       counterparts.found.push_back(*taken);
       counterparts.outlines.push_back(outlines.front());
+      counterparts.centers.push_back({sample.camera, regions[i].center});
       counterparts.undecided[camera].release();
       return;
     }
@@ -272,6 +273,7 @@ Counterparts CounterpartSearch::result() const {
     decide(camera, probabilities(camera, hypotheses), counterparts);
   }
   if (!counterparts.found.empty()) {
+    counterparts.centers.push_back({static_cast<int>(object_.camera), object_.center});
     counterparts.radius = radiusOf(*std::ranges::max_element(hypotheses, {}, &Hypothesis::logOdds));
   }
   return counterparts;

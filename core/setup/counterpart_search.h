@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/manual/measured_points.h"
 #include "core/color/color_sample.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/world_box.h"
@@ -19,6 +20,8 @@ struct Counterparts {
   /// one position. The outlines of their regions, pixels, are in the same order.
   std::vector<ColorSample> found;
   std::vector<std::vector<cv::Point>> outlines;
+  /// The centers of the click's region and of those that were found; empty when none was found.
+  std::vector<PointClick> centers;
   /// Per camera, CV_8UC1 of its image's size: 255 where the object may be though nothing there was
   /// found to be it, so that it is no background either. Empty where everything is decided.
   std::vector<cv::Mat> undecided;

@@ -201,11 +201,12 @@ std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& 
   if (!isObject(area, image)) {
     return std::nullopt;
   }
-  const auto ray = Unprojector(camera).ray(centerOf(region));
+  const Eigen::Vector2d center = centerOf(region);
+  const auto ray = Unprojector(camera).ray(center);
   if (!ray) {
     return std::nullopt;
   }
-  return ClickedObject{static_cast<std::size_t>(sample.camera), *ray,
+  return ClickedObject{static_cast<std::size_t>(sample.camera), center, *ray,
                        std::sqrt(area / std::numbers::pi), focalOf(camera)};
 }
 

@@ -21,9 +21,10 @@ namespace dewpoint::setup {
 /// there.
 struct ClickedObject {
   std::size_t camera = 0;
-  Ray ray;               ///< through the center of its region
-  double radiusPx = 0.0; ///< of a circle of the region's area
-  double focal = 0.0;    ///< of the camera, pixels
+  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< of its region, pixels
+  Ray ray;                                          ///< through it
+  double radiusPx = 0.0;                            ///< of a circle of the region's area
+  double focal = 0.0;                               ///< of the camera, pixels
 
   /// Meters, at a depth in meters along the ray.
   double radiusAt(double depth) const { return radiusPx * depth / focal; }

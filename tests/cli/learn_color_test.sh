@@ -53,6 +53,17 @@ sed 's/^empty_room.*/empty_room = "gone.png"/' known.toml >gone.toml
 expectExit $kBadInput track gone.toml --out gone
 expectSentence gone.png "camera 2"
 
+# Among balls alike the click says which one is meant: the position where the cameras see it goes
+# into the project, half a meter in front of camera 1, and the run is there from its first frame on.
+expectExit 0 simulate look-alikes --frames 5 --out alike
+expectExit 0 new alike.toml --camera "camera 1=alike/camera-1.mkv" \
+  --camera "camera 2=alike/camera-2.mkv" --calibration alike/calibration.toml
+expectExit 0 learn-color alike.toml --pixel 157,117 --radius 0.035 --out meant.toml
+expectText meant.toml '[[correction]]' 'frame = 0'
+expectExit 0 track meant.toml --out meant
+awk -F, '/^[0-9]/ { d = sqrt(($4 - 0.5) ^ 2 + ($5 - 0.5) ^ 2 + ($6 - 0.15) ^ 2); n++; if (d > 0.02) exit 1 }
+         END { if (n != 5) exit 1 }' meant/trajectory.csv || fail "it is not the ball that was clicked"
+
 # One sentence says what is wrong, and nothing is written.
 expectExit $kBadInput learn-color two.toml --pixel 157,117 --out no.toml
 expectSentence two.toml --target

@@ -118,6 +118,47 @@ TEST(ClickLesson, TakesAnotherTargetOfTheColorForNeither) {
   const auto beside = setup::learnFromClicks(project, 1, {scene.images, {}, 0}, click);
   ASSERT_TRUE(beside);
   EXPECT_GE(beside->color.assessment.score(), 95);
+  EXPECT_FALSE(beside->correction); // which of the two it is in the other image is left open
+}
+
+// A second ball of the color, which three cameras tell apart: the click says which one is meant.
+TEST(ClickLesson, SaysWhereTheTargetIsWhenOthersMatchToo) {
+  const Eigen::Vector3d other(-0.4, 0.3, -0.2);
+  constexpr double kSmall = 0.05;
+  PaintedRig scene(3);
+  scene.paintInAll(kBall, kSmall, kRed);
+  Project project;
+  for (const Camera& camera : scene.rig) {
+    project.cameras.emplace_back().camera = camera;
+  }
+  const std::vector<color::ColorSample> click{scene.clickOn(0, kBall, kSmall)};
+  const auto only = setup::learnFromClicks(project, -1, {scene.images, {}, 0}, click);
+  ASSERT_TRUE(only);
+  EXPECT_EQ(only->centers.size(), 3U);
+  EXPECT_FALSE(only->correction) << "its color says which one it is";
+
+  scene.paintInAll(other, 0.5 * kSmall, kRed);
+  const auto lesson = setup::learnFromClicks(project, -1, {scene.images, {}, 0}, click);
+  ASSERT_TRUE(lesson);
+  ASSERT_TRUE(lesson->correction);
+  EXPECT_EQ(lesson->correction->frame, 0);
+  EXPECT_LT((lesson->correction->position - kBall).norm(), 0.01); // 1.5 px at 2 m
+  project.targets.emplace_back();
+  setup::applyLesson(*lesson, 0, project);
+  EXPECT_EQ(project.targets[0].samples, lesson->samples);
+  ASSERT_EQ(project.corrections.size(), 1U);
+
+  // A correction of a click that stays is kept as it is.
+  project.corrections[0].position = other;
+  setup::applyLesson(*lesson, 0, project);
+  EXPECT_EQ(project.corrections[0].position, other);
+
+  // One of a click that another has replaced is not: it may have been of another object.
+  setup::ClickLesson another = *lesson;
+  another.samples[0].x += 1.0;
+  setup::applyLesson(another, 0, project);
+  ASSERT_EQ(project.corrections.size(), 1U);
+  EXPECT_EQ(project.corrections[0].position, lesson->correction->position);
 }
 
 TEST(ClickLesson, ComparesRadii) {

@@ -33,7 +33,6 @@ TEST(CounterpartSearch, FindsTheBallInTheOtherCameras) {
     EXPECT_EQ(sample.camera, static_cast<int>(i) + 1);
     EXPECT_TRUE(sample.found && !sample.excluded);
     EXPECT_TRUE(scene.isOn(sample, kBall, kRadius));
-    EXPECT_EQ(sample.colors.front(), kRed);
     EXPECT_FALSE(counterparts.outlines[i].empty());
   }
 }

@@ -9,12 +9,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::tests {
 
 /// Three ideal cameras of 320 x 240 pixels and a focal length of 300 px, two meters from the origin
-/// at right angles, and images of them: a gray wall on which balls are painted as flat discs.
+/// at right angles, and images of them: a gray wall on which balls are painted as discs, darker
+/// toward their rims.
 class PaintedRig {
 public:
   explicit PaintedRig(std::size_t cameras) {
@@ -40,8 +42,11 @@ public:
     const SphereImage disc = discOf(camera, center, radius);
     constexpr int kShift = 4;
     const auto fixed = [](double value) { return static_cast<int>(std::lround(16.0 * value)); };
-    cv::circle(images[camera], {fixed(disc.center.x()), fixed(disc.center.y())}, fixed(disc.radius),
-               cv::Scalar(bgr[0], bgr[1], bgr[2]), cv::FILLED, cv::LINE_8, kShift);
+    for (const auto& [share, light] : {std::pair(1.0, 0.8), {0.75, 1.0}, {0.45, 1.15}}) {
+      const cv::Scalar color(light * bgr[0], light * bgr[1], light * bgr[2]);
+      cv::circle(images[camera], {fixed(disc.center.x()), fixed(disc.center.y())},
+                 fixed(share * disc.radius), color, cv::FILLED, cv::LINE_8, kShift);
+    }
   }
   void paintInAll(const Eigen::Vector3d& center, double radius, const color::BgrColor& bgr) {
     for (std::size_t camera = 0; camera < rig.size(); ++camera) {

@@ -134,9 +134,7 @@ void ColorLearner::applyResult(int target, const setup::ClickLesson& lesson, con
       project.targets.push_back(added);
       learnedTarget = static_cast<int>(project.targets.size()) - 1;
     }
-    Target& changed = project.targets[static_cast<std::size_t>(learnedTarget)];
-    changed.color = lesson.color.range;
-    changed.samples = lesson.samples;
+    setup::applyLesson(lesson, static_cast<std::size_t>(learnedTarget), project);
   });
   if (!edited) {
     Q_EMIT failed(errorSentence(edited.error()));

@@ -170,10 +170,9 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
 
 /// The learned color into the project's target, its mask and the project into files.
 Status keep(const LearnColorOptions& options, const setup::ClickLesson& lesson,
-            const cv::Mat& image, Target& target, const Project& project) {
-  target.color = lesson.color.range;
-  target.samples = lesson.samples;
-  printLearned(target, lesson, project);
+            const cv::Mat& image, std::size_t target, Project& project) {
+  setup::applyLesson(lesson, target, project);
+  printLearned(project.targets[target], lesson, project);
   const auto drawn =
       options.mask.empty() ? Status() : writeMask(options.mask, image, lesson.color.range);
   if (!drawn || options.out.empty()) {
@@ -227,15 +226,15 @@ int learn(const LearnColorOptions& options) {
   if (!target) {
     return fail(target.error());
   }
+  const auto index = static_cast<std::size_t>(*target - taught.targets.data());
   const auto& shown = images->at(options.frame);
-  const auto lesson =
-      setup::learnFromClicks(taught, static_cast<int>(*target - taught.targets.data()),
-                             {shown, inputs->emptyRooms, options.frame}, *samples);
+  const auto lesson = setup::learnFromClicks(taught, static_cast<int>(index),
+                                             {shown, inputs->emptyRooms, options.frame}, *samples);
   if (!lesson) {
     return fail(lesson.error());
   }
   const auto& image = shown.at(static_cast<std::size_t>(samples->front().camera));
-  const auto kept = keep(options, *lesson, image, **target, taught);
+  const auto kept = keep(options, *lesson, image, index, taught);
   return kept ? static_cast<int>(kExitDone) : fail(kept.error());
 }
 
