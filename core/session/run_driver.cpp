@@ -8,7 +8,6 @@
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 
@@ -17,7 +16,8 @@ namespace dewpoint::session {
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
     : project_(std::move(inputs.project)), source_(std::move(inputs.source)), tap_(tap), log_(log),
       kept_(RunDefinition::of(project_, inputs.emptyRooms), filterThreads(inputs.threads)),
-      motionWatch_(*definition().rig), recorder_(log, truth) {
+      motionWatch_(*definition().rig), agreementWatch_(*definition().rig, motionWatch_),
+      recorder_(log, truth) {
   replaceRun(definition(), 0);
   if (source_) {
     kept_.keepHistory(*source_, inputs.historyBytes);
@@ -77,8 +77,7 @@ void RunDriver::iterateFrame() {
     recorder_.arriveNow();
   }
   if (hasWaited || takeFrame()) {
-    const std::array<FrameObserver*, 2> observers{&motionObserver_, &recorder_};
-    if (const auto told = trackOneFrame(run(), observers); !told) {
+    if (const auto told = trackOneFrame(run(), observers_); !told) {
       note(told.error());
     }
     playback_.track(); // also without any target
@@ -142,6 +141,7 @@ bool RunDriver::restart(std::optional<std::uint64_t> seed) {
   log_.restart(project(), kept_.threads());
   if (!source_->isLive()) { // live cameras stay where they are; the calibrated place is still known
     motionWatch_.restart();
+    agreementWatch_.restart();
   }
   recorder_.restart();
   playback_.restart();
@@ -280,6 +280,7 @@ void RunDriver::setCameras(const CameraRig& rig) {
   wanted.rig = std::make_shared<const CameraRig>(rig);
   if (change(std::move(wanted))) {
     motionWatch_.setCameras(rig);
+    agreementWatch_.setCameras(rig);
   }
 }
 
@@ -373,6 +374,7 @@ void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnap
   snapshot.rerun = playback_.rerunning();
   snapshot.notices = errors_;
   snapshot.cameraMotions = motionWatch_.reports();
+  snapshot.disagreements = agreementWatch_.found(snapshot.family);
   if (source_) {
     std::ranges::move(source_->notices(), std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();

@@ -5,6 +5,7 @@
 #include "core/session/frames/frame_tap.h"
 #include "core/session/playback.h"
 #include "core/session/remembered_run.h"
+#include "core/session/run/camera_agreement_watch.h"
 #include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/run_definition.h"
 #include "core/session/run/tracking_run.h"
@@ -13,6 +14,7 @@
 #include "core/session/session_inputs.h"
 #include "core/session/snapshot_builder.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -65,7 +67,10 @@ public:
   void setCameras(const CameraRig& rig);
   void setEmptyRooms(const command::SetEmptyRooms& request);
   /// While a board is shown to live cameras none of them is taken for moved.
-  void setBoardShown(bool shown) { motionWatch_.setResting(shown); }
+  void setBoardShown(bool shown) {
+    motionWatch_.setResting(shown);
+    agreementWatch_.setResting(shown);
+  }
   void setPeople(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
   /// As SessionInputs::threads, from the next iteration on.
@@ -121,7 +126,9 @@ private:
   RememberedRun kept_;            ///< no run if the project's could not be made
   CameraMotionWatch motionWatch_; ///< of the cameras as they were calibrated
   CameraMotionObserver motionObserver_{motionWatch_};
+  CameraAgreementWatch agreementWatch_; ///< of the cameras as the project has them
   RunRecorder recorder_;
+  std::array<FrameObserver*, 3> observers_{&motionObserver_, &agreementWatch_, &recorder_};
   Playback playback_;
   std::vector<Error> errors_;
 };

@@ -2,12 +2,17 @@
 #include "ui/mainwindow/run_alerts.h"
 
 #include "core/calibration/manual/interactive_pose.h"
+#include "core/session/run/camera_mending.h"
 #include "core/session/run/snapshot.h"
 #include "ui/calibration/manual_calibration.h"
+#include "ui/document/document.h"
+#include "ui/mainwindow/camera_agreement_alerts.h"
 #include "ui/mainwindow/camera_motion_alerts.h"
+#include "ui/text/camera_agreement_text.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/reason_text.h"
 #include "ui/widgets/message_bar.h"
 
 #include <QAction>
@@ -23,13 +28,39 @@ RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& hand)
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
   bench_.connectView(alerts);
   connect(alerts, &CameraMotionAlerts::newPoseWanted, this, &RunAlerts::applyNewPose);
-  connect(alerts, &CameraMotionAlerts::calibrateWanted, this, [this](int camera) {
-    bench_.action("actionCalibrateByHand")->setChecked(true);
-    hand_.selectCamera(camera);
-  });
+  connect(alerts, &CameraMotionAlerts::calibrateWanted, this, &RunAlerts::calibrate);
+  connectAgreement();
   bench_.onTriggered("actionResolveCamera", this, [this] { applyFirstNewPose(); });
   bench_.needRun({"actionResolveCamera"});
   connect(&bench_.session, &SessionController::failed, &bench_.messages, &MessageBar::showError);
+}
+
+void RunAlerts::connectAgreement() {
+  auto* alerts = new CameraAgreementAlerts(bench_.messages, this);
+  connect(&hand_, &ManualCalibration::activeChanged, alerts, &CameraAgreementAlerts::setResting);
+  bench_.connectView(alerts);
+  connect(alerts, &CameraAgreementAlerts::mendingWanted, this, &RunAlerts::mend);
+  connect(alerts, &CameraAgreementAlerts::calibrateWanted, this, &RunAlerts::calibrate);
+}
+
+void RunAlerts::calibrate(int camera) {
+  bench_.action("actionCalibrateByHand")->setChecked(true);
+  hand_.selectCamera(camera);
+}
+
+void RunAlerts::mend(const CameraDisagreement& found, std::size_t choice) {
+  const TrackSnapshotPtr& shown = bench_.session.shown();
+  if (!shown) {
+    return;
+  }
+  const QString step = mendingText(found, choice, cameraNames(*shown));
+  const auto mended =
+      bench_.document.edit(step, [&](Project& project) { mendCameras(project, found, choice); });
+  if (mended) {
+    bench_.messages.showNotice(tr("Done: %1. Undo takes it back.").arg(step));
+  } else {
+    bench_.messages.showError(errorSentence(mended.error()));
+  }
 }
 
 void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {

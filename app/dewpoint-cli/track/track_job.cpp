@@ -6,6 +6,7 @@
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/base/text_file.h"
 #include "core/base/units.h"
+#include "core/session/run/camera_agreement_watch.h"
 #include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/reason_log.h"
@@ -50,6 +51,18 @@ void noteCameraMotions(const CameraMotionWatch& motionWatch, std::size_t& said,
   }
 }
 
+/// Says each new reason why cameras cannot agree once.
+void noteDisagreements(const CameraAgreementWatch& watch, const TrackingRun& run,
+                       std::vector<CameraDisagreement>& said, RunFigures& figures) {
+  for (CameraDisagreement& found : watch.found(run.definition()->family())) {
+    if (std::ranges::none_of(said, [&](const auto& one) { return one.isSameAs(found); })) {
+      figures.notices.push_back(disagreementSentence(found, run.rig()));
+      fmt::print(stderr, "dewpoint-cli: note: {}.\n", figures.notices.back());
+      said.push_back(std::move(found));
+    }
+  }
+}
+
 /// Where the results of a run go: a file that grows with it, or boxes that are written at its end.
 struct TrackOutput {
   std::optional<TrajectoryWriter> writer; ///< not with boxes, which are in no space
@@ -90,9 +103,10 @@ struct TrackOutput {
 class TrackObserver final : public FrameObserver {
 public:
   TrackObserver(const FrameSetSource& source, const CameraMotionWatch& motionWatch,
-                Progress& progress, TrackOutput& output, RunFigures& figures)
-      : source_(source), motionWatch_(motionWatch), progress_(progress), output_(output),
-        figures_(figures) {}
+                const CameraAgreementWatch& agreementWatch, Progress& progress, TrackOutput& output,
+                RunFigures& figures)
+      : source_(source), motionWatch_(motionWatch), agreementWatch_(agreementWatch),
+        progress_(progress), output_(output), figures_(figures) {}
 
   void taken(const FrameSet& /*frames*/) override {
     noteNotices(source_, figures_);
@@ -106,6 +120,7 @@ public:
     const std::chrono::duration<double> took = std::max(taken_, iterated_) - taken_;
     figures_.latency.add(took.count());
     noteCameraMotions(motionWatch_, motionsNoted_, figures_);
+    noteDisagreements(agreementWatch_, run, disagreementsNoted_, figures_);
     if (const auto written = output_.take(run); !written) {
       return written;
     }
@@ -118,12 +133,14 @@ private:
 
   const FrameSetSource& source_;
   const CameraMotionWatch& motionWatch_;
+  const CameraAgreementWatch& agreementWatch_;
   Progress& progress_;
   TrackOutput& output_;
   RunFigures& figures_;
   Clock::time_point taken_;
   Clock::time_point iterated_; ///< the last time
   std::size_t motionsNoted_ = 0;
+  std::vector<CameraDisagreement> disagreementsNoted_;
 };
 
 /// Tracks the frames of a job; what stopped it, if it was not the end.
@@ -132,12 +149,13 @@ Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, T
   CameraMotionWatch motionWatch(run.rig());
   CameraMotionObserver motionObserver(motionWatch);
   Progress progress("tracking", job.frames.count(source).value_or(0));
-  TrackObserver observer(source, motionWatch, progress, output, figures);
+  CameraAgreementWatch agreementWatch(run.rig(), motionWatch);
+  TrackObserver observer(source, motionWatch, agreementWatch, progress, output, figures);
   const auto goOn = [&] {
     noteNotices(source, figures); // also while nothing comes
     return !interruptionRequested();
   };
-  const std::array<FrameObserver*, 2> observers{&motionObserver, &observer};
+  const std::array<FrameObserver*, 3> observers{&motionObserver, &agreementWatch, &observer};
   const Status tracked = trackFrames(source, job.frames, run, observers, goOn);
   noteNotices(source, figures);
   progress.finish();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/capture/frame.h"
 #include "core/geometry/camera.h"
 #include "core/session/frames/color_histograms.h"
@@ -112,6 +113,9 @@ struct TrackSnapshot {
   std::vector<Error> notices;
   /// Cameras that were moved since the run began; each has its notice too: the last ones there.
   std::vector<CameraMotionReport> cameraMotions;
+  /// Why cameras cannot agree on where things are, the most basic reason first. They are not among
+  /// the notices.
+  std::vector<CameraDisagreement> disagreements;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 

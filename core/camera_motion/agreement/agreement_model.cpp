@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/camera_motion/agreement/agreement_model.h"
+
+#include "core/base/angle.h"
+#include "core/base/statistics.h"
+#include "core/geometry/linear_algebra.h"
+#include "core/geometry/rotation_vector.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace dewpoint::camera_motion {
+namespace {
+
+// What a calibration and a clock may have wrong without being wrong. Calibrations by hand are good
+// to 0.2 degrees, 2 mm and half a per cent of the focal length (grade `room` of the suite):
+// together about 0.23 degrees per axis as seen from a desk's cameras.
+constexpr double kTurnSigma = 0.2 * kDegree; ///< per axis
+constexpr double kDelaySigma = 0.3;          ///< intervals between images: free-running cameras
+/// Of what is wrong: a rotation of 9 degrees is three standard deviations.
+constexpr double kFreeTurnSigma = 3.0 * kDegree;
+constexpr double kFreeDelaySigma = 0.25; ///< seconds; half a second is two standard deviations
+
+// Chosen on tuning seeds.
+/// That a sighting has no counterpart among another camera's regions: hidden, or not the target.
+constexpr double kUnmatched = 0.3;
+/// Intervals by whose motion a region is uncertain: rolling shutters and time stamps.
+constexpr double kMotionSigma = 0.2;
+constexpr double kNearestInstant = 0.8;  ///< intervals between an instant and the image for it
+constexpr std::size_t kMostCounted = 40; ///< sightings per camera and color
+/// Radii by which the middle of a body of any shape is off that of its outline, as seen from
+/// elsewhere.
+constexpr double kAnyShape = 0.3;
+constexpr double kFewestOfCamera = 2.0; ///< comparisons by which a camera is judged
+constexpr std::size_t kFewestSizes = 6;
+
+constexpr int kUnknowns = 4; ///< of a camera: turn, delay
+
+} // namespace
+
+/// Normal equations.
+struct AgreementModel::Sums {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+};
+
+AgreementModel::AgreementModel(const CameraRig& rig,
+                               const std::vector<std::vector<SightingHistory>>& histories,
+                               std::vector<double> radii)
+    : histories_(histories), radii_(std::move(radii)) {
+  for (const Camera& camera : rig) {
+    const Intrinsics& in = camera.intrinsics;
+    unprojectors_.emplace_back(geometry::withoutPose(camera));
+    focals_.push_back(std::sqrt(in.focalX * in.focalY));
+    cameras_.push_back(
+        {camera.center(), camera.cameraFromWorld.linear().transpose(), in.height / focals_.back()});
+  }
+  std::vector<double> gaps;
+  for (const auto& color : histories_) {
+    for (const SightingHistory& history : color) {
+      for (std::size_t i = 1; i < history.images().size(); ++i) {
+        gaps.push_back(history.images()[i].time - history.images()[i - 1].time);
+      }
+    }
+  }
+  interval_ = base::upperMedian(std::move(gaps));
+  for (std::size_t color = 0; color < histories_.size(); ++color) {
+    auto& views = views_.emplace_back();
+    for (std::size_t k = 0; k < cameras_.size(); ++k) {
+      views.push_back(instantsOf(color, k, k));
+    }
+  }
+}
+
+std::vector<AgreementModel::Instant>
+AgreementModel::instantsOf(std::size_t color, std::size_t camera, std::size_t calibration) const {
+  constexpr double kStep = 0.01; // seconds, of the derivative
+  const SightingHistory& history = histories_[color][camera];
+  const double focal = focals_[calibration];
+  const double anyShape = radii_[color] > 0.0 ? 0.0 : kAnyShape;
+  const std::size_t stride = history.counted() / kMostCounted + 1;
+  std::size_t counted = 0;
+  std::vector<Instant> instants;
+  instants.reserve(history.images().size());
+  for (const SightingImage& image : history.images()) {
+    Instant& instant = instants.emplace_back(Instant{image.time, {}});
+    instant.seen.reserve(image.regions.size());
+    for (const RegionSighting& sighting : image.regions) {
+      const auto& [center, radius, sigma, byShape] = sighting.region;
+      const double bias = std::hypot(byShape, anyShape * radius);
+      const bool counts = sighting.counts && counted++ % stride == 0;
+      const double uncertain =
+          std::hypot(sigma, anyShape * radius, kMotionSigma * interval_ * sighting.rate.norm());
+      SeenRegion seen{sighting.direction, sighting.directionRate, radius / focal,
+                      uncertain / focal,  bias / focal,           counts};
+      if (calibration != camera) {
+        const auto direction = unprojectors_[calibration].rayWorld(center);
+        const auto next = unprojectors_[calibration].rayWorld(center + kStep * sighting.rate);
+        if (!direction || !next) {
+          continue;
+        }
+        seen.direction = *direction;
+        seen.rate = (*next - *direction) / kStep;
+      }
+      instant.seen.push_back(seen);
+    }
+  }
+  return instants;
+}
+
+double AgreementModel::biasOf(const Views& views, std::size_t camera) {
+  std::vector<double> biases;
+  for (const auto& color : views) {
+    for (const Instant& instant : color[camera]) {
+      for (const SeenRegion& seen : instant.seen) {
+        if (seen.counts) {
+          biases.push_back(seen.bias);
+        }
+      }
+    }
+  }
+  return base::upperMedian(std::move(biases));
+}
+
+const AgreementModel::Instant* AgreementModel::nearest(const std::vector<Instant>& instants,
+                                                       double time, double within) {
+  const auto after = std::ranges::lower_bound(instants, time, {}, &Instant::time);
+  const Instant* best = after != instants.end() ? &*after : nullptr;
+  if (after != instants.begin()) {
+    const Instant& before = *std::prev(after);
+    if (best == nullptr || time - before.time < best->time - time) {
+      best = &before;
+    }
+  }
+  return best != nullptr && std::abs(best->time - time) <= within ? best : nullptr;
+}
+
+template <class Visit>
+void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
+                             const std::vector<CameraError>& errors, double widening,
+                             std::optional<std::size_t> only, const Visit& visit) const {
+  const std::size_t count = poses.size();
+  std::vector<Eigen::Matrix3d> rotations;
+  for (std::size_t k = 0; k < count; ++k) {
+    rotations.push_back(poses[k].worldFromCamera * geometry::rotationOfVector(-errors[k].turn));
+  }
+  std::vector<RegionMatch> matches;
+  for (std::size_t color = 0; color < views.size(); ++color) {
+    for (std::size_t a = 0; a < count; ++a) {
+      for (const Instant& instant : views[color][a]) {
+        for (const SeenRegion& seen : instant.seen) {
+          if (!seen.counts) {
+            continue;
+          }
+          const Eigen::Vector3d u = rotations[a] * seen.direction;
+          for (std::size_t b = 0; b < count; ++b) {
+            const Eigen::Vector3d apart = poses[b].center - poses[a].center;
+            if (b == a || (only && *only != a && *only != b) || apart.isZero(0.0)) {
+              continue;
+            }
+            const double time = instant.time - errors[a].delay + errors[b].delay;
+            const Instant* other = nearest(views[color][b], time, kNearestInstant * interval_);
+            if (other == nullptr || other->seen.empty()) {
+              continue;
+            }
+            matches.clear();
+            double sum = 0.0;
+            for (const SeenRegion& there : other->seen) {
+              const Eigen::Vector3d v =
+                  rotations[b] * (there.direction + (time - other->time) * there.rate).normalized();
+              matches.push_back(matchRegions(seen, u, there, v, apart, widening, poses[b].field));
+              sum += matches.back().density;
+            }
+            const double share = (1.0 - kUnmatched) / static_cast<double>(matches.size());
+            const double likelihood = kUnmatched + share * sum;
+            for (RegionMatch& match : matches) {
+              match.density *= share / likelihood; // now the probability of this assignment
+            }
+            visit(a, b, color, seen, *other, rotations, matches, likelihood);
+          }
+        }
+      }
+    }
+  }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> AgreementModel::pairs() const {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t a = 0; a < cameras_.size(); ++a) {
+    for (std::size_t b = a + 1; b < cameras_.size(); ++b) {
+      pairs.emplace_back(a, b);
+    }
+  }
+  return pairs;
+}
+
+AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
+  const std::size_t count = cameras_.size();
+  const auto size = static_cast<Eigen::Index>(kUnknowns * count);
+  // Of what pairs of cameras say, so much is new: an object's position takes three numbers.
+  const double pairCount = 0.5 * static_cast<double>(count * (count - 1));
+  const double weight = 0.5 * std::min(1.0, static_cast<double>(2 * count - 3) / pairCount);
+
+  Views borrowed;
+  std::vector<Pose> poses = cameras_;
+  if (!hypothesis.calibrations.empty()) {
+    for (std::size_t k = 0; k < count; ++k) {
+      poses[k] = cameras_[hypothesis.calibrations[k]];
+    }
+    borrowed = views_;
+    for (std::size_t color = 0; color < views_.size(); ++color) {
+      for (std::size_t k = 0; k < count; ++k) {
+        if (hypothesis.calibrations[k] != k) {
+          borrowed[color][k] = instantsOf(color, k, hypothesis.calibrations[k]);
+        }
+      }
+    }
+  }
+  const Views& views = hypothesis.calibrations.empty() ? views_ : borrowed;
+
+  Eigen::VectorXd priors(size); // inverse variances
+  for (std::size_t k = 0; k < count; ++k) {
+    const double turn =
+        std::hypot(hypothesis.freeTurn == k ? kFreeTurnSigma : kTurnSigma, biasOf(views, k));
+    const double delay = hypothesis.freeDelay == k ? kFreeDelaySigma : kDelaySigma * interval_;
+    priors.segment<3>(static_cast<Eigen::Index>(kUnknowns * k)).setConstant(1.0 / (turn * turn));
+    priors[static_cast<Eigen::Index>(kUnknowns * k) + 3] = 1.0 / (delay * delay);
+  }
+
+  // From coarse to fine: what is far off finds its counterpart first.
+  static constexpr std::array kFromFar{0.09, 0.03, 0.01, 0.003, 0.0, 0.0, 0.0};
+  static constexpr std::array kFromNear{0.01, 0.003, 0.0, 0.0, 0.0};
+  const std::span<const double> widenings =
+      hypothesis.freeTurn ? std::span<const double>(kFromFar) : std::span<const double>(kFromNear);
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(size);
+  if (hypothesis.freeDelay) {
+    unknowns[static_cast<Eigen::Index>(kUnknowns * *hypothesis.freeDelay) + 3] =
+        hypothesis.initialDelay;
+  }
+  std::optional<AgreementFit> best;
+  for (const double widening : widenings) {
+    AgreementFit now;
+    now.errors.resize(count);
+    now.pairLogLikelihoods.assign(count * count, 0.0);
+    now.pairCounts.assign(count * count, 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto at = static_cast<Eigen::Index>(kUnknowns * k);
+      now.errors[k] = {unknowns.segment<3>(at), unknowns[at + 3]};
+    }
+    Sums sums{priors.asDiagonal(), -(priors.array() * unknowns.array()).matrix()};
+    compare(views, poses, now.errors, widening, std::nullopt,
+            [&](std::size_t a, std::size_t b, std::size_t, const SeenRegion& seen,
+                const Instant& other, const std::vector<Eigen::Matrix3d>& rotations,
+                const std::vector<RegionMatch>& matches, double likelihood) {
+              const std::size_t pair = std::min(a, b) * count + std::max(a, b);
+              now.pairLogLikelihoods[pair] += weight * std::log(likelihood);
+              now.pairCounts[pair] += weight;
+              const auto atA = static_cast<Eigen::Index>(kUnknowns * a);
+              const auto atB = static_cast<Eigen::Index>(kUnknowns * b);
+              for (std::size_t i = 0; i < matches.size(); ++i) {
+                const RegionMatch& match = matches[i];
+                const double share = weight * match.density;
+                if (share < 1e-6) {
+                  continue; // it changes nothing
+                }
+                const SeenRegion& there = other.seen[i];
+                const Eigen::Vector3d byU = rotations[a].transpose() * match.byU;
+                const Eigen::Vector3d byV = rotations[b].transpose() * match.byV;
+                Eigen::Matrix<double, 2 * kUnknowns, 1> slope;
+                slope.segment<3>(0) = byU.cross(seen.direction);
+                slope[3] = -byV.dot(there.rate);
+                slope.segment<3>(4) = byV.cross(there.direction);
+                slope[7] = byV.dot(there.rate);
+                const Eigen::Matrix<double, 8, 8> square = share * slope * slope.transpose();
+                sums.information.block<4, 4>(atA, atA) += square.topLeftCorner<4, 4>();
+                sums.information.block<4, 4>(atA, atB) += square.topRightCorner<4, 4>();
+                sums.information.block<4, 4>(atB, atA) += square.bottomLeftCorner<4, 4>();
+                sums.information.block<4, 4>(atB, atB) += square.bottomRightCorner<4, 4>();
+                sums.gradient.segment<4>(atA) -= share * match.residual * slope.head<4>();
+                sums.gradient.segment<4>(atB) -= share * match.residual * slope.tail<4>();
+              }
+            });
+    for (std::size_t pair = 0; pair < now.pairCounts.size(); ++pair) {
+      now.logLikelihood += now.pairLogLikelihoods[pair];
+      now.count += now.pairCounts[pair];
+    }
+    now.logPrior = -0.5 * (priors.array() * unknowns.array().square()).sum();
+    if (widening == 0.0 &&
+        (!best || now.logLikelihood + now.logPrior > best->logLikelihood + best->logPrior)) {
+      const Eigen::VectorXd values = geometry::symmetricEigen(sums.information).values;
+      const double volume =
+          0.5 * (priors.array().log().sum() - values.array().max(1e-12).log().sum());
+      now.logEvidence = now.logLikelihood + now.logPrior + volume;
+      best = std::move(now);
+    }
+    unknowns += geometry::solveSymmetric(sums.information, sums.gradient);
+  }
+  AgreementFit result = std::move(*best);
+  std::vector<double> likelihoods, counts, ofCamera(count, 0.0), countOfCamera(count, 0.0);
+  for (const auto& [a, b] : pairs()) {
+    likelihoods.push_back(result.pairLogLikelihoods[a * count + b]);
+    counts.push_back(result.pairCounts[a * count + b]);
+    for (const std::size_t camera : {a, b}) {
+      ofCamera[camera] += likelihoods.back();
+      countOfCamera[camera] += counts.back();
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t camera = 0; camera < count; ++camera) {
+    if (countOfCamera[camera] >= kFewestOfCamera) {
+      least = std::min(least, ofCamera[camera] / countOfCamera[camera]);
+    }
+  }
+  result.leastMean = std::isfinite(least) ? least : 0.0;
+  result.pairLogLikelihoods = std::move(likelihoods);
+  result.pairCounts = std::move(counts);
+  return result;
+}
+
+double AgreementModel::roughly(std::size_t camera, double delay) const {
+  std::vector<CameraError> errors(cameras_.size());
+  errors[camera].delay = delay;
+  double sum = 0.0;
+  compare(views_, cameras_, errors, kTurnSigma, camera,
+          [&](std::size_t, std::size_t, std::size_t, const SeenRegion&, const Instant&,
+              const std::vector<Eigen::Matrix3d>&, const std::vector<RegionMatch>&,
+              double likelihood) { sum += std::log(likelihood); });
+  return sum;
+}
+
+std::optional<double> AgreementModel::sizeRatio(const std::vector<CameraError>& errors) const {
+  std::vector<double> ratios;
+  compare(views_, cameras_, errors, 0.0, std::nullopt,
+          [&](std::size_t, std::size_t, std::size_t color, const SeenRegion&, const Instant&,
+              const std::vector<Eigen::Matrix3d>&, const std::vector<RegionMatch>& matches,
+              double) {
+            for (const RegionMatch& match : matches) {
+              if (match.density > 0.5 && match.size > 0.0 && radii_[color] > 0.0) {
+                ratios.push_back(match.size / radii_[color]);
+              }
+            }
+          });
+  return ratios.size() < kFewestSizes ? std::nullopt
+                                      : std::optional(base::upperMedian(std::move(ratios)));
+}
+
+} // namespace dewpoint::camera_motion

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/camera_motion/agreement/camera_agreement.h"
+
+#include "core/camera_motion/agreement/rig_check.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dewpoint::camera_motion {
+namespace {
+
+// Chosen: as often as keeps the search cheap, and several times within the time in which a fault is
+// to be named.
+constexpr double kEvery = 0.3;        ///< seconds between checks
+constexpr double kSlower = 1.5;       ///< by which that grows while nothing explains what is seen
+constexpr double kSlowest = 10.0;     ///< seconds
+constexpr double kImagesEvery = 0.02; ///< seconds: faster cameras are not looked at more often
+// A rig that has proved right for so long is looked at for a while now and then: enough to notice
+// that it is so no more.
+constexpr double kSettlesAfter = 1.5; ///< seconds
+constexpr double kLook = 1.0;         ///< seconds
+constexpr double kPause = 5.0;        ///< seconds
+/// Counted sightings, in all cameras, from which on a check tells something.
+constexpr std::size_t kFewest = 8;
+/// Seconds of disagreement until it is said without a reason.
+constexpr double kPatience = 2.5;
+constexpr double kGoodAgain = 3.0; ///< seconds of agreement until what was said is taken back
+
+} // namespace
+
+CameraAgreement::CameraAgreement(const CameraRig& rig)
+    : rig_(rig), found_(checkRig(rig)), ofRig_(found_.size()) {
+  restart();
+}
+
+void CameraAgreement::restart() {
+  found_.resize(ofRig_);
+  for (auto& color : histories_) {
+    for (SightingHistory& history : color) {
+      history.clear();
+    }
+  }
+  lastTimes_.assign(rig_.size(), -std::numeric_limits<double>::infinity());
+  due_ = 0.0;
+  wait_ = kEvery;
+  badSince_.reset();
+  unclearSince_.reset();
+  goodSince_.reset();
+  suspected_.reset();
+  settled_ = false;
+}
+
+void CameraAgreement::takeColors(const std::vector<Target>& targets) {
+  std::vector<ColorRange> colors;
+  std::vector<double> radii;
+  for (const Target& target : targets) {
+    const auto known = std::ranges::find(colors, target.color);
+    if (known == colors.end()) {
+      colors.push_back(target.color);
+      radii.push_back(target.radius);
+    } else if (double& radius = radii[static_cast<std::size_t>(known - colors.begin())];
+               radius != target.radius) {
+      radius = 0.0; // of one color, but not of one size
+    }
+  }
+  radii_ = std::move(radii);
+  if (colors != colors_) {
+    colors_ = std::move(colors);
+    histories_.clear();
+    for (const ColorRange& color : colors_) {
+      auto& histories = histories_.emplace_back();
+      for (const Camera& camera : rig_) {
+        histories.emplace_back(color, camera);
+      }
+    }
+    suspected_.reset();
+    badSince_.reset();
+    settled_ = false;
+    wait_ = kEvery;
+  }
+}
+
+void CameraAgreement::watch(const FrameSet& frames, const std::vector<Target>& targets) {
+  const double now = seconds(frames.time);
+  if (rig_.size() < 2 || (settled_ && now < due_ - kLook)) {
+    return;
+  }
+  takeColors(targets);
+  for (std::size_t k = 0; k < std::min(rig_.size(), frames.frames.size()); ++k) {
+    const FramePtr& frame = frames.frames[k];
+    const Intrinsics& in = rig_[k].intrinsics;
+    if (!frame || frame->image.size() != cv::Size(in.width, in.height)) {
+      continue;
+    }
+    const double time = seconds(frame->captureTime);
+    if (time < lastTimes_[k] + kImagesEvery) {
+      continue;
+    }
+    lastTimes_[k] = time;
+    for (auto& color : histories_) {
+      color[k].add(frame->image, time);
+    }
+  }
+  if (now >= due_ && !colors_.empty()) {
+    check(now);
+    due_ = now + (settled_ ? kPause + kLook : wait_);
+  }
+}
+
+void CameraAgreement::check(double time) {
+  std::size_t counted = 0;
+  for (const auto& color : histories_) {
+    for (const SightingHistory& history : color) {
+      counted += history.counted();
+    }
+  }
+  if (counted < kFewest) {
+    settle(settled_);
+    return;
+  }
+  const AgreementModel model(rig_, histories_, radii_);
+  const AgreementFit asDeclared = model.fit({});
+  if (asDeclared.leastMean == 0.0) {
+    settle(settled_); // hardly ever seen at one instant
+  } else if (isGood(asDeclared)) {
+    takeGood(model, asDeclared, time);
+  } else {
+    settled_ = false;
+    takeDoubtful(model, asDeclared, time);
+  }
+}
+
+void CameraAgreement::settle(bool settled) {
+  settled_ = settled;
+  if (settled_) {
+    for (auto& color : histories_) {
+      for (SightingHistory& history : color) {
+        history.clear(); // what comes after the pause is new
+      }
+    }
+  }
+}
+
+void CameraAgreement::takeGood(const AgreementModel& model, const AgreementFit& asDeclared,
+                               double time) {
+  badSince_.reset();
+  unclearSince_.reset();
+  suspected_.reset();
+  wait_ = kEvery;
+  goodSince_ = goodSince_.value_or(time);
+  const auto ratio = model.sizeRatio(asDeclared.errors);
+  const double unit = ratio ? unitOfRatio(*ratio) : 0.0;
+  if (unit > 0.0) {
+    report(CameraDisagreement{.fault = CameraFault::Unit, .scale = unit});
+  } else if (time - *goodSince_ >= kGoodAgain) {
+    report(std::nullopt);
+  }
+  const bool isQuiet = found_.size() == ofRig_;
+  settle(settled_ || (isQuiet && time - *goodSince_ >= kSettlesAfter));
+}
+
+void CameraAgreement::takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared,
+                                   double time) {
+  goodSince_.reset();
+  badSince_ = isBad(asDeclared) ? std::optional(badSince_.value_or(time)) : std::nullopt;
+  unclearSince_ = unclearSince_.value_or(time);
+  const bool isNamed = found_.size() > ofRig_ && found_.back().fault != CameraFault::Unknown;
+  if (isNamed) {
+    return; // once is enough
+  }
+  auto seen = findFault(model, rig_, asDeclared, badSince_ && time - *badSince_ >= kPatience);
+  if (seen && suspected_ && seen->isSameAs(*suspected_)) {
+    report(seen);
+  }
+  wait_ = time - *unclearSince_ > kPatience && !seen ? std::min(kSlowest, kSlower * wait_) : kEvery;
+  suspected_ = std::move(seen);
+}
+
+void CameraAgreement::report(const std::optional<CameraDisagreement>& seen) {
+  const bool isOfRig =
+      seen && std::any_of(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(ofRig_),
+                          [&](const CameraDisagreement& one) {
+                            return one.isSameAs(*seen) && one.scale == seen->scale;
+                          });
+  found_.resize(ofRig_);
+  if (seen && !isOfRig) {
+    found_.push_back(*seen);
+  }
+}
+
+} // namespace dewpoint::camera_motion
