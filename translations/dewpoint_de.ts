@@ -851,6 +851,77 @@
     </message>
 </context>
 <context>
+    <name>CameraAgreement</name>
+    <message>
+        <source>millimeters</source>
+        <translation>Millimetern</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>centimeters</source>
+        <translation>Zentimetern</translation>
+    </message>
+    <message>
+        <source>%1 and %2 seem to be swapped, or %3 and %4.</source>
+        <translation>%1 und %2 sind anscheinend vertauscht, oder %3 und %4.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 seem to be swapped.</source>
+        <translation>%1 und %2 sind anscheinend vertauscht.</translation>
+    </message>
+    <message>
+        <source>%1 or %2 looks at least %3 away from its calibration.</source>
+        <translation>%1 oder %2 blickt mindestens %3 neben ihre Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1 looks about %2 away from its calibration.</source>
+        <translation>%1 blickt etwa %2 neben ihre Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 do not see the target at one position. Calibrate them again.</source>
+        <translation>%1 und %2 sehen das Ziel nicht an derselben Position. Kalibrieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>%1 does not agree with the other cameras. Calibrate it again.</source>
+        <translation>%1 stimmt mit den anderen Kameras nicht überein. Kalibrieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>%1 is about %2 late.</source>
+        <translation>%1 ist etwa %2 zu spät.</translation>
+    </message>
+    <message>
+        <source>%1 is about %2 early.</source>
+        <translation>%1 ist etwa %2 zu früh.</translation>
+    </message>
+    <message>
+        <source>The calibration seems to be in %1.</source>
+        <translation>Die Kalibrierung ist anscheinend in %1 angegeben.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same pose.</source>
+        <translation>%1 und %2 haben dieselbe Lage.</translation>
+    </message>
+    <message>
+        <source>Swap %1 and %2</source>
+        <translation>%1 und %2 tauschen</translation>
+    </message>
+    <message>
+        <source>Set the delay of %1</source>
+        <translation>Verzögerung von %1 einstellen</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>Convert to meters</source>
+        <translation>In Meter umrechnen</translation>
+    </message>
+</context>
+<context>
     <name>CameraMotion</name>
     <message>
         <source>turned by %1</source>
@@ -3150,6 +3221,13 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraAgreementAlerts</name>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 kalibrieren…</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraForm</name>
     <message>
         <source>Camera</source>
@@ -5442,6 +5520,10 @@ bei %4, %5, %6</translation>
     <message>
         <source>The target was %1 beside where the others see it, and is %2 now.</source>
         <translation>Das Ziel lag %1 neben dem, wo die anderen es sehen, jetzt %2.</translation>
+    </message>
+    <message>
+        <source>Done: %1. Undo takes it back.</source>
+        <translation>Erledigt: %1. „Rückgängig“ nimmt es zurück.</translation>
     </message>
 </context>
 <context>

@@ -851,6 +851,77 @@
     </message>
 </context>
 <context>
+    <name>CameraAgreement</name>
+    <message>
+        <source>millimeters</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>centimeters</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>%1 and %2 seem to be swapped, or %3 and %4.</source>
+        <translation>%1 y %2 parecen estar intercambiadas, o bien %3 y %4.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 seem to be swapped.</source>
+        <translation>%1 y %2 parecen estar intercambiadas.</translation>
+    </message>
+    <message>
+        <source>%1 or %2 looks at least %3 away from its calibration.</source>
+        <translation>%1 o %2 mira al menos %3 fuera de su calibración.</translation>
+    </message>
+    <message>
+        <source>%1 looks about %2 away from its calibration.</source>
+        <translation>%1 mira unos %2 fuera de su calibración.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 do not see the target at one position. Calibrate them again.</source>
+        <translation>%1 y %2 no ven el objetivo en la misma posición. Calíbrelas de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 does not agree with the other cameras. Calibrate it again.</source>
+        <translation>%1 no concuerda con las demás cámaras. Calíbrela de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 is about %2 late.</source>
+        <translation>%1 lleva un retraso de unos %2.</translation>
+    </message>
+    <message>
+        <source>%1 is about %2 early.</source>
+        <translation>%1 lleva un adelanto de unos %2.</translation>
+    </message>
+    <message>
+        <source>The calibration seems to be in %1.</source>
+        <translation>La calibración parece estar en %1.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same pose.</source>
+        <translation>%1 y %2 tienen la misma pose.</translation>
+    </message>
+    <message>
+        <source>Swap %1 and %2</source>
+        <translation>Intercambiar %1 y %2</translation>
+    </message>
+    <message>
+        <source>Set the delay of %1</source>
+        <translation>Ajustar el retraso de %1</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>Girar %1</translation>
+    </message>
+    <message>
+        <source>Convert to meters</source>
+        <translation>Convertir a metros</translation>
+    </message>
+</context>
+<context>
     <name>CameraMotion</name>
     <message>
         <source>turned by %1</source>
@@ -3150,6 +3221,13 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraAgreementAlerts</name>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>Calibrar %1…</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraForm</name>
     <message>
         <source>Camera</source>
@@ -5442,6 +5520,10 @@ en %4, %5, %6</translation>
     <message>
         <source>The target was %1 beside where the others see it, and is %2 now.</source>
         <translation>El objetivo estaba a %1 de donde lo ven las demás, y ahora a %2.</translation>
+    </message>
+    <message>
+        <source>Done: %1. Undo takes it back.</source>
+        <translation>Hecho: %1. Deshacer lo revierte.</translation>
     </message>
 </context>
 <context>

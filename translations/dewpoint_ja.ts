@@ -851,6 +851,77 @@
     </message>
 </context>
 <context>
+    <name>CameraAgreement</name>
+    <message>
+        <source>millimeters</source>
+        <translation>ミリメートル</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>インチ</translation>
+    </message>
+    <message>
+        <source>centimeters</source>
+        <translation>センチメートル</translation>
+    </message>
+    <message>
+        <source>%1 and %2 seem to be swapped, or %3 and %4.</source>
+        <translation>%1 と %2、または %3 と %4 が入れ替わっているようです。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 seem to be swapped.</source>
+        <translation>%1 と %2 が入れ替わっているようです。</translation>
+    </message>
+    <message>
+        <source>%1 or %2 looks at least %3 away from its calibration.</source>
+        <translation>%1 または %2 の向きが、キャリブレーションから少なくとも %3 ずれています。</translation>
+    </message>
+    <message>
+        <source>%1 looks about %2 away from its calibration.</source>
+        <translation>%1 の向きが、キャリブレーションから約 %2 ずれています。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 do not see the target at one position. Calibrate them again.</source>
+        <translation>%1 と %2 では、ターゲットの位置が一致しません。キャリブレーションをやり直してください。</translation>
+    </message>
+    <message>
+        <source>%1 does not agree with the other cameras. Calibrate it again.</source>
+        <translation>%1 が他のカメラと一致しません。キャリブレーションをやり直してください。</translation>
+    </message>
+    <message>
+        <source>%1 is about %2 late.</source>
+        <translation>%1 は約 %2 遅れています。</translation>
+    </message>
+    <message>
+        <source>%1 is about %2 early.</source>
+        <translation>%1 は約 %2 早くなっています。</translation>
+    </message>
+    <message>
+        <source>The calibration seems to be in %1.</source>
+        <translation>キャリブレーションの単位が%1になっているようです。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same pose.</source>
+        <translation>%1 と %2 の姿勢が同じです。</translation>
+    </message>
+    <message>
+        <source>Swap %1 and %2</source>
+        <translation>%1 と %2 を入れ替える</translation>
+    </message>
+    <message>
+        <source>Set the delay of %1</source>
+        <translation>%1 の遅れを設定</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>%1 を回転</translation>
+    </message>
+    <message>
+        <source>Convert to meters</source>
+        <translation>メートルに換算</translation>
+    </message>
+</context>
+<context>
     <name>CameraMotion</name>
     <message>
         <source>turned by %1</source>
@@ -3149,6 +3220,13 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraAgreementAlerts</name>
+    <message>
+        <source>Calibrate %1…</source>
+        <translation>%1 を校正…</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraForm</name>
     <message>
         <source>Camera</source>
@@ -5440,6 +5518,10 @@ at %4, %5, %6</source>
     <message>
         <source>The target was %1 beside where the others see it, and is %2 now.</source>
         <translation>ターゲットは他のカメラが見る位置から %1 ずれていましたが、今は %2 です。</translation>
+    </message>
+    <message>
+        <source>Done: %1. Undo takes it back.</source>
+        <translation>完了: %1。「元に戻す」で取り消せます。</translation>
     </message>
 </context>
 <context>

@@ -43,17 +43,6 @@ public:
                      .logOdds = kUnknownPrior + logEvidence - asDeclared_.logEvidence}});
   }
   std::optional<CameraDisagreement> decided(bool alsoUnknown) {
-    if (getenv("DBG")) {
-      fprintf(stderr, "  H0 E %.1f L %.1f P %.1f n %.1f least %.2f\n", asDeclared_.logEvidence,
-              asDeclared_.logLikelihood, asDeclared_.logPrior, asDeclared_.count,
-              asDeclared_.leastMean);
-      for (auto& c : all_) {
-        fprintf(stderr, "     fault %d cam %zu odds %.1f explains %d delay %.3f turn %.2f\n",
-                (int)c.disagreement.fault, c.disagreement.cameras[0], c.disagreement.logOdds,
-                c.explains, c.disagreement.delay,
-                c.disagreement.turns.empty() ? 0.0 : c.disagreement.turns[0].norm() * 57.3);
-      }
-    } // DBG
     std::ranges::stable_sort(all_, std::ranges::greater(),
                              [](const Candidate& one) { return one.disagreement.logOdds; });
     if (all_.empty() || all_.front().disagreement.logOdds < kLeastLogOdds) {

@@ -31,8 +31,9 @@ public:
 
   explicit ColorRegionSearch(const ColorRange& color) : classifier_(color) {}
 
-  /// The regions of an image (CV_8UC3), the largest first; none for another type. What is apart by
-  /// less than its size counts as one: a ball with a highlight, or with a pattern on it.
+  /// The regions of an image (CV_8UC3), the largest first; none for another type, or where the
+  /// color is found in hundreds of places. What is apart by less than its size counts as one: a
+  /// ball with a highlight, or with a pattern on it.
   const std::vector<ColorRegion>& find(const cv::Mat& image);
 
 private:
