@@ -20,7 +20,9 @@ constexpr double kWellExplained = 3.0; ///< of a single object that all see
 constexpr double kUsualErrors = -2.5;  ///< log prior of errors that need no other reason
 constexpr std::size_t kMostExchanges = 2; ///< that are named as alternatives
 constexpr double kMostDelay = 0.5;        ///< seconds, the largest that is searched for
-constexpr double kLeastDelayStep = 0.02;  ///< seconds
+/// Between delays that are tried, which a fit refines: image intervals, and seconds.
+constexpr double kDelayStep = 1.5;
+constexpr double kLeastDelayStep = 0.03;
 
 struct Candidate {
   CameraDisagreement disagreement;
@@ -109,7 +111,7 @@ void addSwapped(const AgreementModel& model, const CameraRig& rig, Candidates& c
 }
 
 void addLate(const AgreementModel& model, Candidates& candidates) {
-  const double step = std::max(kLeastDelayStep, model.interval());
+  const double step = std::max(kLeastDelayStep, kDelayStep * model.interval());
   // Of two cameras one is late, and the other not early.
   const double earliest = model.cameraCount() > 2 ? -kMostDelay : step;
   for (std::size_t camera = 0; camera < model.cameraCount(); ++camera) {

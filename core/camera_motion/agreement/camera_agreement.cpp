@@ -22,6 +22,8 @@ constexpr double kLook = 1.0;         ///< seconds
 constexpr double kPause = 5.0;        ///< seconds
 /// Counted sightings, in all cameras, from which on a check tells something.
 constexpr std::size_t kFewest = 8;
+/// Regions in an image, on average, up to which it can be told which of them is which.
+constexpr double kMostRegions = 5.0;
 /// Seconds of disagreement until it is said without a reason.
 constexpr double kPatience = 2.5;
 constexpr double kGoodAgain = 3.0; ///< seconds of agreement until what was said is taken back
@@ -107,14 +109,24 @@ void CameraAgreement::watch(const FrameSet& frames, const std::vector<Target>& t
   }
 }
 
-void CameraAgreement::check(double time) {
+bool CameraAgreement::tellsSomething() const {
   std::size_t counted = 0;
+  double regions = 0.0;
+  double images = 0.0;
   for (const auto& color : histories_) {
     for (const SightingHistory& history : color) {
       counted += history.counted();
+      for (const SightingImage& image : history.images()) {
+        regions += static_cast<double>(image.regions.size());
+        images += image.regions.empty() ? 0.0 : 1.0;
+      }
     }
   }
-  if (counted < kFewest) {
+  return counted >= kFewest && regions <= kMostRegions * images;
+}
+
+void CameraAgreement::check(double time) {
+  if (!tellsSomething()) {
     settle(settled_);
     return;
   }
@@ -168,7 +180,10 @@ void CameraAgreement::takeDoubtful(const AgreementModel& model, const AgreementF
   if (isNamed) {
     return; // once is enough
   }
-  auto seen = findFault(model, rig_, asDeclared, badSince_ && time - *badSince_ >= kPatience);
+  // What is of no known size may be anything, and something else in each image.
+  const bool mayBeUnknown = std::ranges::all_of(radii_, [](double radius) { return radius > 0.0; });
+  auto seen = findFault(model, rig_, asDeclared,
+                        mayBeUnknown && badSince_ && time - *badSince_ >= kPatience);
   if (seen && suspected_ && seen->isSameAs(*suspected_)) {
     report(seen);
   }

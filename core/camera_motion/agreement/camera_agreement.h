@@ -33,6 +33,8 @@ public:
 
 private:
   void takeColors(const std::vector<Target>& targets);
+  /// Whether enough was seen, and not too much at once.
+  bool tellsSomething() const;
   void check(double time);
   void takeGood(const AgreementModel& model, const AgreementFit& asDeclared, double time);
   void takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared, double time);

@@ -9,7 +9,7 @@ namespace dewpoint::camera_motion {
 namespace {
 
 // Chosen on tuning seeds of the suite's scenarios.
-constexpr double kLongestGap = 0.25; ///< seconds between images in which a region is followed
+constexpr double kLongestGap = 0.15; ///< seconds between images in which a region is followed
 constexpr double kGateRadii = 2.0;   ///< from where it is expected
 constexpr double kLeastGate = 8.0;   ///< pixels
 constexpr double kSameSize = 1.8;    ///< ratio of radii in successive images
