@@ -11,15 +11,24 @@
 
 namespace dewpoint::tracking {
 
+/// What a target is taken for.
+enum class TargetShape {
+  Auto, ///< the images decide whether it is a ball
+  Ball, ///< a sphere
+  Any   ///< anything of one color: its extent is learned
+};
+
 /// The definition of a target.
 struct Target {
   std::string name;
-  double radius = 0.0; ///< meters; 0 when unknown
+  double radius = 0.0; ///< meters; 0 when unknown. Of a target that is no ball: of equal volume
   ColorRange color;
   /// The samples that the color was learned from, if it was; trackers use `color` alone.
   std::vector<ColorSample> samples{};
   /// The first box, for methods that track boxes in images; they do not use the color.
   std::optional<TargetBox> box{};
+  /// For methods that know targets which are no balls (`dewpoint`); others do not use it.
+  TargetShape shape = TargetShape::Auto;
 
   bool operator==(const Target&) const = default;
 };

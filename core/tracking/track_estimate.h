@@ -14,7 +14,8 @@
 
 namespace dewpoint::tracking {
 
-/// The estimate of a colored sphere after one filter iteration. World frame, meters.
+/// The estimate of a colored target, a sphere or anything else of which an ellipsoid tells the
+/// extent, after one filter iteration. World frame, meters.
 struct SphereEstimate {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
   Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)
@@ -25,6 +26,9 @@ struct SphereEstimate {
   bool valid = false;                ///< seen by two cameras (by the only one, if there is one)
   double existenceProbability = 0.0; ///< probability that the target is where the estimate says
   double radius = 0.0; ///< meters, of the target as known or as estimated; 0 when neither
+  /// Of a target that is taken for no ball: its extent (m²) as geometry::Ellipsoid has it, and
+  /// `radius` is that of a ball of the same volume. Nothing of a ball.
+  std::optional<Eigen::Matrix3d> extent;
   /// Position (m, m²) measured in the images of this frame alone, without the prediction; nothing
   /// if the target was not found in them, or the method does not measure it.
   std::optional<Gaussian3> measurement;

@@ -29,6 +29,7 @@ bool liesWithin(const SphereImage& outline, const cv::Size& size) {
 bool isCertain(const TrackedObject& target, const SphereEstimate& estimate) {
   const TrackHypothesis* best = target.track.best();
   return best != nullptr && best->isSaturated() && estimate.valid && !estimate.degenerate &&
+         !estimate.extent && // its outline is not known to the pixel
          estimate.existenceProbability >= kMinExistence &&
          estimate.spread() <= kMaxSpreadRadii * estimate.radius &&
          estimate.effectiveSampleSize >= kMinEffectiveShare * estimate.particleCount;

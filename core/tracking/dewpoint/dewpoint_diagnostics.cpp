@@ -180,7 +180,9 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
   for (std::size_t camera = 0; camera < cameraCount; ++camera) {
     LabelImage& labels = observation.labels(camera);
     const auto outline = observation.projector(camera).project(estimate.mean, radius);
-    if (labels.empty() || !outline || !isInImage(*outline, labels.size()) || radius <= 0.0) {
+    // The map is that of a ball.
+    if (labels.empty() || !outline || !isInImage(*outline, labels.size()) || radius <= 0.0 ||
+        estimate.extent) {
       continue;
     }
     LikelihoodMap& map = maps[camera];

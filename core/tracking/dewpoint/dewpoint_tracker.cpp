@@ -5,6 +5,8 @@
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -27,6 +29,13 @@ constexpr double kNotLearnedPx = 2.0;
 /// section 8): the exposure settles within the first, daylight changes slowly.
 constexpr int kLooksAtOnce = 10;
 constexpr int kLookPeriod = 10;
+
+/// Meters, longest semi-axis of a target that is no ball and has a hypothesis.
+double longestAxis(const ShapeTracking& shape) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(shape.track().extent(),
+                                                            Eigen::EigenvaluesOnly);
+  return std::sqrt(axes.eigenvalues().maxCoeff());
+}
 
 } // namespace
 
@@ -77,6 +86,7 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
       object.color = AdaptiveColor(targets[k].color, images_.cameraCount());
     }
     object.track.setTarget(targets[k]);
+    object.shape->setTarget(targets[k]);
     object.search.reset();
   }
 }
@@ -98,6 +108,7 @@ void DewpointTracker::setCameras(const CameraRig& rig) {
 void DewpointTracker::setVolumeOfInterest(const std::optional<WorldBox>& volume) {
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
     objects_[k].track.setBounds(volume);
+    objects_[k].shape->track().setBounds(volume);
     objects_[k].search.reset();
   }
   if (!lastTime_) {
@@ -111,7 +122,13 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   object.search.reset();
   // Without what other objects explain: what the user points at is the target.
   images_.showTo(object.observation, object.color);
-  object.track.correct(position, object.observation, object.keyIn(key_), team);
+  if (object.isBall()) {
+    object.track.correct(position, object.observation, object.keyIn(key_), team);
+  } else {
+    images_.showTo(object.shape->observation(), object.color);
+    object.shape->correct(position, object.track.target().radius, object.keyIn(key_), team);
+    object.track.adopt(object.shape->track().hypothesis());
+  }
   updateEstimate(target);
   if (!estimates_[target].measurement) {
     estimates_[target].measurement = position; // what the user measured in this frame
@@ -138,6 +155,8 @@ void DewpointTracker::restart(std::uint64_t seed) {
     object.unseenFrames = 0;
     object.track.configure(trackSettings());
     object.track.restart(startVolume(parameters_), object.keyIn(key_).seed);
+    object.shape->track().configure(trackSettings());
+    object.shape->restart(startVolume(parameters_));
   }
   estimates_.assign(objects_.targetCount(), SphereEstimate{});
 }
@@ -166,6 +185,9 @@ void DewpointTracker::iterate(ThreadTeam& team) {
   budget_.begin();
   for (TrackedObject& object : objects_) {
     object.track.configure(trackSettings());
+    if (object.shape) {
+      object.shape->track().configure(trackSettings());
+    }
   }
   if (isFirst) {
     predictTracks();
@@ -188,7 +210,12 @@ void DewpointTracker::iterate(ThreadTeam& team) {
 
 void DewpointTracker::predictTracks() {
   for (TrackedObject& object : objects_) {
-    object.track.predict(secondsSinceLastFrame(), object.keyIn(key_));
+    if (object.isBall()) {
+      object.track.predict(secondsSinceLastFrame(), object.keyIn(key_));
+    }
+    if (object.shape) {
+      object.shape->predict(secondsSinceLastFrame(), object.keyIn(key_));
+    }
   }
 }
 
@@ -217,10 +244,52 @@ void DewpointTracker::updateTracks(ThreadTeam& team) {
   for (const std::size_t k : objects_.byProbability()) {
     updateTrack(k, team);
   }
+  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
+    if (!objects_[k].isBall()) {
+      objects_.removeDistractorsOf(k); // they were parts of it
+    }
+  }
   objects_.resolveConflicts();
 }
 
 void DewpointTracker::updateTrack(std::size_t index, ThreadTeam& team) {
+  if (objects_[index].isBall()) {
+    updateAsBall(index, team);
+  }
+  if (index < objects_.targetCount()) {
+    updateShape(index, team);
+  }
+}
+
+void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
+  TrackedObject& object = objects_[target];
+  ShapeTracking& shape = *object.shape;
+  const bool wasBall = object.isBall();
+  const TrackHypothesis* const ball = wasBall ? object.track.confident() : nullptr;
+  if (wasBall && !shape.wantsImages(ball != nullptr)) {
+    return;
+  }
+  if (!wasBall) { // what was shown there is older
+    images_.showTo(object.observation, object.color);
+  }
+  images_.showTo(shape.observation(), object.color);
+  objects_.explainOtherTargets(target);
+  if (ball != nullptr) {
+    shape.lookAtBall(*ball, object.keyIn(key_), team);
+  } else {
+    shape.update(objects_.occupiedByOtherTargets(target), object.keyIn(key_), team);
+  }
+  const TrackHypothesis* const other = shape.track().hypothesis();
+  if (!object.isBall()) {
+    object.search.reset();
+    object.track.adopt(other);
+  } else if (!wasBall && other != nullptr) {
+    object.track.initializeAt(other->position(), other->radius, object.observation,
+                              object.keyIn(key_), team);
+  }
+}
+
+void DewpointTracker::updateAsBall(std::size_t index, ThreadTeam& team) {
   TrackedObject& object = objects_[index];
   images_.showTo(object.observation, object.color);
   objects_.explainOthers(object.observation, object);
@@ -261,7 +330,9 @@ void DewpointTracker::updateEstimates() {
 
 void DewpointTracker::updateEstimate(std::size_t target) {
   TrackedObject& object = objects_[target];
-  estimates_[target] = object.track.estimate(object.observation);
+  estimates_[target] = !object.isBall() && object.shape->track().hypothesis() != nullptr
+                           ? object.shape->track().estimate(object.shape->observation())
+                           : object.track.estimate(object.observation);
   estimates_[target].colors = object.color.rangesInUse();
 }
 
@@ -287,7 +358,9 @@ void DewpointTracker::learnBackgrounds() {
       const auto outline =
           object.observation.projector(camera).project(best->position(), best->radius);
       if (outline) {
-        hidden.push_back({outline->center, kNotLearnedRadii * outline->radius + kNotLearnedPx});
+        const double wider = object.isBall() ? 1.0 : longestAxis(*object.shape) / best->radius;
+        hidden.push_back(
+            {outline->center, wider * kNotLearnedRadii * outline->radius + kNotLearnedPx});
       }
     }
     budget_.spend(TimeBudget::Part::Learning, [&] { images_.learnBackground(camera, hidden); });
@@ -307,6 +380,7 @@ std::size_t DewpointTracker::memoryBytes() const {
   std::size_t bytes = images_.memoryBytes();
   for (const TrackedObject& object : objects_) {
     bytes += object.track.memoryBytes();
+    bytes += object.shape ? object.shape->track().memoryBytes() : 0;
   }
   return bytes;
 }

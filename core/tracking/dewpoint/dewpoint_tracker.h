@@ -71,6 +71,9 @@ private:
   /// Measurement updates of all tracks, the most probable objects first.
   void updateTracks(ThreadTeam& team);
   void updateTrack(std::size_t index, ThreadTeam& team);
+  void updateAsBall(std::size_t index, ThreadTeam& team);
+  /// Learns the shape of a target, and updates the track of one that is no ball.
+  void updateShape(std::size_t target, ThreadTeam& team);
   void searchDistractors(ThreadTeam& team);
   void updateEstimates();
   void updateEstimate(std::size_t target);

@@ -68,7 +68,7 @@ void DistractorSearch::search(const Context& context, ThreadTeam& team) {
     return;
   }
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
-    if (objects.isFirstOfItsColor(k)) {
+    if (objects.isFirstOfItsColor(k) && objects.mayHaveDistractors(k)) {
       searchFor(k, context, team);
     }
   }
@@ -103,13 +103,18 @@ void DistractorSearch::searchInSlices(const Context& context, ThreadTeam& team) 
     return;
   }
   if (!sliced_) {
-    if (frame < nextSlicedFrame_) {
+    bool any = false;
+    for (std::size_t k = 0; k < objects.targetCount(); ++k) {
+      any = any || (objects.isFirstOfItsColor(k) && objects.mayHaveDistractors(k));
+    }
+    if (frame < nextSlicedFrame_ || !any) {
       return;
     }
     nextSlicedFrame_ = frame + kDistractorSearchPeriod;
     do { // the next target, of those that do not share their color with an earlier one
       slicedTarget_ = (slicedTarget_ + 1) % objects.targetCount();
-    } while (!objects.isFirstOfItsColor(slicedTarget_));
+    } while (!objects.isFirstOfItsColor(slicedTarget_) ||
+             !objects.mayHaveDistractors(slicedTarget_));
     sliced_ = objects.startSearch(objects.makeDistractorProbe(slicedTarget_, context.settings),
                                   context.images);
   }

@@ -27,6 +27,14 @@ void FrameImages::showTo(SphereObservation& observation, const AdaptiveColor& co
   }
 }
 
+void FrameImages::showTo(RegionObservation& observation, const AdaptiveColor& color) const {
+  for (std::size_t camera = 0; camera < backgrounds_.size(); ++camera) {
+    const FramePtr image = frame(camera);
+    observation.setImage(camera, image ? image->image : cv::Mat(), timeOffset(camera),
+                         backgrounds_[camera], color.inUse(camera), color.learned());
+  }
+}
+
 void FrameImages::setEmptyRooms(const std::vector<cv::Mat>& images) {
   for (std::size_t camera = 0; camera < std::min(images.size(), backgrounds_.size()); ++camera) {
     backgrounds_[camera].setEmptyRoom(images[camera]);

@@ -3,6 +3,7 @@
 
 #include "core/capture/frame.h"
 #include "core/observation/background/background_model.h"
+#include "core/observation/region/region_observation.h"
 #include "core/observation/sphere/adaptive_color.h"
 #include "core/observation/sphere/sphere_observation.h"
 
@@ -28,6 +29,8 @@ public:
   double timeOffset(std::size_t camera) const;
   /// Shows the images to an observation. They, the backgrounds and the color must outlive its use.
   void showTo(SphereObservation& observation, const AdaptiveColor& color) const;
+
+  void showTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
   /// Images without targets, per camera; empty where not known. Known from the next
   /// resetBackgrounds() on.

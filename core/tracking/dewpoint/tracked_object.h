@@ -5,6 +5,7 @@
 #include "core/observation/sphere/adaptive_color.h"
 #include "core/observation/sphere/sphere_observation.h"
 #include "core/tracking/dewpoint/search/sliced_search.h"
+#include "core/tracking/dewpoint/shape_tracking.h"
 #include "core/tracking/dewpoint/track/bernoulli_track.h"
 
 #include <cstdint>
@@ -20,6 +21,10 @@ struct TrackedObject {
   std::unique_ptr<SlicedSearch> search; ///< under way within a time budget; else null
   std::uint32_t stream = 0;             ///< keeps its random numbers apart from those of others
   int unseenFrames = 0;                 ///< since it was tracked last
+  std::unique_ptr<ShapeTracking> shape = nullptr; ///< null of distractors, which are balls
+
+  /// Whether it is taken for a ball.
+  bool isBall() const { return !shape || shape->belief().isBall(); }
 
   /// The key of its random numbers in a frame and an iteration of a run.
   RandomKey keyIn(const RandomKey& run) const {

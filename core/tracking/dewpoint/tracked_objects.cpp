@@ -34,7 +34,8 @@ TrackedObjects::TrackedObjects(const std::vector<Target>& targets, const CameraR
   for (const Target& target : targets) {
     objects_.push_back({BernoulliTrack(target), SphereObservation(rig),
                         AdaptiveColor(target.color, rig.size()), nullptr,
-                        static_cast<std::uint32_t>(objects_.size())});
+                        static_cast<std::uint32_t>(objects_.size()), 0,
+                        std::make_unique<ShapeTracking>(target, rig)});
   }
 }
 
@@ -42,7 +43,9 @@ TrackedObjects::TrackedObjects(const TrackedObjects& other)
     : rig_(other.rig_), targetCount_(other.targetCount_) {
   for (const TrackedObject& object : other.objects_) {
     objects_.push_back({object.track, SphereObservation(rig_), object.color, nullptr, object.stream,
-                        object.unseenFrames});
+                        object.unseenFrames,
+                        object.shape ? std::make_unique<ShapeTracking>(*object.shape, rig_)
+                                     : nullptr});
   }
 }
 
@@ -51,6 +54,9 @@ void TrackedObjects::setCameras(const CameraRig& rig) {
   for (TrackedObject& object : objects_) {
     object.observation = SphereObservation(rig);
     object.search.reset();
+    if (object.shape) {
+      object.shape->setCameras(rig);
+    }
   }
 }
 
@@ -76,6 +82,14 @@ void TrackedObjects::removeDistractors() {
   objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(targetCount_), objects_.end());
 }
 
+void TrackedObjects::removeDistractorsOf(std::size_t target) {
+  for (std::size_t k = objects_.size(); k-- > targetCount_;) {
+    if (haveSameColor(objects_[k], objects_[target])) {
+      removeDistractor(k);
+    }
+  }
+}
+
 std::vector<std::size_t> TrackedObjects::byProbability() const {
   std::vector<std::size_t> order(objects_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -97,6 +111,24 @@ std::vector<OccupiedSphere> TrackedObjects::occupiedByOthers(std::size_t index) 
     }
   }
   return occupied;
+}
+
+std::vector<OccupiedSphere> TrackedObjects::occupiedByOtherTargets(std::size_t index) const {
+  std::vector<OccupiedSphere> occupied;
+  for (std::size_t k = 0; k < targetCount_; ++k) {
+    const TrackHypothesis* other = k != index ? objects_[k].track.confident() : nullptr;
+    if (other != nullptr) {
+      occupied.push_back({other->position(), other->radius});
+    }
+  }
+  return occupied;
+}
+
+bool TrackedObjects::mayHaveDistractors(std::size_t target) const {
+  return std::all_of(objects_.begin(), objects_.begin() + static_cast<std::ptrdiff_t>(targetCount_),
+                     [&](const TrackedObject& other) {
+                       return other.isBall() || !haveSameColor(other, objects_[target]);
+                     });
 }
 
 bool TrackedObjects::isFirstOfItsColor(std::size_t target) const {
@@ -149,6 +181,27 @@ void TrackedObjects::explainOthers(SphereObservation& observation, const Tracked
       labels.explain(
           {outline->center, SphereEvidence::kOutlineMargin * outline->radius + kOutlineMarginPx},
           kept);
+    }
+  }
+}
+
+void TrackedObjects::explainOtherTargets(std::size_t target) {
+  const TrackedObject& own = objects_[target];
+  for (std::size_t k = 0; k < targetCount_; ++k) {
+    const TrackHypothesis* other = k != target ? objects_[k].track.confident() : nullptr;
+    if (other == nullptr || !other->outlineFound || !isMostlyVisible(*other) ||
+        !haveSameColor(objects_[k], own)) {
+      continue;
+    }
+    for (std::size_t camera = 0; camera < own.observation.cameraCount(); ++camera) {
+      LabelImage& labels = own.shape->observation().views()[camera].labels;
+      const auto outline =
+          own.observation.projector(camera).project(other->position(), other->radius);
+      if (!labels.empty() && outline) {
+        labels.explain(
+            {outline->center, SphereEvidence::kOutlineMargin * outline->radius + kOutlineMarginPx},
+            {});
+      }
     }
   }
 }

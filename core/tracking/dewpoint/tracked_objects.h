@@ -43,14 +43,21 @@ public:
   TrackedObject& addDistractor(TrackedObject distractor);
   void removeDistractor(std::size_t index);
   void removeDistractors();
+  /// Those of the color of a target.
+  void removeDistractorsOf(std::size_t target);
 
   /// Indices of all objects, the most probable ones first.
   std::vector<std::size_t> byProbability() const;
   /// The spheres that confident tracks of others than object `index` occupy. An index that is not
   /// below size() stands for an object that is not tracked yet.
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
+  /// The same, without distractors.
+  std::vector<OccupiedSphere> occupiedByOtherTargets(std::size_t index) const;
   /// Whether a target is the first one of its color.
   bool isFirstOfItsColor(std::size_t target) const;
+  /// Whether further objects of the color of a target may be searched for: if it is a ball, and so
+  /// are all others of its color. A part of something larger would be found where it is.
+  bool mayHaveDistractors(std::size_t target) const;
   /// Whether all targets are certain and mostly visible.
   bool allTargetsVisible() const;
 
@@ -58,6 +65,9 @@ public:
   /// explained in the labels of an observation: they are no evidence for `own`, which need not be
   /// tracked yet.
   void explainOthers(SphereObservation& observation, const TrackedObject& own) const;
+  /// The same in the images in which the shape of a target is learned, for other targets only: what
+  /// looks like a distractor there may be a part of it.
+  void explainOtherTargets(std::size_t target);
   /// A search for an object that goes on over several frames, on the images of this frame, with the
   /// others explained. The object need not be tracked yet.
   std::unique_ptr<SlicedSearch> startSearch(const TrackedObject& own,

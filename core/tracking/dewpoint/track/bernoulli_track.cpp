@@ -274,6 +274,15 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   identityAmbiguity_ = 0.0;
 }
 
+void BernoulliTrack::adopt(const TrackHypothesis* hypothesis) {
+  hypotheses_.clear();
+  if (hypothesis != nullptr) {
+    hypotheses_.push_back(*hypothesis);
+  }
+  predicted_ = hypotheses_;
+  identityAmbiguity_ = 0.0;
+}
+
 void BernoulliTrack::removeOccupied(const std::vector<OccupiedSphere>& occupied) {
   if (confident() != nullptr) {
     return;

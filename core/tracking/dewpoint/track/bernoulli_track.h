@@ -70,6 +70,9 @@ public:
   /// and the radius believed until now, and updates it by the images of the frame.
   void correct(const Gaussian3& position, SphereObservation& observation, const RandomKey& key,
                ThreadTeam& team);
+  /// Takes the hypothesis of another filter of this target for its only one, or none where it is
+  /// null; predicted and updated by that filter.
+  void adopt(const TrackHypothesis* hypothesis);
   /// Removes the hypotheses at occupied positions, unless the likeliest one has a probability above
   /// one half.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);

@@ -2,19 +2,15 @@
 #pragma once
 
 #include "core/tracking/dewpoint/search/search_particles.h"
+#include "core/tracking/dewpoint/track/systematic_errors.h"
 #include "core/tracking/dewpoint/track/track_hypothesis.h"
 #include "core/tracking/track_estimate.h"
 
-namespace dewpoint::tracking {
+#include <Eigen/Core>
 
-/// What is wrong in all frames alike, so that no number of frames averages it away.
-struct SystematicErrors {
-  /// Radians, standard deviation of the direction in which a camera sees a point, along each axis:
-  /// what its calibration is off by.
-  double direction = 0.0;
-  /// Seconds, standard deviation of the time of an image.
-  double time = 0.0;
-};
+#include <vector>
+
+namespace dewpoint::tracking {
 
 /// The estimate of a target from its likeliest hypothesis, which has particles. Its mean is that of
 /// the particles, its covariance that of the hypothesis' Gaussian and of the `errors`.
@@ -26,6 +22,12 @@ struct SystematicErrors {
 /// well enough to be of use. Sets the radius of the observation.
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                                   const SystematicErrors& errors, SphereObservation& observation);
+
+/// The same without what the cameras show: `seeingCenters` are the optical centers of those that see
+/// the target (meters, world), and `ofShape` (m²) is a systematic error more.
+SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
+                            const std::vector<Eigen::Vector3d>& seeingCenters,
+                            const SystematicErrors& errors, const Eigen::Matrix3d& ofShape);
 
 /// The estimate of a target that is searched for: moments of the particles; not valid.
 SphereEstimate sphereEstimateFrom(const SearchParticles& particles);

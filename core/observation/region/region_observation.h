@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/ellipsoid_image.h"
+#include "core/geometry/ray.h"
+#include "core/observation/background/label_image.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace dewpoint::observation {
+
+/// The images of all cameras as a target of any shape is measured in them.
+class RegionObservation {
+public:
+  struct View {
+    EllipsoidProjector projector;
+    Unprojector unprojector;
+    LabelImage labels; ///< empty: the camera has no image
+    double timeOffset = 0.0; ///< seconds after the frame's time
+  };
+
+  explicit RegionObservation(const CameraRig& rig) {
+    views_.reserve(rig.size());
+    for (const Camera& camera : rig) {
+      views_.push_back({EllipsoidProjector(camera), Unprojector(camera), {}});
+    }
+  }
+
+  std::size_t cameraCount() const { return views_.size(); }
+  std::vector<View>& views() { return views_; }
+  const std::vector<View>& views() const { return views_; }
+
+  /// As SphereObservation::setImage().
+  void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
+                const BackgroundModel& background, const ColorClassifier& classifier,
+                const ColorClassifier& usual) {
+    View& view = views_.at(camera);
+    view.timeOffset = timeOffset;
+    if (image.type() != CV_8UC3 || image.empty()) {
+      view.labels.clear();
+    } else {
+      view.labels.begin(image, background, classifier, usual);
+    }
+  }
+
+private:
+  std::vector<View> views_;
+};
+
+} // namespace dewpoint::observation
