@@ -35,6 +35,11 @@ constexpr double kCleanRing = 0.2;
 constexpr double kRingShare = 0.1;
 /// By how many times that share a ring full of the color speaks against the target.
 constexpr double kFullRing = 9.0;
+/// Logarithm of the ratio of the region's size to the outline's up to which they agree, and how many
+/// times the best evidence a region speaks against the target that is e times as large as that, and
+/// at most.
+constexpr double kSizeTolerance = 0.35;
+constexpr double kLargerShare = 1.5;
 /// Pixels of area; smaller outlines count less, as SphereEvidence has it.
 constexpr double kFullArea = 60.0;
 
@@ -129,6 +134,16 @@ void countPixels(LabelImage& labels, RegionMeasurement& measurement) {
       visible > 0.0 ? Eigen::Vector2d(-sum / visible) : Eigen::Vector2d(0.0, 0.0);
 }
 
+/// Logarithm of how much larger, as a length, the region is than the outline; what is hidden makes
+/// it smaller, but nothing larger.
+double excess(const RegionMeasurement& measurement) {
+  if (!measurement.region) {
+    return 0.0;
+  }
+  const double seen = 16.0 * measurement.region->covariance.determinant();
+  return 0.25 * std::log(std::max(seen, 1e-12) / measurement.expected.extent.determinant());
+}
+
 } // namespace
 
 RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected,
@@ -156,7 +171,9 @@ double regionEvidence(const RegionMeasurement& measurement, double fill) {
   const double inside = measurement.visible * (2.0 * seen - 1.0);
   const double ring =
       std::max(-kFullRing, (kCleanRing - measurement.ring) / kCleanRing) * measurement.visible;
-  return share * fullRegionEvidence() * ((1.0 - kRingShare) * inside + kRingShare * ring);
+  const double size =
+      std::clamp(excess(measurement) - kSizeTolerance, 0.0, 1.0) * kLargerShare;
+  return share * fullRegionEvidence() * ((1.0 - kRingShare) * inside + kRingShare * ring - size);
 }
 
 } // namespace dewpoint::observation

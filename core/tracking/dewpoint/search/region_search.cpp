@@ -59,10 +59,13 @@ std::optional<RegionCandidate> candidateOf(const std::vector<const Seen*>& membe
   RegionCandidate result;
   result.center = *point;
   double mean = 0.0;
+  double smallest = members.front()->area;
   for (const Seen* seen : members) {
     mean += logRadius(*seen, *point) / static_cast<double>(members.size());
-    result.logRarity += std::log(seen->area / kLeastArea);
+    smallest = std::min(smallest, seen->area);
   }
+  // A large region says nothing for a speck that it is paired with.
+  result.logRarity = static_cast<double>(members.size()) * std::log(smallest / kLeastArea);
   result.radius = std::exp(mean);
   const double expected = radius > 0.0 ? std::log(radius) : mean;
   for (const Seen* seen : members) {
