@@ -5825,6 +5825,26 @@ bei %4, %5, %6</translation>
         <translation>Radius des Balls, 0 bis 2.000 mm. Unbekannt: Er wird geschätzt.</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Ball</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Ball: its outline is a circle in every image. Any: its extent is learned, and its center is that of its color. Automatic: the images decide. Only method dewpoint uses this.</source>
+        <translation>Ball: Sein Umriss ist in jedem Bild ein Kreis. Beliebig: Die Ausdehnung wird gelernt, und der Mittelpunkt ist der seiner Farbe. Automatisch: Die Bilder entscheiden. Nur das Verfahren dewpoint verwendet dies.</translation>
+    </message>
+    <message>
         <source>No target yet: click the thing to follow in any camera image.</source>
         <translation>Noch kein Ziel: In einem Kamerabild auf das klicken, was verfolgt werden soll.</translation>
     </message>
@@ -5839,6 +5859,10 @@ bei %4, %5, %6</translation>
     <message>
         <source>Change radius</source>
         <translation>Radius ändern</translation>
+    </message>
+    <message>
+        <source>Change shape</source>
+        <translation>Form ändern</translation>
     </message>
     <message>
         <source>Remove target</source>

@@ -5825,6 +5825,26 @@ en %4, %5, %6</translation>
         <translation>Radio de la bola, de 0 a 2000 mm. Desconocido: se estima.</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automática</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>bola</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Ball: its outline is a circle in every image. Any: its extent is learned, and its center is that of its color. Automatic: the images decide. Only method dewpoint uses this.</source>
+        <translation>Bola: su contorno es un círculo en cada imagen. Cualquiera: se aprende su extensión, y su centro es el de su color. Automática: deciden las imágenes. Solo el método dewpoint lo usa.</translation>
+    </message>
+    <message>
         <source>No target yet: click the thing to follow in any camera image.</source>
         <translation>Aún no hay objetivo: haga clic en cualquier imagen sobre lo que quiere seguir.</translation>
     </message>
@@ -5839,6 +5859,10 @@ en %4, %5, %6</translation>
     <message>
         <source>Change radius</source>
         <translation>Cambiar el radio</translation>
+    </message>
+    <message>
+        <source>Change shape</source>
+        <translation>Cambiar la forma</translation>
     </message>
     <message>
         <source>Remove target</source>

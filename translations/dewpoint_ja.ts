@@ -5823,6 +5823,26 @@ at %4, %5, %6</source>
         <translation>ボールの半径、0〜2,000 mm。不明の場合は推定します。</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>ボール</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Ball: its outline is a circle in every image. Any: its extent is learned, and its center is that of its color. Automatic: the images decide. Only method dewpoint uses this.</source>
+        <translation>ボール: どの画像でも輪郭は円です。任意: 広がりを学習し、中心はその色の中心です。自動: 画像から判断します。手法 dewpoint だけが使います。</translation>
+    </message>
+    <message>
         <source>No target yet: click the thing to follow in any camera image.</source>
         <translation>ターゲットはまだありません。カメラ画像で追跡したいものをクリックしてください。</translation>
     </message>
@@ -5837,6 +5857,10 @@ at %4, %5, %6</source>
     <message>
         <source>Change radius</source>
         <translation>半径を変更</translation>
+    </message>
+    <message>
+        <source>Change shape</source>
+        <translation>形状を変更</translation>
     </message>
     <message>
         <source>Remove target</source>

@@ -49,7 +49,8 @@ std::optional<EllipseImage> EllipsoidProjector::project(const Ellipsoid& ellipso
       (a.topLeftCorner<2, 2>() - c.head<2>() * c.head<2>().transpose()) / reduced;
   const double depth = reduced / c.z();
   const auto pixelOf = [&](const Eigen::Vector2d& point) {
-    return projector_.project(worldFromCamera_ * (depth * Eigen::Vector3d(point.x(), point.y(), 1.0)));
+    return projector_.project(worldFromCamera_ *
+                              (depth * Eigen::Vector3d(point.x(), point.y(), 1.0)));
   };
   const auto center = pixelOf(middle);
   const auto right = pixelOf(middle + Eigen::Vector2d(kStep, 0.0));

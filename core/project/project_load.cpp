@@ -13,6 +13,7 @@
 #include "core/project/project_room.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people_state.h"
+#include "core/tracking/target_shape_name.h"
 
 #include <charconv>
 #include <cstdlib>
@@ -141,6 +142,16 @@ std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
   return box;
 }
 
+TargetShape readShape(TableReader& reader) {
+  std::string name = nameOf(TargetShape::Auto);
+  reader.text("shape", name);
+  const auto shape = targetShapeNamed(name);
+  if (!shape) {
+    reader.fail(ErrorCode::BadValue, "shape", "auto, ball or any is expected");
+  }
+  return shape.value_or(TargetShape::Auto);
+}
+
 Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
                   std::optional<Error>& error) {
   const std::string prefix = fmt::format("target {}.", index + 1);
@@ -149,6 +160,7 @@ Target readTarget(const toml::table& table, const std::string& file, std::size_t
   reader.require("name");
   reader.text("name", target.name);
   reader.number("radius", target.radius, 0.0, 1000.0);
+  target.shape = readShape(reader);
   target.box = readBox(reader, file, prefix);
   if (!target.box) {
     reader.require("hue");

@@ -9,6 +9,7 @@
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
+#include "core/tracking/target_shape_name.h"
 
 #include <array>
 #include <string_view>
@@ -64,6 +65,9 @@ std::string targetText(const Target& target) {
                   "intensity = [{}, {}]\n",
                   quoted(target.name), target.radius, color.hueMin, color.hueMax,
                   color.saturationMin, color.saturationMax, color.intensityMin, color.intensityMax);
+  if (target.shape != TargetShape::Auto) {
+    text += fmt::format("shape = {}\n", quoted(nameOf(target.shape)));
+  }
   if (target.box) {
     text += boxText(*target.box);
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/ellipsoid_image.h"
-
 #include "core/geometry/sphere_image.h"
 
 #include <Eigen/Geometry>
@@ -43,9 +42,9 @@ TEST(EllipsoidImage, IsTheAreaThatRaysHit) {
   for (double row = 0.0; row < 480.0; row += kStep) {
     for (double column = 0.0; column < 640.0; column += kStep) {
       const Eigen::Vector3d way =
-          worldFromCamera * Eigen::Vector3d((column - view.intrinsics.centerX) / view.intrinsics.focalX,
-                                            (row - view.intrinsics.centerY) / view.intrinsics.focalY,
-                                            1.0);
+          worldFromCamera *
+          Eigen::Vector3d((column - view.intrinsics.centerX) / view.intrinsics.focalX,
+                          (row - view.intrinsics.centerY) / view.intrinsics.focalY, 1.0);
       const double a = way.dot(inverse * way);
       const double b = way.dot(inverse * eye);
       const double c = eye.dot(inverse * eye) - 1.0;
@@ -68,8 +67,8 @@ TEST(EllipsoidImage, OfABallIsThatOfASphere) {
   const Camera view = camera();
   const double radius = 0.05;
   const Eigen::Vector3d center(0.35, 0.4, 0.15);
-  const auto ellipse = EllipsoidProjector(view).project(
-      {center, radius * radius * Eigen::Matrix3d::Identity()});
+  const auto ellipse =
+      EllipsoidProjector(view).project({center, radius * radius * Eigen::Matrix3d::Identity()});
   const auto sphere = SphereProjector(view).project(center, radius);
   ASSERT_TRUE(ellipse && sphere);
   EXPECT_LT((ellipse->center - sphere->center).norm(), 1e-6);

@@ -31,11 +31,10 @@ inline void paint(cv::Mat& image, const Camera& camera, const Ellipsoid& solid,
   for (int row = 0; row < image.rows; ++row) {
     for (int column = 0; column < image.cols; ++column) {
       const Eigen::Vector3d way =
-          worldFromCamera * Eigen::Vector3d((column - in.centerX) / in.focalX,
-                                            (row - in.centerY) / in.focalY, 1.0);
+          worldFromCamera *
+          Eigen::Vector3d((column - in.centerX) / in.focalX, (row - in.centerY) / in.focalY, 1.0);
       const double b = way.dot(inverse * eye);
-      if (b < 0.0 &&
-          b * b - way.dot(inverse * way) * (eye.dot(inverse * eye) - 1.0) >= 0.0) {
+      if (b < 0.0 && b * b - way.dot(inverse * way) * (eye.dot(inverse * eye) - 1.0) >= 0.0) {
         image.at<cv::Vec3b>(row, column) = color;
       }
     }

@@ -62,6 +62,18 @@ Error errorOf(const std::string& from, const std::string& to) {
   return project ? Error{} : project.error();
 }
 
+TEST(ProjectFile, KeepsTheShapeOfATarget) {
+  EXPECT_EQ(load(kGood)->targets.front().shape, TargetShape::Auto);
+  const auto any = load(kGood, "radius = 0.035", "radius = 0.035\nshape = \"any\"");
+  ASSERT_TRUE(any);
+  EXPECT_EQ(any->targets.front().shape, TargetShape::Any);
+  const auto file = fileNamed("saved.toml");
+  ASSERT_TRUE(saveProject(*any, file));
+  EXPECT_EQ(loadProject(file)->targets.front().shape, TargetShape::Any);
+  const Error bad = errorOf("radius = 0.035", "radius = 0.035\nshape = \"round\"");
+  EXPECT_EQ(bad.field, "target 1.shape");
+}
+
 TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
   EXPECT_TRUE(load(kGood)->people.empty()); // as in every file before there was this
   auto project = load(std::string(kGood) + "[[person]]\nframe = 90\nplace = [1.5, -0.25]\n"

@@ -14,6 +14,7 @@
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -51,8 +52,8 @@ QString boxText(const TrackSnapshot& snapshot, const TargetSnapshot& target,
 TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListView(this)),
       nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), radiusLabel_(new QLabel(this)),
-      radius_(new DecimalField(this)), box_(new QLabel(this)), histograms_(new HistogramView(this)),
-      hint_(new QLabel(this)) {
+      radius_(new DecimalField(this)), shapeLabel_(new QLabel(this)), shape_(new QComboBox(this)),
+      box_(new QLabel(this)), histograms_(new HistogramView(this)), hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("targetPanel"));
   list_->setObjectName(QStringLiteral("targetList"));
   list_->setModel(&targets);
@@ -62,8 +63,11 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   radius_->setDecimals(1);
   radius_->setSingleStep(1.0);
   radius_->setKeyboardTracking(false);
+  shape_->setObjectName(QStringLiteral("targetShape"));
+  shape_->addItems({QString(), QString(), QString()});
   nameLabel_->setBuddy(name_);
   radiusLabel_->setBuddy(radius_);
+  shapeLabel_->setBuddy(shape_);
   box_->setObjectName(QStringLiteral("targetBox"));
   box_->setWordWrap(true);
   box_->hide();
@@ -74,6 +78,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   form->setSpacing(8);
   form->addRow(nameLabel_, name_);
   form->addRow(radiusLabel_, radius_);
+  form->addRow(shapeLabel_, shape_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
@@ -90,6 +95,13 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
     radius_->setSuffix(tr(" mm"));
     radius_->setSpecialValueText(tr("unknown"));
     radius_->setToolTip(tr("Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated."));
+    shapeLabel_->setText(tr("Shape"));
+    shape_->setItemText(0, tr("automatic"));
+    shape_->setItemText(1, tr("ball"));
+    shape_->setItemText(2, tr("any"));
+    shape_->setToolTip(tr("Ball: its outline is a circle in every image. Any: its extent is "
+                          "learned, and its center is that of its color. Automatic: the images "
+                          "decide. Only method dewpoint uses this."));
     refresh();
   });
   connect(&document_, &Document::replaced, this, &TargetPanel::refresh);
@@ -105,6 +117,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   });
   connect(name_, &QLineEdit::editingFinished, this, &TargetPanel::rename);
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
+  connect(shape_, &QComboBox::activated, this, &TargetPanel::reshapeTarget);
 }
 
 int TargetPanel::chosen() const {
@@ -127,6 +140,8 @@ void TargetPanel::refresh() {
   const bool boxes = document_.presentation().takesBoxes;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
+  shapeLabel_->setVisible(!boxes);
+  shape_->setVisible(!boxes);
   box_->setVisible(boxes);
   histograms_->setVisible(boxes);
   hint_->setText(boxes ? tr("Click the thing or drag a box around it in any camera view: it is "
@@ -144,11 +159,13 @@ void TargetPanel::showChosen() {
   const int row = chosen();
   name_->setEnabled(row >= 0);
   radius_->setEnabled(row >= 0);
+  shape_->setEnabled(row >= 0);
   const QSignalBlocker quiet(radius_);
   const Target target =
       row < 0 ? Target() : document_.project().targets[static_cast<std::size_t>(row)];
   name_->setText(QString::fromStdString(target.name));
   radius_->setValue(target.radius * kMillimeters);
+  shape_->setCurrentIndex(static_cast<int>(target.shape));
 }
 
 void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -192,6 +209,12 @@ void TargetPanel::rename() {
 void TargetPanel::resizeTarget(double millimeters) {
   editChosen(tr("Change radius"), [millimeters](Project& project, std::size_t index) {
     project.targets[index].radius = millimeters / kMillimeters;
+  });
+}
+
+void TargetPanel::reshapeTarget(int shape) {
+  editChosen(tr("Change shape"), [shape](Project& project, std::size_t index) {
+    project.targets[index].shape = static_cast<TargetShape>(shape);
   });
 }
 

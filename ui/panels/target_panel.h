@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
@@ -48,6 +49,7 @@ private:
   void editChosen(const QString& step, const std::function<void(Project&, std::size_t)>& change);
   void rename();
   void resizeTarget(double millimeters);
+  void reshapeTarget(int shape);
 
   Document& document_;
   QListView* list_;
@@ -55,7 +57,9 @@ private:
   QLineEdit* name_;
   QLabel* radiusLabel_;
   QDoubleSpinBox* radius_;
-  QLabel* box_; ///< numbers of the box
+  QLabel* shapeLabel_;
+  QComboBox* shape_; ///< its items are in the order of TargetShape
+  QLabel* box_;      ///< numbers of the box
   HistogramView* histograms_;
   QLabel* hint_;
   int shown_ = -1; ///< row that was chosen at the last refresh

@@ -11,6 +11,7 @@
 #include "core/project/project_check.h"
 #include "core/project/project_save.h"
 #include "core/setup/click_lesson.h"
+#include "core/tracking/target_shape_name.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,6 +33,7 @@ struct LearnColorOptions {
   std::vector<std::string> more, excluded;
   std::optional<std::string> target;
   std::optional<double> radius;
+  std::optional<std::string> shape;
   std::string mask, out;
 };
 
@@ -116,7 +118,7 @@ Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>
   return images;
 }
 
-/// The target that is taught, with its radius: the one named, the only one, or a new one.
+/// The target that is taught, with its radius and shape: the one named, the only one, or a new one.
 Result<Target*> taughtTarget(Project& project, const LearnColorOptions& options) {
   auto& targets = project.targets;
   const auto& name = options.target;
@@ -131,6 +133,9 @@ Result<Target*> taughtTarget(Project& project, const LearnColorOptions& options)
     found = targets.insert(targets.end(), added);
   }
   found->radius = options.radius.value_or(found->radius);
+  if (options.shape) {
+    found->shape = targetShapeNamed(*options.shape).value_or(found->shape);
+  }
   return &*found;
 }
 
@@ -261,6 +266,10 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
                       "Name of the target; made when there is none called so");
   command->add_option("--radius", options->radius, "Radius of the target, meters")
       ->check(CLI::Range(0.0, 1000.0));
+  command
+      ->add_option("--shape", options->shape,
+                   "What the target is taken for: auto (the images decide), ball or any")
+      ->check(CLI::IsMember(targetShapeNames()));
   command->add_option("--mask", options->mask, "PNG to write: white where the image matches");
   command->add_option("--out", options->out, "Project file to write, with the learned color");
   command->callback([options, &exitCode] { exitCode = learn(*options); });

@@ -68,8 +68,8 @@ void countRim(const LabelImage& labels, int column, int row, Sums& sums) {
   bool rim = false;
   bool cut = false;
   bool hidden = false;
-  for (const auto& [right, down] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1),
-                                    std::pair(0, 1)}) {
+  for (const auto& [right, down] :
+       {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
     const int x = column + right;
     const int y = row + down;
     if (x < 0 || y < 0 || x >= labels.size().width || y >= labels.size().height) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/region/ellipsoid_fit.h"
 
+#include "core/observation/region/visual_hull.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -29,6 +31,13 @@ constexpr double kMomentSigma = 0.1;
 constexpr double kWhole = 0.9;
 constexpr double kMostOpen = 0.25;
 constexpr int kSteps = 3;
+constexpr int kLooks = 2;
+/// Samples in a visual hull from which on it counts, and its centroid counts in full: of a thin
+/// body that is not quite where two cameras see it little is left, by chance.
+constexpr double kLeastHull = 15.0;
+constexpr double kFullHull = 60.0;
+/// Standard deviation of the extent of a visual hull, as a share of its trace.
+constexpr double kHullSigma = 0.15;
 /// Meters and share of the largest, least semi-axis.
 constexpr double kLeastAxis = 0.002;
 constexpr double kLeastAxisShare = 0.03;
@@ -46,12 +55,12 @@ Ellipsoid movedBy(const Ellipsoid& ellipsoid, const Eigen::Vector3d& offset) {
 }
 
 /// Pixels per meter that the outline moves with the center.
-std::optional<Eigen::Matrix<double, 2, 3>> jacobian(const EllipsoidProjector& projector,
-                                                    const Ellipsoid& here,
-                                                    const EllipseImage& image) {
+std::optional<Eigen::Matrix<double, 2, 3>>
+jacobian(const EllipsoidProjector& projector, const Ellipsoid& here, const EllipseImage& image) {
   Eigen::Matrix<double, 2, 3> j;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto there = projector.project(movedBy(here, kJacobianStep * Eigen::Vector3d::Unit(axis)));
+    const auto there =
+        projector.project(movedBy(here, kJacobianStep * Eigen::Vector3d::Unit(axis)));
     if (!there) {
       return std::nullopt;
     }
@@ -77,8 +86,7 @@ bool isWhole(const RegionMeasurement& measurement) {
 
 /// Keeps the semi-axes positive.
 Eigen::Matrix3d asExtent(const Eigen::Matrix3d& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 *
-                                                              (matrix + matrix.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (matrix + matrix.transpose()));
   const double largest = std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
   const double least = std::max(kLeastAxis, kLeastAxisShare * largest);
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(least * least).asDiagonal() *
@@ -152,7 +160,7 @@ void compareViews(const RegionObservation& observation, const EllipsoidPrior& pr
 
 Eigen::Matrix3d fitExtent(const RegionObservation& observation,
                           const std::vector<RegionMeasurement>& views, const Ellipsoid& before,
-                          const EllipsoidPrior& prior) {
+                          const EllipsoidPrior& prior, const std::optional<Eigen::Matrix3d>& hull) {
   const Eigen::Matrix3d& known = prior.ellipsoid.extent;
   const double scale = std::max(known.trace(), 3.0 * kLeastAxis * kLeastAxis);
   const double priorWeight = 1.0 / std::pow(prior.extentSigma * scale, 2);
@@ -164,6 +172,15 @@ Eigen::Matrix3d fitExtent(const RegionObservation& observation,
     const double weight = (row == column ? 1.0 : 2.0) * priorWeight;
     matrix(e, e) += weight;
     vector[e] += weight * (known(row, column) - before.extent(row, column));
+  }
+  if (hull) {
+    const double hullWeight = 1.0 / std::pow(kHullSigma * hull->trace(), 2);
+    for (int e = 0; e < 6; ++e) {
+      const auto [row, column] = kElements[static_cast<std::size_t>(e)];
+      const double weight = (row == column ? 1.0 : 2.0) * hullWeight;
+      matrix(e, e) += weight;
+      vector[e] += weight * ((*hull)(row, column) - before.extent(row, column));
+    }
   }
   const double step = 1e-5 * scale; // the outline is linear in it
   bool any = false;
@@ -199,7 +216,8 @@ Eigen::Matrix3d fitExtent(const RegionObservation& observation,
     const double weight = 1.0 / std::pow(kMomentSigma * std::max(seen.trace(), 1.0), 2);
     const Eigen::Vector3d weights(weight, weight, 2.0 * weight);
     matrix += j.transpose() * weights.asDiagonal() * j;
-    vector += j.transpose() * weights.asDiagonal() * Eigen::Vector3d(off(0, 0), off(1, 1), off(0, 1));
+    vector +=
+        j.transpose() * weights.asDiagonal() * Eigen::Vector3d(off(0, 0), off(1, 1), off(0, 1));
   }
   const Vector6 change = matrix.ldlt().solve(vector);
   if (!any || !change.allFinite()) {
@@ -221,18 +239,27 @@ EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& 
   if (!covariance.allFinite()) {
     covariance.setZero();
   }
-  for (int look = 0; look < 2; ++look) {
+  std::optional<VisualHull> hull;
+  for (int look = 0; look < kLooks; ++look) {
     // What hides the target, and what belongs to it, is clearer where it was found.
     measureAll(observation, prior, fit.ellipsoid, covariance, fit.views);
     for (int step = 0; step < kSteps; ++step) {
       if (!moveCenter(observation, prior, fit)) {
         return fit;
       }
-      fit.ellipsoid.extent = fitExtent(observation, fit.views, fit.ellipsoid, prior);
+      const bool known = hull && hull->samples >= kLeastHull;
+      fit.ellipsoid.extent = fitExtent(observation, fit.views, fit.ellipsoid, prior,
+                                       known ? std::optional(hull->extent) : std::nullopt);
     }
     covariance = fit.covariance;
+    hull = visualHull(observation, fit.views, fit.ellipsoid, prior.velocity);
   }
   compareViews(observation, prior, fit);
+  if (hull) {
+    const double trust =
+        std::clamp((hull->samples - kLeastHull) / (kFullHull - kLeastHull), 0.0, 1.0);
+    fit.centroidOffset = trust * (hull->centroid - fit.ellipsoid.center);
+  }
   return fit;
 }
 

@@ -35,18 +35,18 @@ constexpr double kCleanRing = 0.2;
 constexpr double kRingShare = 0.1;
 /// By how many times that share a ring full of the color speaks against the target.
 constexpr double kFullRing = 9.0;
-/// Logarithm of the ratio of the region's size to the outline's up to which they agree, and how many
-/// times the best evidence a region speaks against the target that is e times as large as that, and
-/// at most.
+/// Logarithm of the ratio of the region's size to the outline's up to which they agree, and how
+/// many times the best evidence a region speaks against the target that is e times as large as
+/// that, and at most.
 constexpr double kSizeTolerance = 0.35;
 constexpr double kLargerShare = 1.5;
 /// Pixels of area; smaller outlines count less, as SphereEvidence has it.
 constexpr double kFullArea = 60.0;
 
 cv::Rect boxAround(const EllipseImage& ellipse, double reach, const Eigen::Matrix2d& more) {
-  const Eigen::Vector2d half =
-      reach * ellipse.extent.diagonal().cwiseSqrt() + 3.0 * more.diagonal().cwiseSqrt() +
-      Eigen::Vector2d::Constant(kMarginPx);
+  const Eigen::Vector2d half = reach * ellipse.extent.diagonal().cwiseSqrt() +
+                               3.0 * more.diagonal().cwiseSqrt() +
+                               Eigen::Vector2d::Constant(kMarginPx);
   const auto bounded = [](double value) {
     return static_cast<int>(std::lround(std::clamp(value, -1e6, 1e6)));
   };
@@ -171,8 +171,7 @@ double regionEvidence(const RegionMeasurement& measurement, double fill) {
   const double inside = measurement.visible * (2.0 * seen - 1.0);
   const double ring =
       std::max(-kFullRing, (kCleanRing - measurement.ring) / kCleanRing) * measurement.visible;
-  const double size =
-      std::clamp(excess(measurement) - kSizeTolerance, 0.0, 1.0) * kLargerShare;
+  const double size = std::clamp(excess(measurement) - kSizeTolerance, 0.0, 1.0) * kLargerShare;
   return share * fullRegionEvidence() * ((1.0 - kRingShare) * inside + kRingShare * ring - size);
 }
 

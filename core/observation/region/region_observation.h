@@ -16,7 +16,7 @@ public:
   struct View {
     EllipsoidProjector projector;
     Unprojector unprojector;
-    LabelImage labels; ///< empty: the camera has no image
+    LabelImage labels;       ///< empty: the camera has no image
     double timeOffset = 0.0; ///< seconds after the frame's time
   };
 

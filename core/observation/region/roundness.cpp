@@ -31,13 +31,14 @@ double exponential(double value, double mean) {
 }
 
 double halfNormal(double value, double sigma) {
-  return std::sqrt(2.0 / std::numbers::pi) / sigma * std::exp(-0.5 * value * value / (sigma * sigma));
+  return std::sqrt(2.0 / std::numbers::pi) / sigma *
+         std::exp(-0.5 * value * value / (sigma * sigma));
 }
 
 double logRatio(double value, double ballSigma, double otherMean) {
   const double other = exponential(value, otherMean);
-  return std::log(other) - std::log((1.0 - kSpoiledShare) * halfNormal(value, ballSigma) +
-                                    kSpoiledShare * other);
+  return std::log(other) -
+         std::log((1.0 - kSpoiledShare) * halfNormal(value, ballSigma) + kSpoiledShare * other);
 }
 
 } // namespace

@@ -5,8 +5,6 @@
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,13 +27,6 @@ constexpr double kNotLearnedPx = 2.0;
 /// section 8): the exposure settles within the first, daylight changes slowly.
 constexpr int kLooksAtOnce = 10;
 constexpr int kLookPeriod = 10;
-
-/// Meters, longest semi-axis of a target that is no ball and has a hypothesis.
-double longestAxis(const ShapeTracking& shape) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(shape.track().extent(),
-                                                            Eigen::EigenvaluesOnly);
-  return std::sqrt(axes.eigenvalues().maxCoeff());
-}
 
 } // namespace
 
@@ -358,7 +349,8 @@ void DewpointTracker::learnBackgrounds() {
       const auto outline =
           object.observation.projector(camera).project(best->position(), best->radius);
       if (outline) {
-        const double wider = object.isBall() ? 1.0 : longestAxis(*object.shape) / best->radius;
+        const double wider =
+            object.isBall() ? 1.0 : object.shape->track().longestAxis() / best->radius;
         hidden.push_back(
             {outline->center, wider * kNotLearnedRadii * outline->radius + kNotLearnedPx});
       }

@@ -42,10 +42,10 @@ TrackedObjects::TrackedObjects(const std::vector<Target>& targets, const CameraR
 TrackedObjects::TrackedObjects(const TrackedObjects& other)
     : rig_(other.rig_), targetCount_(other.targetCount_) {
   for (const TrackedObject& object : other.objects_) {
-    objects_.push_back({object.track, SphereObservation(rig_), object.color, nullptr, object.stream,
-                        object.unseenFrames,
-                        object.shape ? std::make_unique<ShapeTracking>(*object.shape, rig_)
-                                     : nullptr});
+    objects_.push_back(
+        {object.track, SphereObservation(rig_), object.color, nullptr, object.stream,
+         object.unseenFrames,
+         object.shape ? std::make_unique<ShapeTracking>(*object.shape, rig_) : nullptr});
   }
 }
 

@@ -3,7 +3,6 @@
 #include "tests/observation/drawn_ellipsoids.h"
 
 #include <gtest/gtest.h>
-
 #include <opencv2/imgproc.hpp>
 
 namespace dewpoint::tests {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
-
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
@@ -45,22 +44,30 @@ TEST(EllipsoidFit, FindsCenterAndExtentFromThreeCameras) {
   }
 }
 
+// Two views leave one number of the extent open, so that a stick may be its mirror image, whose
+// center lies elsewhere in perspective: by up to 12 cm x 12 cm / 2 over a distance of 1 m, 7 mm.
+// The space that both views leave tells, within some frames.
 TEST(EllipsoidFit, FindsTheCenterFromTwoCameras) {
   RegionScene scene(drawn::rigAround(2, kVga));
   for (std::uint32_t k = 0; k < 8; ++k) {
-    const Ellipsoid truth = drawn::ellipsoid(drawn::placeNear(k, 0.05), {0.12, 0.02, 0.02}, 0.5 * k);
+    const Ellipsoid truth =
+        drawn::ellipsoid(drawn::placeNear(k, 0.05), {0.12, 0.02, 0.02}, 0.5 * k);
     scene.show({truth});
-    const EllipsoidFit fit =
-        fitEllipsoid(scene.observation(), startAt(truth, 0.03 * drawn::directionOf(k)));
-    ASSERT_TRUE(fit.found) << k;
-    EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 2e-3) << k;
+    EllipsoidPrior prior = startAt(truth, 0.03 * drawn::directionOf(k));
+    EllipsoidFit fit;
+    for (int frame = 0; frame < 5; ++frame) {
+      fit = fitEllipsoid(scene.observation(), prior);
+      ASSERT_TRUE(fit.found) << k;
+      prior.ellipsoid.extent = fit.ellipsoid.extent;
+    }
+    EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 6e-3) << k;
     EXPECT_EQ(fit.freedoms, 1);
     EXPECT_LT(fit.disagreement, 0.1) << k; // an ellipsoid has one centroid in all views
   }
 }
 
-// What hides a third of it in one camera, and is known to, does not pull: without it the centroid of
-// what is left is a sixth of its length off, 20 mm.
+// What hides a third of it in one camera, and is known to, does not pull: without it the centroid
+// of what is left is a sixth of its length off, 20 mm.
 TEST(EllipsoidFit, WhatIsHiddenDoesNotPull) {
   RegionScene scene(drawn::rigAround(3, kVga));
   const Ellipsoid truth = drawn::ellipsoid(drawn::kMiddle, {0.06, 0.04, 0.04});

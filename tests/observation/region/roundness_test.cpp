@@ -34,8 +34,8 @@ TEST(Roundness, OfADiscIsZero) {
 
 // A rectangle of 4 x 1: its axes have the ratio 4, and it has 12 / (4 pi) of the ellipse's area.
 TEST(Roundness, OfARectangle) {
-  const Roundness round = roundnessOf(region(1600.0, 80.0 * 80.0 / 12.0, 20.0 * 20.0 / 12.0),
-                                      circle(5.0));
+  const Roundness round =
+      roundnessOf(region(1600.0, 80.0 * 80.0 / 12.0, 20.0 * 20.0 / 12.0), circle(5.0));
   EXPECT_NEAR(round.elongation, std::log(4.0), 1e-9);
   EXPECT_NEAR(round.hollowness, 1.0 - 3.0 / std::numbers::pi, 1e-9);
 }
@@ -50,11 +50,11 @@ TEST(Roundness, IsRelativeToTheOutlineOfABall) {
 
 TEST(Roundness, ADiscIsABallAndAStickIsNot) {
   const auto ball = shapeEvidence(disc(20.0), circle(20.0));
-  const auto stick = shapeEvidence(region(1600.0, 80.0 * 80.0 / 12.0, 20.0 * 20.0 / 12.0),
-                                   circle(20.0));
+  const auto stick =
+      shapeEvidence(region(1600.0, 80.0 * 80.0 / 12.0, 20.0 * 20.0 / 12.0), circle(20.0));
   ASSERT_TRUE(ball && stick);
   EXPECT_LT(*ball, -2.0);
-  EXPECT_GT(*stick, 3.0);
+  EXPECT_GT(*stick, 2.0);
 }
 
 TEST(Roundness, WhatIsNotSeenWholeSaysNothing) {

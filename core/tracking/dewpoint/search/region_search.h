@@ -15,8 +15,8 @@ namespace dewpoint::tracking {
 /// A position at which regions of the color in two or more images may show one object.
 struct RegionCandidate {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
-  double radius = 0.0;   ///< meters, of a ball as large as what the images show
-  double misfit = 0.0;   ///< sum of squared deviations of rays and sizes, in standard deviations
+  double radius = 0.0;    ///< meters, of a ball as large as what the images show
+  double misfit = 0.0;    ///< sum of squared deviations of rays and sizes, in standard deviations
   double logRarity = 0.0; ///< how much rarer regions as large as these are than the smallest
 };
 

@@ -23,8 +23,8 @@ namespace dewpoint::tracking {
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                                   const SystematicErrors& errors, SphereObservation& observation);
 
-/// The same without what the cameras show: `seeingCenters` are the optical centers of those that see
-/// the target (meters, world), and `ofShape` (m²) is a systematic error more.
+/// The same without what the cameras show: `seeingCenters` are the optical centers of those that
+/// see the target (meters, world), and `ofShape` (m²) is a systematic error more.
 SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                             const std::vector<Eigen::Vector3d>& seeingCenters,
                             const SystematicErrors& errors, const Eigen::Matrix3d& ofShape);

@@ -5,6 +5,7 @@
 #include "core/tracking/dewpoint/search/region_search.h"
 #include "core/tracking/dewpoint/track/information_form.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -120,10 +121,10 @@ EllipsoidFit RegionTrack::fitAt(const State& state, RegionObservation& observati
   const TrackHypothesis& hypothesis = state.hypothesis;
   EllipsoidPrior prior;
   prior.ellipsoid = {hypothesis.position(), state.extent};
-  prior.information = Eigen::Matrix3d((hypothesis.gaussian.covariance +
-                                       hypothesis.processNoise.gatingCovariance())
-                                          .topLeftCorner<3, 3>())
-                          .inverse();
+  prior.information =
+      Eigen::Matrix3d((hypothesis.gaussian.covariance + hypothesis.processNoise.gatingCovariance())
+                          .topLeftCorner<3, 3>())
+          .inverse();
   prior.velocity = hypothesis.velocity();
   // The mean of the first measurements, then one that forgets.
   prior.extentSigma =
@@ -144,7 +145,8 @@ void RegionTrack::accept(State& state, const EllipsoidFit& fit) const {
   const Gaussian3 prior{hypothesis.position(), wide.topLeftCorner<3, 3>()};
   InformationForm evidence;
   evidence.information = fit.information + kMinInformation * Eigen::Matrix3d::Identity();
-  evidence.vector = fit.covariance.inverse() * (fit.ellipsoid.center - prior.mean);
+  evidence.vector = fit.covariance.inverse() * (fit.ellipsoid.center - prior.mean) +
+                    fit.information * fit.centroidOffset;
   hypothesis.measurement = evidence.asGaussian(prior.mean);
   const double off = evidence.squaredDistance(hypothesis.gaussian.covariance.topLeftCorner<3, 3>());
   if (off > kManeuverGate * kManeuverGate) {
@@ -174,8 +176,8 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
     accept(state, fit);
     for (const RegionMeasurement& view : state.views) {
       if (view.region && view.visible > 0.5) {
-        state.fill = state.fill > 0.0 ? state.fill + kFillRate * (view.matched - state.fill)
-                                      : view.matched;
+        state.fill =
+            state.fill > 0.0 ? state.fill + kFillRate * (view.matched - state.fill) : view.matched;
       }
     }
   }
@@ -256,10 +258,9 @@ void RegionTrack::search(RegionObservation& observation,
         found.logLikelihoodRatio < kMinLogLikelihoodRatio) {
       continue;
     }
-    const double mass =
-        std::exp(std::log((1.0 - present) * kBirthProbability * density *
-                          evidenceVolume(candidate.radius)) +
-                 saturated(found) + candidate.logRarity - 0.5 * candidate.misfit);
+    const double mass = std::exp(
+        std::log((1.0 - present) * kBirthProbability * density * evidenceVolume(candidate.radius)) +
+        saturated(found) + candidate.logRarity - 0.5 * candidate.misfit);
     allMass += mass;
     if (mass > bestMass) {
       bestMass = mass;
@@ -275,6 +276,11 @@ void RegionTrack::search(RegionObservation& observation,
   best->hypothesis.probability = bestMass / (bestMass + absence + present);
   best->hypothesis.provenProbability = best->hypothesis.probability;
   state_ = best;
+}
+
+double RegionTrack::longestAxis() const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(state_->extent, Eigen::EigenvaluesOnly);
+  return std::sqrt(axes.eigenvalues().maxCoeff());
 }
 
 SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const {
@@ -295,8 +301,8 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
   }
   // Second moments of a solid are a fifth of its extent, of its image a quarter: kShapeShare is of
   // the image's.
-  const Eigen::Matrix3d ofShape = kShapeShare * kShapeShare * std::max(1.0, state.disagreement) *
-                                  0.25 * state.extent;
+  const Eigen::Matrix3d ofShape =
+      kShapeShare * kShapeShare * std::max(1.0, state.disagreement) * 0.25 * state.extent;
   SphereEstimate result =
       estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.errors, ofShape);
   result.camerasSeeing = SphereObservation::camerasSeeing(cameras);

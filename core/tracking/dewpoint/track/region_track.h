@@ -43,6 +43,8 @@ public:
   const TrackHypothesis* hypothesis() const { return state_ ? &state_->hypothesis : nullptr; }
   /// Of the hypothesis, which there must be; m², as Ellipsoid has it.
   const Eigen::Matrix3d& extent() const { return state_->extent; }
+  /// Its longest semi-axis, meters.
+  double longestAxis() const;
   /// What each camera showed at the last update; empty when there is no hypothesis.
   std::vector<RegionMeasurement> views() const {
     return state_ ? state_->views : std::vector<RegionMeasurement>();

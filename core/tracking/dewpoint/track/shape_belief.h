@@ -29,8 +29,8 @@ public:
   bool isUnclear() const;
   double logOdds() const { return logOdds_; }
 
-  /// Learns from the regions that show a target of this radius (meters) at this position, `interval`
-  /// seconds after the last time. Nothing where no image shows it well enough.
+  /// Learns from the regions that show a target of this radius (meters) at this position,
+  /// `interval` seconds after the last time. Nothing where no image shows it well enough.
   void learn(const RegionObservation& observation, const std::vector<RegionMeasurement>& views,
              const Eigen::Vector3d& position, double radius, double interval);
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/dewpoint/track/shape_belief.h"
+#include "tests/observation/drawn_ellipsoids.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+using drawn::RegionScene;
+
+constexpr double kRadius = 0.035;
+constexpr double kFrame = 1.0 / 30.0;
+constexpr int kVga = 2;
+
+Target target(double radius, TargetShape shape = TargetShape::Auto) {
+  Target result;
+  result.radius = radius;
+  result.shape = shape;
+  return result;
+}
+
+/// Shows a solid to a belief for some frames.
+void look(ShapeBelief& belief, const Ellipsoid& solid, int frames) {
+  RegionScene scene(drawn::rigAround(2, kVga));
+  scene.show({solid});
+  RegionObservation& observation = scene.observation();
+  std::vector<RegionMeasurement> views;
+  for (auto& view : observation.views()) {
+    views.push_back(
+        measureRegion(view.labels, *view.projector.project(solid), Eigen::Matrix2d::Zero()));
+  }
+  for (int frame = 0; frame < frames; ++frame) {
+    belief.learn(observation, views, solid.center, solid.radius(), kFrame);
+  }
+}
+
+const Ellipsoid kBall = drawn::ellipsoid(drawn::kMiddle, {kRadius, kRadius, kRadius});
+const Ellipsoid kStick = drawn::ellipsoid(drawn::kMiddle, {0.12, 0.015, 0.015}, 0.4);
+
+TEST(ShapeBelief, OneLookTellsAStickFromABallOfUnknownSize) {
+  ShapeBelief belief(target(0.0));
+  EXPECT_TRUE(belief.isBall());
+  look(belief, kStick, 1);
+  EXPECT_FALSE(belief.isBall());
+  ShapeBelief other(target(0.0));
+  look(other, kBall, 1);
+  EXPECT_TRUE(other.isBall());
+}
+
+// What follows within half a second is hardly new, and a belief that is 15 at most takes 17 and
+// more of 5 at most each half second to change: three seconds and a half.
+TEST(ShapeBelief, ChangesWithinSeconds) {
+  ShapeBelief belief(target(0.0));
+  look(belief, kBall, 300);
+  EXPECT_FALSE(belief.isUnclear());
+  look(belief, kStick, 15);
+  EXPECT_TRUE(belief.isBall());
+  look(belief, kStick, 150);
+  EXPECT_FALSE(belief.isBall());
+}
+
+// A radius that was given says that it is a ball: what is much larger is not the target alone.
+TEST(ShapeBelief, AGivenRadiusIsThatOfABall) {
+  ShapeBelief belief(target(kRadius));
+  look(belief, drawn::ellipsoid(drawn::kMiddle, {0.2, 0.1, 0.1}), 100);
+  EXPECT_TRUE(belief.isBall());
+  // Of the right size it is believed after 14 of 5 at most each half second.
+  look(belief, drawn::ellipsoid(drawn::kMiddle, {0.08, 0.02, 0.02}), 30);
+  EXPECT_TRUE(belief.isBall());
+  look(belief, drawn::ellipsoid(drawn::kMiddle, {0.08, 0.02, 0.02}), 120);
+  EXPECT_FALSE(belief.isBall());
+}
+
+TEST(ShapeBelief, DoesAsItWasDefined) {
+  ShapeBelief ball(target(0.0, TargetShape::Ball));
+  look(ball, kStick, 10);
+  EXPECT_TRUE(ball.isBall());
+  ShapeBelief any(target(0.0, TargetShape::Any));
+  look(any, kBall, 10);
+  EXPECT_FALSE(any.isBall());
+  any.setTarget(target(0.0, TargetShape::Ball));
+  EXPECT_TRUE(any.isBall());
+}
+
+} // namespace
+} // namespace dewpoint::tests
