@@ -46,8 +46,11 @@ constexpr int kUnknowns = 4; ///< of a camera: turn, delay
 
 /// Normal equations.
 struct AgreementModel::Sums {
+  using Slope = Eigen::Matrix<double, 2 * kUnknowns, 1>; ///< by the unknowns of two cameras
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
+
+  void add(std::size_t a, std::size_t b, const Slope& slope, double share, double residual);
 };
 
 AgreementModel::AgreementModel(const CameraRig& rig,
@@ -200,112 +203,84 @@ std::vector<std::pair<std::size_t, std::size_t>> AgreementModel::pairs() const {
   return pairs;
 }
 
-AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
-  const std::size_t count = cameras_.size();
-  const auto size = static_cast<Eigen::Index>(kUnknowns * count);
-  // Of what pairs of cameras say, so much is new: an object's position takes three numbers.
-  const double pairCount = 0.5 * static_cast<double>(count * (count - 1));
-  const double weight = 0.5 * std::min(1.0, static_cast<double>(2 * count - 3) / pairCount);
-
-  Views borrowed;
-  std::vector<Pose> poses = cameras_;
-  if (!hypothesis.calibrations.empty()) {
-    for (std::size_t k = 0; k < count; ++k) {
-      poses[k] = cameras_[hypothesis.calibrations[k]];
-    }
-    borrowed = views_;
-    for (std::size_t color = 0; color < views_.size(); ++color) {
-      for (std::size_t k = 0; k < count; ++k) {
-        if (hypothesis.calibrations[k] != k) {
-          borrowed[color][k] = instantsOf(color, k, hypothesis.calibrations[k]);
-        }
-      }
-    }
-  }
-  const Views& views = hypothesis.calibrations.empty() ? views_ : borrowed;
-
-  Eigen::VectorXd priors(size); // inverse variances
-  for (std::size_t k = 0; k < count; ++k) {
+Eigen::VectorXd AgreementModel::priorInformation(const AgreementHypothesis& hypothesis,
+                                                 const Views& views) const {
+  Eigen::VectorXd priors(static_cast<Eigen::Index>(kUnknowns * cameras_.size()));
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(kUnknowns * k);
     const double turn =
         std::hypot(hypothesis.freeTurn == k ? kFreeTurnSigma : kTurnSigma, biasOf(views, k));
     const double delay = hypothesis.freeDelay == k ? kFreeDelaySigma : kDelaySigma * interval_;
-    priors.segment<3>(static_cast<Eigen::Index>(kUnknowns * k)).setConstant(1.0 / (turn * turn));
-    priors[static_cast<Eigen::Index>(kUnknowns * k) + 3] = 1.0 / (delay * delay);
+    priors.segment<3>(at).setConstant(1.0 / (turn * turn));
+    priors[at + 3] = 1.0 / (delay * delay);
   }
+  return priors;
+}
 
-  // From coarse to fine: what is far off finds its counterpart first.
-  static constexpr std::array kFromFar{0.09, 0.03, 0.01, 0.003, 0.0, 0.0, 0.0};
-  static constexpr std::array kFromNear{0.01, 0.003, 0.0, 0.0, 0.0};
-  const std::span<const double> widenings =
-      hypothesis.freeTurn ? std::span<const double>(kFromFar) : std::span<const double>(kFromNear);
-  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(size);
-  if (hypothesis.freeDelay) {
-    unknowns[static_cast<Eigen::Index>(kUnknowns * *hypothesis.freeDelay) + 3] =
-        hypothesis.initialDelay;
+void AgreementModel::Sums::add(std::size_t a, std::size_t b, const Slope& slope, double share,
+                               double residual) {
+  const auto atA = static_cast<Eigen::Index>(kUnknowns * a);
+  const auto atB = static_cast<Eigen::Index>(kUnknowns * b);
+  const Eigen::Matrix<double, 8, 8> square = share * slope * slope.transpose();
+  information.block<4, 4>(atA, atA) += square.topLeftCorner<4, 4>();
+  information.block<4, 4>(atA, atB) += square.topRightCorner<4, 4>();
+  information.block<4, 4>(atB, atA) += square.bottomLeftCorner<4, 4>();
+  information.block<4, 4>(atB, atB) += square.bottomRightCorner<4, 4>();
+  gradient.segment<4>(atA) -= share * residual * slope.head<4>();
+  gradient.segment<4>(atB) -= share * residual * slope.tail<4>();
+}
+
+AgreementFit AgreementModel::evaluated(const Views& views, const std::vector<Pose>& poses,
+                                       const Eigen::VectorXd& unknowns, double widening,
+                                       Sums& sums) const {
+  const std::size_t count = cameras_.size();
+  // Of what pairs of cameras say, so much is new: an object's position takes three numbers.
+  const double pairCount = 0.5 * static_cast<double>(count * (count - 1));
+  const double weight = 0.5 * std::min(1.0, static_cast<double>(2 * count - 3) / pairCount);
+  AgreementFit fit;
+  fit.pairLogLikelihoods.assign(count * count, 0.0);
+  fit.pairCounts.assign(count * count, 0.0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto at = static_cast<Eigen::Index>(kUnknowns * k);
+    fit.errors.push_back({unknowns.segment<3>(at), unknowns[at + 3]});
   }
-  std::optional<AgreementFit> best;
-  for (const double widening : widenings) {
-    AgreementFit now;
-    now.errors.resize(count);
-    now.pairLogLikelihoods.assign(count * count, 0.0);
-    now.pairCounts.assign(count * count, 0.0);
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto at = static_cast<Eigen::Index>(kUnknowns * k);
-      now.errors[k] = {unknowns.segment<3>(at), unknowns[at + 3]};
-    }
-    Sums sums{priors.asDiagonal(), -(priors.array() * unknowns.array()).matrix()};
-    compare(views, poses, now.errors, widening, std::nullopt,
-            [&](std::size_t a, std::size_t b, std::size_t, const SeenRegion& seen,
-                const Instant& other, const std::vector<Eigen::Matrix3d>& rotations,
-                const std::vector<RegionMatch>& matches, double likelihood) {
-              const std::size_t pair = std::min(a, b) * count + std::max(a, b);
-              now.pairLogLikelihoods[pair] += weight * std::log(likelihood);
-              now.pairCounts[pair] += weight;
-              const auto atA = static_cast<Eigen::Index>(kUnknowns * a);
-              const auto atB = static_cast<Eigen::Index>(kUnknowns * b);
-              for (std::size_t i = 0; i < matches.size(); ++i) {
-                const RegionMatch& match = matches[i];
-                const double share = weight * match.density;
-                if (share < 1e-6) {
-                  continue; // it changes nothing
-                }
-                const SeenRegion& there = other.seen[i];
-                const Eigen::Vector3d byU = rotations[a].transpose() * match.byU;
-                const Eigen::Vector3d byV = rotations[b].transpose() * match.byV;
-                Eigen::Matrix<double, 2 * kUnknowns, 1> slope;
-                slope.segment<3>(0) = byU.cross(seen.direction);
-                slope[3] = -byV.dot(there.rate);
-                slope.segment<3>(4) = byV.cross(there.direction);
-                slope[7] = byV.dot(there.rate);
-                const Eigen::Matrix<double, 8, 8> square = share * slope * slope.transpose();
-                sums.information.block<4, 4>(atA, atA) += square.topLeftCorner<4, 4>();
-                sums.information.block<4, 4>(atA, atB) += square.topRightCorner<4, 4>();
-                sums.information.block<4, 4>(atB, atA) += square.bottomLeftCorner<4, 4>();
-                sums.information.block<4, 4>(atB, atB) += square.bottomRightCorner<4, 4>();
-                sums.gradient.segment<4>(atA) -= share * match.residual * slope.head<4>();
-                sums.gradient.segment<4>(atB) -= share * match.residual * slope.tail<4>();
+  compare(views, poses, fit.errors, widening, std::nullopt,
+          [&](std::size_t a, std::size_t b, std::size_t, const SeenRegion& seen,
+              const Instant& other, const std::vector<Eigen::Matrix3d>& rotations,
+              const std::vector<RegionMatch>& matches, double likelihood) {
+            const std::size_t pair = std::min(a, b) * count + std::max(a, b);
+            fit.pairLogLikelihoods[pair] += weight * std::log(likelihood);
+            fit.pairCounts[pair] += weight;
+            for (std::size_t i = 0; i < matches.size(); ++i) {
+              constexpr double kNegligible = 1e-6; // of one sighting
+              const double share = weight * matches[i].density;
+              if (share < kNegligible) {
+                continue;
               }
-            });
-    for (std::size_t pair = 0; pair < now.pairCounts.size(); ++pair) {
-      now.logLikelihood += now.pairLogLikelihoods[pair];
-      now.count += now.pairCounts[pair];
-    }
-    now.logPrior = -0.5 * (priors.array() * unknowns.array().square()).sum();
-    if (widening == 0.0 &&
-        (!best || now.logLikelihood + now.logPrior > best->logLikelihood + best->logPrior)) {
-      const Eigen::VectorXd values = geometry::symmetricEigen(sums.information).values;
-      const double volume =
-          0.5 * (priors.array().log().sum() - values.array().max(1e-12).log().sum());
-      now.logEvidence = now.logLikelihood + now.logPrior + volume;
-      best = std::move(now);
-    }
-    unknowns += geometry::solveSymmetric(sums.information, sums.gradient);
+              const SeenRegion& there = other.seen[i];
+              const Eigen::Vector3d byU = rotations[a].transpose() * matches[i].byU;
+              const Eigen::Vector3d byV = rotations[b].transpose() * matches[i].byV;
+              Sums::Slope slope;
+              slope.segment<3>(0) = byU.cross(seen.direction);
+              slope[3] = -byV.dot(there.rate);
+              slope.segment<3>(4) = byV.cross(there.direction);
+              slope[7] = byV.dot(there.rate);
+              sums.add(a, b, slope, share, matches[i].residual);
+            }
+          });
+  for (std::size_t pair = 0; pair < fit.pairCounts.size(); ++pair) {
+    fit.logLikelihood += fit.pairLogLikelihoods[pair];
+    fit.count += fit.pairCounts[pair];
   }
-  AgreementFit result = std::move(*best);
+  return fit;
+}
+
+void AgreementModel::summarizePairs(AgreementFit& fit) const {
+  const std::size_t count = cameras_.size();
   std::vector<double> likelihoods, counts, ofCamera(count, 0.0), countOfCamera(count, 0.0);
   for (const auto& [a, b] : pairs()) {
-    likelihoods.push_back(result.pairLogLikelihoods[a * count + b]);
-    counts.push_back(result.pairCounts[a * count + b]);
+    likelihoods.push_back(fit.pairLogLikelihoods[a * count + b]);
+    counts.push_back(fit.pairCounts[a * count + b]);
     for (const std::size_t camera : {a, b}) {
       ofCamera[camera] += likelihoods.back();
       countOfCamera[camera] += counts.back();
@@ -317,10 +292,61 @@ AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
       least = std::min(least, ofCamera[camera] / countOfCamera[camera]);
     }
   }
-  result.leastMean = std::isfinite(least) ? least : 0.0;
-  result.pairLogLikelihoods = std::move(likelihoods);
-  result.pairCounts = std::move(counts);
-  return result;
+  fit.leastMean = std::isfinite(least) ? least : 0.0;
+  fit.pairLogLikelihoods = std::move(likelihoods);
+  fit.pairCounts = std::move(counts);
+}
+
+AgreementModel::Views
+AgreementModel::viewsWith(const std::vector<std::size_t>& calibrations) const {
+  Views views = views_;
+  for (std::size_t color = 0; color < views.size(); ++color) {
+    for (std::size_t k = 0; k < calibrations.size(); ++k) {
+      if (calibrations[k] != k) {
+        views[color][k] = instantsOf(color, k, calibrations[k]);
+      }
+    }
+  }
+  return views;
+}
+
+AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
+  std::vector<Pose> poses = cameras_;
+  for (std::size_t k = 0; k < hypothesis.calibrations.size(); ++k) {
+    poses[k] = cameras_[hypothesis.calibrations[k]];
+  }
+  const bool isDeclared = hypothesis.calibrations.empty();
+  const Views borrowed = isDeclared ? Views() : viewsWith(hypothesis.calibrations);
+  const Views& views = isDeclared ? views_ : borrowed;
+  const Eigen::VectorXd priors = priorInformation(hypothesis, views); // inverse variances
+  // From coarse to fine: what is far off finds its counterpart first.
+  static constexpr std::array kFromFar{0.09, 0.03, 0.01, 0.003, 0.0, 0.0, 0.0};
+  static constexpr std::array kFromNear{0.01, 0.003, 0.0, 0.0, 0.0};
+  const std::span<const double> widenings =
+      hypothesis.freeTurn ? std::span<const double>(kFromFar) : std::span<const double>(kFromNear);
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(priors.size());
+  if (hypothesis.freeDelay) {
+    unknowns[static_cast<Eigen::Index>(kUnknowns * *hypothesis.freeDelay) + 3] =
+        hypothesis.initialDelay;
+  }
+  std::optional<AgreementFit> best;
+  for (const double widening : widenings) {
+    Sums sums{priors.asDiagonal(), -(priors.array() * unknowns.array()).matrix()};
+    AgreementFit now = evaluated(views, poses, unknowns, widening, sums);
+    now.logPrior = -0.5 * (priors.array() * unknowns.array().square()).sum();
+    if (widening == 0.0 &&
+        (!best || now.logLikelihood + now.logPrior > best->logLikelihood + best->logPrior)) {
+      constexpr double kLeastInformation = 1e-12; // nothing but rounding
+      const Eigen::VectorXd values = geometry::symmetricEigen(sums.information).values;
+      const double volume =
+          0.5 * (priors.array().log().sum() - values.array().max(kLeastInformation).log().sum());
+      now.logEvidence = now.logLikelihood + now.logPrior + volume;
+      best = std::move(now);
+    }
+    unknowns += geometry::solveSymmetric(sums.information, sums.gradient);
+  }
+  summarizePairs(*best);
+  return std::move(*best);
 }
 
 double AgreementModel::roughly(std::size_t camera, double delay) const {

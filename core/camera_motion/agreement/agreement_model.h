@@ -35,7 +35,7 @@ struct AgreementHypothesis {
 
 /// How well an assumption explains what the cameras saw.
 struct AgreementFit {
-  std::vector<CameraError> errors; ///< the likeliest, one per camera
+  std::vector<CameraError> errors = {}; ///< the likeliest, one per camera
   /// Natural logarithm of the sightings' likelihood, integrated over the errors, relative to that
   /// of cameras that see unrelated things.
   double logEvidence = 0.0;
@@ -98,6 +98,14 @@ private:
   /// Of one color in a camera, as seen with the calibration of another one.
   std::vector<Instant> instantsOf(std::size_t color, std::size_t camera,
                                   std::size_t calibration) const;
+  /// With cameras that have the calibrations of others.
+  Views viewsWith(const std::vector<std::size_t>& calibrations) const;
+  /// Of the unknown errors of all cameras, the inverse variances.
+  Eigen::VectorXd priorInformation(const AgreementHypothesis& hypothesis, const Views& views) const;
+  /// The likelihood under some errors; adds to the normal equations there. By camera times camera.
+  AgreementFit evaluated(const Views& views, const std::vector<Pose>& poses,
+                         const Eigen::VectorXd& unknowns, double widening, Sums& sums) const;
+  void summarizePairs(AgreementFit& fit) const;
   /// Of a camera's sightings that count, the usual bias.
   static double biasOf(const Views& views, std::size_t camera);
   static const Instant* nearest(const std::vector<Instant>& instants, double time, double within);

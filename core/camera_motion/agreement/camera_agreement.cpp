@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/camera_motion/agreement/camera_agreement.h"
 
+#include "core/camera_motion/agreement/agreement_model.h"
+#include "core/camera_motion/agreement/agreement_search.h"
 #include "core/camera_motion/agreement/rig_check.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/camera_motion/agreement/agreement_search.h"
 #include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/camera_motion/agreement/sighting_history.h"
 #include "core/capture/frame.h"
@@ -12,6 +11,9 @@
 #include <vector>
 
 namespace dewpoint::camera_motion {
+
+class AgreementModel;
+struct AgreementFit;
 
 /// Watches whether the cameras of a rig can agree on where things are, and names the likeliest
 /// reason when they cannot: by the rig alone at once (checkRig()), and by where regions of the
