@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/observation/region/ellipsoid_fit.h"
 
-#include "core/observation/region/visual_hull.h"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -32,12 +30,6 @@ constexpr double kWhole = 0.9;
 constexpr double kMostOpen = 0.25;
 constexpr int kSteps = 3;
 constexpr int kLooks = 2;
-/// Samples in a visual hull from which on it counts, and its centroid counts in full: of a thin
-/// body that is not quite where two cameras see it little is left, by chance.
-constexpr double kLeastHull = 15.0;
-constexpr double kFullHull = 60.0;
-/// Standard deviation of the extent of a visual hull, as a share of its trace.
-constexpr double kHullSigma = 0.15;
 /// Meters and share of the largest, least semi-axis.
 constexpr double kLeastAxis = 0.002;
 constexpr double kLeastAxisShare = 0.03;
@@ -160,7 +152,7 @@ void compareViews(const RegionObservation& observation, const EllipsoidPrior& pr
 
 Eigen::Matrix3d fitExtent(const RegionObservation& observation,
                           const std::vector<RegionMeasurement>& views, const Ellipsoid& before,
-                          const EllipsoidPrior& prior, const std::optional<Eigen::Matrix3d>& hull) {
+                          const EllipsoidPrior& prior) {
   const Eigen::Matrix3d& known = prior.ellipsoid.extent;
   const double scale = std::max(known.trace(), 3.0 * kLeastAxis * kLeastAxis);
   const double priorWeight = 1.0 / std::pow(prior.extentSigma * scale, 2);
@@ -172,15 +164,6 @@ Eigen::Matrix3d fitExtent(const RegionObservation& observation,
     const double weight = (row == column ? 1.0 : 2.0) * priorWeight;
     matrix(e, e) += weight;
     vector[e] += weight * (known(row, column) - before.extent(row, column));
-  }
-  if (hull) {
-    const double hullWeight = 1.0 / std::pow(kHullSigma * hull->trace(), 2);
-    for (int e = 0; e < 6; ++e) {
-      const auto [row, column] = kElements[static_cast<std::size_t>(e)];
-      const double weight = (row == column ? 1.0 : 2.0) * hullWeight;
-      matrix(e, e) += weight;
-      vector[e] += weight * ((*hull)(row, column) - before.extent(row, column));
-    }
   }
   const double step = 1e-5 * scale; // the outline is linear in it
   bool any = false;
@@ -239,7 +222,6 @@ EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& 
   if (!covariance.allFinite()) {
     covariance.setZero();
   }
-  std::optional<VisualHull> hull;
   for (int look = 0; look < kLooks; ++look) {
     // What hides the target, and what belongs to it, is clearer where it was found.
     measureAll(observation, prior, fit.ellipsoid, covariance, fit.views);
@@ -247,19 +229,11 @@ EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& 
       if (!moveCenter(observation, prior, fit)) {
         return fit;
       }
-      const bool known = hull && hull->samples >= kLeastHull;
-      fit.ellipsoid.extent = fitExtent(observation, fit.views, fit.ellipsoid, prior,
-                                       known ? std::optional(hull->extent) : std::nullopt);
+      fit.ellipsoid.extent = fitExtent(observation, fit.views, fit.ellipsoid, prior);
     }
     covariance = fit.covariance;
-    hull = visualHull(observation, fit.views, fit.ellipsoid, prior.velocity);
   }
   compareViews(observation, prior, fit);
-  if (hull) {
-    const double trust =
-        std::clamp((hull->samples - kLeastHull) / (kFullHull - kLeastHull), 0.0, 1.0);
-    fit.centroidOffset = trust * (hull->centroid - fit.ellipsoid.center);
-  }
   return fit;
 }
 

@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
 #include <vector>
 
 namespace dewpoint::observation {
@@ -26,9 +25,6 @@ struct EllipsoidPrior {
 struct EllipsoidFit {
   bool found = false; ///< at least one camera sees the target; else only `views` are valid
   Ellipsoid ellipsoid;
-  /// From the ellipsoid's center to the centroid of the space that the regions leave, meters, as
-  /// far as there is one: it is where the mass of a body lies that is no ellipsoid.
-  Eigen::Vector3d centroidOffset = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< of the center, m², with the prior
   /// Of the center by the images alone, 1/m²: singular when one camera alone sees the target.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -53,11 +49,10 @@ inline constexpr double kShapeShare = 0.15;
 EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& prior);
 
 /// The extent whose outlines come as near as possible to the second moments of the regions, where
-/// they are seen whole. The extent of the prior is changed no more than they ask for. Two cameras
-/// leave one of its numbers open; that of the visual hull, where there is one, says it.
+/// they are seen whole. The extent of the prior is changed no more than they ask for: two cameras
+/// leave one of its six numbers open.
 Eigen::Matrix3d fitExtent(const RegionObservation& observation,
                           const std::vector<RegionMeasurement>& views, const Ellipsoid& before,
-                          const EllipsoidPrior& prior,
-                          const std::optional<Eigen::Matrix3d>& hull = std::nullopt);
+                          const EllipsoidPrior& prior);
 
 } // namespace dewpoint::observation

@@ -145,8 +145,7 @@ void RegionTrack::accept(State& state, const EllipsoidFit& fit) const {
   const Gaussian3 prior{hypothesis.position(), wide.topLeftCorner<3, 3>()};
   InformationForm evidence;
   evidence.information = fit.information + kMinInformation * Eigen::Matrix3d::Identity();
-  evidence.vector = fit.covariance.inverse() * (fit.ellipsoid.center - prior.mean) +
-                    fit.information * fit.centroidOffset;
+  evidence.vector = fit.covariance.inverse() * (fit.ellipsoid.center - prior.mean);
   hypothesis.measurement = evidence.asGaussian(prior.mean);
   const double off = evidence.squaredDistance(hypothesis.gaussian.covariance.topLeftCorner<3, 3>());
   if (off > kManeuverGate * kManeuverGate) {
