@@ -14,8 +14,9 @@ namespace {
 
 /// Log odds of "anything" before any image: somebody who gives a radius means a ball.
 constexpr double kPriorOfUnknown = -1.0;
-constexpr double kPriorOfGiven = -12.0;
-/// Log odds at most, either way, so that a belief can change within seconds.
+constexpr double kPriorOfGiven = -30.0;
+/// Log odds at most, either way, so that a belief can change within seconds. What is known of a
+/// given radius stays known.
 constexpr double kMost = 15.0;
 /// Log odds beyond zero at which the belief changes.
 constexpr double kHysteresis = 2.0;
@@ -23,8 +24,9 @@ constexpr double kHysteresis = 2.0;
 constexpr double kMostAtOnce = 5.0;
 /// Seconds between two images of a target that tell it anew.
 constexpr double kIndependent = 0.5;
-/// Factor of a given radius, either way, beyond which what is seen is not the target alone.
-constexpr double kMostSize = 2.0;
+/// Factor of a given radius, either way, beyond which what is seen is not the target alone: two
+/// balls that touch are 1.41 times as large.
+constexpr double kMostSize = 1.35;
 
 /// Logarithm of the ratio of the size that a region shows to a radius at its place.
 double logSize(const ColorRegion& region, const EllipseImage& ball) {
@@ -77,8 +79,9 @@ void ShapeBelief::learn(const RegionObservation& observation,
   }
   const double weight = first_ ? 1.0 : std::min(1.0, interval / kIndependent);
   first_ = false;
+  const double least = std::min(-kMost, radius_ > 0.0 ? kPriorOfGiven : kPriorOfUnknown);
   logOdds_ =
-      std::clamp(logOdds_ + weight * std::clamp(sum, -kMostAtOnce, kMostAtOnce), -kMost, kMost);
+      std::clamp(logOdds_ + weight * std::clamp(sum, -kMostAtOnce, kMostAtOnce), least, kMost);
   if (logOdds_ > kHysteresis) {
     any_ = true;
   } else if (logOdds_ < -kHysteresis) {

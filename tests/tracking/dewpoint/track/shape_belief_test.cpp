@@ -65,10 +65,15 @@ TEST(ShapeBelief, AGivenRadiusIsThatOfABall) {
   ShapeBelief belief(target(kRadius));
   look(belief, drawn::ellipsoid(drawn::kMiddle, {0.2, 0.1, 0.1}), 100);
   EXPECT_TRUE(belief.isBall());
-  // Of the right size it is believed after 14 of 5 at most each half second.
-  look(belief, drawn::ellipsoid(drawn::kMiddle, {0.08, 0.02, 0.02}), 30);
+  // Two that touch are not, either.
+  look(belief, drawn::ellipsoid(drawn::kMiddle, {2.0 * kRadius, kRadius, kRadius}), 100);
   EXPECT_TRUE(belief.isBall());
-  look(belief, drawn::ellipsoid(drawn::kMiddle, {0.08, 0.02, 0.02}), 120);
+  // What is of the right size is believed after log odds of 30 and 2, at most 5 at the first look
+  // and 5 in each half second after it: 2.7 seconds.
+  const Ellipsoid other = drawn::ellipsoid(drawn::kMiddle, {0.07, 0.02, 0.02});
+  look(belief, other, 60);
+  EXPECT_TRUE(belief.isBall());
+  look(belief, other, 120);
   EXPECT_FALSE(belief.isBall());
 }
 
