@@ -7,9 +7,13 @@
 namespace dewpoint::tracking {
 namespace {
 
-/// Frames from one look at a target that is known to be a ball to the next. A judgment
-/// (docs/method-dewpoint.md, section 12).
+// Judgments (docs/method-dewpoint.md, section 12).
+
+/// Frames from one look at a target that was found as a ball to the next.
 constexpr std::int64_t kLookPeriod = 8;
+/// Frames after a restart in which one whose shape is unclear is looked at each time. Later it may
+/// stay unclear, beside something of its color, and the looks say as much by the time between them.
+constexpr std::int64_t kFirstLooks = 30;
 
 Eigen::Matrix3d ballExtent(double radius) {
   return radius * radius * Eigen::Matrix3d::Identity();
@@ -54,7 +58,8 @@ void ShapeTracking::predict(double interval, const RandomKey& key) {
 }
 
 bool ShapeTracking::wantsImages(bool ballFound) const {
-  return belief_.isOpen() && (!ballFound || belief_.isUnclear() || frames_ % kLookPeriod == 0);
+  const bool isNew = belief_.isUnclear() && frames_ <= kFirstLooks;
+  return belief_.isOpen() && (!ballFound || isNew || frames_ % kLookPeriod == 0);
 }
 
 void ShapeTracking::learn(const std::vector<RegionMeasurement>& views,

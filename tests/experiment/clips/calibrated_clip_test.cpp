@@ -40,7 +40,8 @@ TEST(CalibratedClip, LearnsTheColorOfTheClick) {
   const auto run = clipRun(test::makeSmallClip(folder), 1);
   ASSERT_TRUE(run) << sentence(run.error());
   ASSERT_EQ(run->targets.size(), 1U);
-  ASSERT_EQ(run->targets[0].samples.size(), 1U);
+  ASSERT_EQ(run->targets[0].samples.size(), 2U); // what was clicked, and what was found
+  EXPECT_TRUE(!run->targets[0].samples[0].found && run->targets[0].samples[1].found);
   const ColorClassifier classifier(run->targets[0].color);
   const cv::Mat mask = matchImage(run->frames(0)->frames[1]->image, classifier);
   EXPECT_NE(mask.at<std::uint8_t>(64, 54), 0) << "the disk in the other camera";

@@ -24,7 +24,7 @@ Project twoVideos() {
 
 TEST(CameraMending, SwappedCamerasGetEachOthersImagesWithTheClicksInThem) {
   Project project = twoVideos();
-  project.points.push_back({"corner", {}, {{0, {10.0, 20.0}}}});
+  project.points.push_back({"corner", Eigen::Vector3d::Zero(), {{0, {10.0, 20.0}}}});
   const Project before = project;
   mendCameras(project, {.fault = CameraFault::Swapped, .cameras = {0, 1}}, 0);
   EXPECT_EQ(project.cameras[0].camera, before.cameras[0].camera);
