@@ -6,6 +6,7 @@
 #include "core/observation/background/light_change.h"
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,10 @@ constexpr int kRowPhases = 4; ///< every frame learns every fourth row
 constexpr int kLearned = BackgroundModel::kLearned;
 constexpr int kMostConfident = 16; ///< agreeing observations, remembered at most
 constexpr int kReplaceAfter = 24;  ///< observations of something new that replace the old
+/// Observations of what is usual, while every target is elsewhere, that count as an empty room:
+/// half a second more than it takes to know a pixel.
+constexpr int kEmptyAfter = 4;
+constexpr std::uint8_t kEmptyRoom = 255; ///< of familiar_, above any number of observations
 
 /// The mean goes half the way to a new value while it is young, later an eighth.
 constexpr int kYoungShift = 1;
@@ -85,14 +90,15 @@ struct LabelKernel {
 
 struct FamiliarKernel {
   /// Overwrites Target by Explained where the empty room is seen: `agree` is 1 there and
-  /// `familiar` 255.
+  /// `familiar` at least kEmptyAfter.
   DEWPOINT_KERNEL void run(const std::uint8_t* familiar, const std::uint8_t* agree,
                            std::int64_t count, std::uint8_t* label) {
     constexpr auto kExplained = static_cast<std::uint8_t>(PixelLabel::Explained);
     constexpr auto kTarget = static_cast<std::uint8_t>(PixelLabel::Target);
     for (std::int64_t i = 0; i < count; ++i) {
-      const std::uint8_t empty = mask((label[i] == kTarget) & (agree[i] != 0));
-      label[i] = select(empty & familiar[i], kExplained, label[i]);
+      const std::uint8_t empty =
+          mask((label[i] == kTarget) & (agree[i] != 0) & (familiar[i] >= kEmptyAfter));
+      label[i] = select(empty, kExplained, label[i]);
     }
   }
 };
@@ -126,6 +132,18 @@ struct ForgetKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* move, std::int64_t count, std::uint8_t* familiar) {
     for (std::int64_t i = 0; i < count; ++i) {
       familiar[i] &= static_cast<std::uint8_t>(~mask(move[i] == Replace));
+    }
+  }
+};
+
+struct ProveKernel {
+  /// Counts one more observation without a target where a pixel shows what is usual, which moves
+  /// its mean a little or half the way.
+  DEWPOINT_KERNEL void run(const std::uint8_t* move, std::int64_t count, std::uint8_t* familiar) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::uint8_t more =
+          mask(((move[i] == MoveOld) | (move[i] == MoveYoung)) & (familiar[i] < kEmptyAfter));
+      familiar[i] = static_cast<std::uint8_t>(familiar[i] + (more & 1));
     }
   }
 };
@@ -204,7 +222,7 @@ void BackgroundModel::reset() {
   if (emptyRoom_.type() == CV_8UC3 && !emptyRoom_.empty()) {
     start(emptyRoom_);
     confidence_.setTo(kMostConfident);
-    familiar_ = cv::Mat(emptyRoom_.size(), CV_8UC1, cv::Scalar(255));
+    familiar_ = cv::Mat(emptyRoom_.size(), CV_8UC1, cv::Scalar(kEmptyRoom));
     lightIsNew_ = true;
   }
 }
@@ -232,7 +250,8 @@ void BackgroundModel::start(const cv::Mat& image) {
   news_.resize(static_cast<std::size_t>(image.cols));
 }
 
-void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hidden) {
+void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hidden,
+                            bool nothingElsewhere) {
   if (image.empty() || image.type() != CV_8UC3) {
     return;
   }
@@ -241,14 +260,34 @@ void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hid
   }
   known_ = 0;
   new_ = 0;
+  if (nothingElsewhere && familiar_.empty()) {
+    familiar_ = cv::Mat::zeros(image.size(), CV_8UC1);
+  }
   for (int row = phase_; row < image.rows; row += kRowPhases) {
-    learnRow(image, row, hidden);
+    learnRow(image, row, hidden, nothingElsewhere);
   }
   phase_ = (phase_ + 1) % kRowPhases;
   novelShare_ = known_ > 0 ? static_cast<double>(new_) / known_ : 0.0;
 }
 
-void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int end) {
+void BackgroundModel::doubtEmptiness() {
+  if (!familiar_.empty()) {
+    familiar_.setTo(0, familiar_ < kEmptyRoom);
+  }
+}
+
+void BackgroundModel::doubtEmptiness(const Hidden& circle) {
+  if (familiar_.empty()) {
+    return;
+  }
+  cv::Mat inside = cv::Mat::zeros(familiar_.size(), CV_8UC1);
+  cv::circle(inside, {cvRound(circle.center.x()), cvRound(circle.center.y())},
+             static_cast<int>(std::ceil(circle.radius)), 255, cv::FILLED);
+  familiar_.setTo(0, inside & (familiar_ < kEmptyRoom));
+}
+
+void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int end,
+                                  bool nothingElsewhere) {
   const std::int64_t count = end - begin;
   const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * begin;
   std::uint8_t* mean = mean_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * begin;
@@ -260,11 +299,16 @@ void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int 
     runKernel<ForgetKernel>(static_cast<const std::uint8_t*>(moves), count,
                             familiar_.ptr<std::uint8_t>(row) + begin);
   }
+  if (nothingElsewhere) {
+    runKernel<ProveKernel>(static_cast<const std::uint8_t*>(moves), count,
+                           familiar_.ptr<std::uint8_t>(row) + begin);
+  }
   runKernel<MoveKernel>(pixel, static_cast<const std::uint8_t*>(moves), count, mean);
   runKernel<TallyKernel>(static_cast<const std::uint8_t*>(news_.data()), count, &known_, &new_);
 }
 
-void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden) {
+void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden,
+                               bool nothingElsewhere) {
   int begin = 0;
   while (begin < image.cols) {
     // The next stretch of the row that no target hides.
@@ -287,7 +331,7 @@ void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<
       }
     }
     if (begin < end) {
-      learnPixels(image, row, begin, end);
+      learnPixels(image, row, begin, end, nothingElsewhere);
     }
     begin = std::max(begin, end);
   }

@@ -48,8 +48,15 @@ public:
   /// or of another tint at once (estimateLightChange()). Before the labels of the image are made.
   void followLight(const cv::Mat& image);
   /// Learns from every fourth row of an image (CV_8UC3), other rows each time. An image of another
-  /// size starts from scratch.
-  void learn(const cv::Mat& image, const std::vector<Hidden>& hidden);
+  /// size starts from scratch. With `nothingElsewhere` no target is outside of `hidden`, so that
+  /// what has a target's color there is none: after some observations it counts as what the empty
+  /// room showed.
+  void learn(const cv::Mat& image, const std::vector<Hidden>& hidden,
+             bool nothingElsewhere = false);
+  /// What learn() with `nothingElsewhere` has found out is no longer believed: everywhere, or
+  /// inside a circle, where a target was after all.
+  void doubtEmptiness();
+  void doubtEmptiness(const Hidden& circle);
   /// Bytes of its images.
   std::size_t memoryBytes() const;
   /// Share of the known pixels among those last learned from that showed something new, 0 to 1:
@@ -71,15 +78,17 @@ public:
                 std::uint8_t* labels) const;
 
 private:
-  void learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden);
+  void learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden,
+                bool nothingElsewhere);
   void start(const cv::Mat& image);
-  void learnPixels(const cv::Mat& image, int row, int begin, int end);
+  void learnPixels(const cv::Mat& image, int row, int begin, int end, bool nothingElsewhere);
 
   cv::Mat mean_;       ///< CV_8UC3
   cv::Mat confidence_; ///< CV_8UC1, observations that agreed, up to kMostConfident
   cv::Mat novel_;      ///< CV_8UC1, observations in a row that did not
   cv::Mat emptyRoom_;  ///< CV_8UC3, never written to
-  /// CV_8UC1, 255 where the mean is still that of the empty room; or empty.
+  /// CV_8UC1, or empty: 255 where the mean is still that of the empty room; else the observations
+  /// without a target, from kEmptyAfter on as good as the empty room.
   cv::Mat familiar_;
   bool lightIsNew_ = false;         ///< no image was seen since the empty room, of unknown light
   int phase_ = 0;                   ///< first row of the next learn()

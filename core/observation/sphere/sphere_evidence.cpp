@@ -29,6 +29,8 @@ constexpr double kRingMatch = -9.0;
 constexpr double kSampleCorrelationFactor = 0.12;
 /// Pixels; smaller outlines count less, since their samples fall on the same pixels.
 constexpr double kFullArea = 60.0;
+/// Spokes that nothing may hide, to show where a target ends.
+constexpr int kFewestShown = kSpokes / 3;
 
 struct Spoke {
   double x;
@@ -149,6 +151,22 @@ double SphereEvidence::explainedRingGain(const LabelImage& labels, const SphereI
   }
   const double area = std::numbers::pi * outline.radius * outline.radius;
   return -kSampleCorrelationFactor * std::min(1.0, area / kFullArea) * kRingMatch * explained;
+}
+
+double SphereEvidence::endShare(const LabelImage& labels, const SphereImage& outline) {
+  const Sampler sampler(labels, outline);
+  int shown = 0;
+  int ends = 0;
+  for (const Spoke& spoke : spokes()) {
+    const PixelLabel edge = sampler.at(spoke, kEdge);
+    const PixelLabel outer = sampler.at(spoke, kRing);
+    shown += edge != PixelLabel::Unknown ? 1 : 0;
+    ends +=
+        edge == PixelLabel::Target && outer != PixelLabel::Target && outer != PixelLabel::Explained
+            ? 1
+            : 0;
+  }
+  return shown >= kFewestShown ? static_cast<double>(ends) / shown : 0.0;
 }
 
 double SphereEvidence::matchShare(const LabelImage& labels, const SphereImage& outline) {

@@ -33,6 +33,10 @@ public:
   /// against this one.
   static double explainedRingGain(const LabelImage& labels, const SphereImage& outline,
                                   const std::vector<SphereImage>& others);
+  /// Share of the spokes on which the color ends at the outline, of those that nothing hides, 0 to
+  /// 1: it matches inside, and the ring is neither of the color nor explained. 0 if more than two
+  /// thirds are hidden.
+  static double endShare(const LabelImage& labels, const SphereImage& outline);
   /// Share of the samples inside the outline that match, 0 to 1.
   static double matchShare(const LabelImage& labels, const SphereImage& outline);
 };

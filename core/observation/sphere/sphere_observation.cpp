@@ -11,6 +11,9 @@ namespace {
 /// Pixels, largest radius of an outline; a larger one is right in front of the lens. A judgment
 /// (docs/method-dewpoint.md, section 4).
 constexpr double kLargestRadiusPx = 2000.0;
+/// Share of the spokes, of those that nothing hides, on which the color must end. A judgment: a
+/// third may touch something of the color; of a disc in the corner of a large area half end.
+constexpr double kEndShare = 0.6;
 
 Eigen::Vector3d positionInRow(ConstStateRows rows, Eigen::Index row, double timeOffset) {
   Eigen::Vector3d position(rows(row, 0), rows(row, 1), rows(row, 2));
@@ -139,6 +142,19 @@ double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& 
     }
   }
   return sum;
+}
+
+bool SphereObservation::showsWhereItEnds(const Eigen::Vector3d& center,
+                                         const Eigen::Vector3d& velocity) {
+  return std::any_of(views_.begin(), views_.end(), [&](View& view) {
+    const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
+    if (view.labels.empty() || !outline || outline->radius >= kLargestRadiusPx ||
+        !isInImage(*outline, view.labels.size())) {
+      return false;
+    }
+    view.labels.require(areaOf(*outline, SphereEvidence::kReach));
+    return SphereEvidence::endShare(view.labels, *outline) >= kEndShare;
+  });
 }
 
 int SphereObservation::camerasInView(const Eigen::Vector3d& center,

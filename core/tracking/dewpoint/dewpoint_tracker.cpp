@@ -27,6 +27,8 @@ constexpr double kNotLearnedPx = 2.0;
 /// section 8): the exposure settles within the first, daylight changes slowly.
 constexpr int kLooksAtOnce = 10;
 constexpr int kLookPeriod = 10;
+/// Least existence of targets that are surely where they are, so that nothing else is one.
+constexpr double kSurelyThere = 0.95;
 
 } // namespace
 
@@ -74,6 +76,7 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
     TrackedObject& object = objects_[k];
     if (!(targets[k].color == object.track.target().color)) {
       images_.resetReferenceLight(); // the color was picked in the light of now
+      images_.doubtEmptiness();      // what is empty was found by the colors of before
       object.color = AdaptiveColor(targets[k].color, images_.cameraCount());
     }
     object.track.setTarget(targets[k]);
@@ -111,6 +114,7 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
                                       ThreadTeam& team) {
   TrackedObject& object = objects_[target];
   object.search.reset();
+  doubtEmptinessAt(object, position.mean);
   // Without what other objects explain: what the user points at is the target.
   images_.showTo(object.observation, object.color);
   if (object.isBall()) {
@@ -144,6 +148,7 @@ void DewpointTracker::restart(std::uint64_t seed) {
     object.search.reset();
     object.color.forget();
     object.unseenFrames = 0;
+    object.unseenSeconds = 0.0;
     object.track.configure(trackSettings());
     object.track.restart(startVolume(parameters_), object.keyIn(key_).seed);
     object.shape->track().configure(trackSettings());
@@ -335,7 +340,50 @@ void DewpointTracker::adaptTargetColors() {
   }
 }
 
+bool DewpointTracker::nothingIsElsewhere() const {
+  const int fewest = std::min<int>(2, static_cast<int>(images_.cameraCount()));
+  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
+    const TrackHypothesis* const best = objects_[k].track.confident();
+    const SphereEstimate& estimate = estimates_[k];
+    if (best == nullptr || !best->ends() || !best->outlineFound || !objects_[k].isBall() ||
+        best->logLikelihoodRatio <
+            TrackHypothesis::kMostlyVisibleShare * best->fullyVisibleLogLikelihoodRatio ||
+        !estimate.valid || estimate.existenceProbability < kSurelyThere ||
+        estimate.camerasSeeing < fewest) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void DewpointTracker::doubtEmptinessAt(const TrackedObject& object,
+                                       const Eigen::Vector3d& position) {
+  const TrackHypothesis* const best = object.track.best();
+  const double radius = best != nullptr ? best->radius : object.track.target().radius;
+  for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
+    if (const auto outline = object.observation.projector(camera).project(position, radius)) {
+      images_.doubtEmptiness(camera,
+                             {outline->center, kNotLearnedRadii * outline->radius + kNotLearnedPx});
+    }
+  }
+}
+
+void DewpointTracker::doubtLongEmptiness() {
+  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
+    TrackedObject& object = objects_[k];
+    const double before = object.unseenSeconds;
+    object.unseenSeconds =
+        object.track.confident() != nullptr ? 0.0 : before + secondsSinceLastFrame();
+    const double patience = parameters_.at("survival_time");
+    if (before < patience && object.unseenSeconds >= patience) {
+      images_.doubtEmptiness(); // it may have been there all the time
+    }
+  }
+}
+
 void DewpointTracker::learnBackgrounds() {
+  doubtLongEmptiness();
+  const bool nothingElsewhere = nothingIsElsewhere();
   for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
     if (!images_.frame(camera)) {
       continue;
@@ -343,8 +391,8 @@ void DewpointTracker::learnBackgrounds() {
     std::vector<BackgroundModel::Hidden> hidden;
     for (const TrackedObject& object : objects_) {
       const TrackHypothesis* best = object.track.best();
-      if (best == nullptr) {
-        continue;
+      if (best == nullptr || (object.isBall() && !best->ends())) {
+        continue; // a part of something larger hides nothing
       }
       const auto outline =
           object.observation.projector(camera).project(best->position(), best->radius);
@@ -355,7 +403,8 @@ void DewpointTracker::learnBackgrounds() {
             {outline->center, wider * kNotLearnedRadii * outline->radius + kNotLearnedPx});
       }
     }
-    budget_.spend(TimeBudget::Part::Learning, [&] { images_.learnBackground(camera, hidden); });
+    budget_.spend(TimeBudget::Part::Learning,
+                  [&] { images_.learnBackground(camera, hidden, nothingElsewhere); });
   }
 }
 

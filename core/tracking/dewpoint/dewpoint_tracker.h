@@ -79,6 +79,12 @@ private:
   void updateEstimate(std::size_t target);
   void adaptTargetColors();
   void learnBackgrounds();
+  /// Whether every target is so surely where it is that whatever else has its color is no target.
+  bool nothingIsElsewhere() const;
+  /// What was found to be empty there is not; nor anything, once a target has not been found for as
+  /// long as it is believed to be there unseen.
+  void doubtEmptinessAt(const TrackedObject& object, const Eigen::Vector3d& position);
+  void doubtLongEmptiness();
 
   ParameterValues parameters_;
   TrackedObjects objects_;

@@ -62,8 +62,19 @@ void FrameImages::followLight() {
 }
 
 void FrameImages::learnBackground(std::size_t camera,
-                                  const std::vector<BackgroundModel::Hidden>& hidden) {
-  backgrounds_[camera].learn(frame(camera)->image, hidden);
+                                  const std::vector<BackgroundModel::Hidden>& hidden,
+                                  bool nothingElsewhere) {
+  backgrounds_[camera].learn(frame(camera)->image, hidden, nothingElsewhere);
+}
+
+void FrameImages::doubtEmptiness() {
+  for (BackgroundModel& background : backgrounds_) {
+    background.doubtEmptiness();
+  }
+}
+
+void FrameImages::doubtEmptiness(std::size_t camera, const BackgroundModel::Hidden& circle) {
+  backgrounds_[camera].doubtEmptiness(circle);
 }
 
 std::size_t FrameImages::memoryBytes() const {

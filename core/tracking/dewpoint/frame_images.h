@@ -40,8 +40,13 @@ public:
   void resetReferenceLight();
   /// Adapts the backgrounds to the light of the frame; before it is shown to any observation.
   void followLight();
-  /// Learns a camera's background from the frame, but not inside `hidden`. There must be an image.
-  void learnBackground(std::size_t camera, const std::vector<BackgroundModel::Hidden>& hidden);
+  /// Learns a camera's background from the frame, but not inside `hidden`, as
+  /// BackgroundModel::learn(). There must be an image.
+  void learnBackground(std::size_t camera, const std::vector<BackgroundModel::Hidden>& hidden,
+                       bool nothingElsewhere);
+  /// BackgroundModel::doubtEmptiness() of all cameras, and inside a circle in one.
+  void doubtEmptiness();
+  void doubtEmptiness(std::size_t camera, const BackgroundModel::Hidden& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
   /// Bytes of the backgrounds.
   std::size_t memoryBytes() const;

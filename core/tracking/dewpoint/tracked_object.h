@@ -22,6 +22,7 @@ struct TrackedObject {
   std::uint32_t stream = 0;             ///< keeps its random numbers apart from those of others
   int unseenFrames = 0;                 ///< since it was tracked last
   std::unique_ptr<ShapeTracking> shape = nullptr; ///< null of distractors, which are balls
+  double unseenSeconds = 0.0;                     ///< since it was tracked last
 
   /// Whether it is taken for a ball.
   bool isBall() const { return !shape || shape->belief().isBall(); }

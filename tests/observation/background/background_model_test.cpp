@@ -158,6 +158,77 @@ TEST(BackgroundModel, HiddenCirclesAreNotLearned) {
   }
 }
 
+/// The labels of a whole image that has the target's color everywhere.
+cv::Mat labelsOfTargetColor(const BackgroundModel& model, const cv::Mat& image) {
+  cv::Mat labels(image.size(), CV_8UC1);
+  const std::vector<std::uint8_t> all(static_cast<std::size_t>(image.cols), 255);
+  for (int row = 0; row < image.rows; ++row) {
+    model.labelRow(image, 0, row, image.cols, all.data(), labels.ptr<std::uint8_t>(row));
+  }
+  return labels;
+}
+
+/// Frames in which all targets are inside the circles.
+void learnElsewhere(BackgroundModel& model, const cv::Mat& image, int frames,
+                    const std::vector<BackgroundModel::Hidden>& hidden = {}) {
+  for (int frame = 0; frame < frames; ++frame) {
+    model.learn(image, hidden, true);
+  }
+}
+
+TEST(BackgroundModel, WhatHasTheColorWhileEveryTargetIsElsewhereIsNone) {
+  BackgroundModel model;
+  const cv::Mat poster = plain(200, 30, 180);
+  learn(model, poster);
+  EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Target), kAll);
+  learnElsewhere(model, poster, 8); // two looks at every row
+  EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Target), kAll);
+  learnElsewhere(model, poster, 8);
+  EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Explained), kAll);
+  // What is new there is the target.
+  EXPECT_EQ(count(labelsOfTargetColor(model, plain(140, 30, 240)), PixelLabel::Target), kAll);
+}
+
+TEST(BackgroundModel, WhatHasTheColorIsTheTargetWhereItWasHidden) {
+  BackgroundModel model;
+  const cv::Mat poster = plain(200, 30, 180);
+  learnElsewhere(model, poster, kMany, {{{40.0, 30.0}, 10.0}});
+  const cv::Mat labels = labelsOfTargetColor(model, poster);
+  EXPECT_EQ(labels.at<std::uint8_t>(30, 40), static_cast<int>(PixelLabel::Target));
+  EXPECT_EQ(labels.at<std::uint8_t>(30, 20), static_cast<int>(PixelLabel::Explained));
+}
+
+TEST(BackgroundModel, EmptinessIsDoubtedEverywhereOrInsideACircle) {
+  BackgroundModel model;
+  const cv::Mat poster = plain(200, 30, 180);
+  learnElsewhere(model, poster, kMany);
+  model.doubtEmptiness({{40.0, 30.0}, 10.0});
+  const cv::Mat labels = labelsOfTargetColor(model, poster);
+  EXPECT_EQ(labels.at<std::uint8_t>(30, 40), static_cast<int>(PixelLabel::Target));
+  EXPECT_EQ(labels.at<std::uint8_t>(30, 20), static_cast<int>(PixelLabel::Explained));
+  model.doubtEmptiness();
+  EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Target), kAll);
+}
+
+TEST(BackgroundModel, APictureOfTheEmptyRoomIsNotDoubted) {
+  BackgroundModel model;
+  const cv::Mat poster = plain(200, 30, 180);
+  model.setEmptyRoom(poster);
+  model.reset();
+  model.doubtEmptiness();
+  model.doubtEmptiness({{40.0, 30.0}, 10.0});
+  EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Explained), kAll);
+}
+
+TEST(BackgroundModel, WhatReplacesAnEmptyPlaceIsNotEmpty) {
+  BackgroundModel model;
+  const cv::Mat poster = plain(200, 30, 180);
+  const cv::Mat other = plain(20, 120, 20);
+  learnElsewhere(model, poster, kMany);
+  learn(model, other); // nobody says where the target is
+  EXPECT_EQ(count(labelsOfTargetColor(model, other), PixelLabel::Target), kAll);
+}
+
 TEST(BackgroundModel, NovelShareIsNearOneOnABlackFrame) {
   BackgroundModel model;
   const cv::Mat usual = plain(90, 100, 110);

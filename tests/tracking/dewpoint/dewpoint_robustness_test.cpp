@@ -95,6 +95,50 @@ TEST(DewpointRobustness, FollowsTheTargetThroughFadingLight) {
   }
 }
 
+/// Paints a poster of the ball's color into the image of one camera, behind the balls.
+FrameSetPtr beforePoster(const CameraRig& rig, const Eigen::Vector3d& place, int frame) {
+  auto set = drawn::framesOf(rig, {Ball{place}}, frame, {}, 0.0);
+  auto first = std::make_shared<Frame>(*set->frames[0]);
+  first->image = drawn::wall(rig[0]);
+  first->image(cv::Rect(150, 60, 100, 120)) = cv::Scalar(30, 20, 190);
+  drawn::paint(first->image, rig[0], Ball{place});
+  set->frames[0] = first;
+  for (std::size_t camera = 0; camera < set->frames.size(); ++camera) {
+    auto noisy = std::make_shared<Frame>(*set->frames[camera]);
+    noisy->image = noisy->image.clone();
+    drawn::addNoise(noisy->image, 3.0, static_cast<std::uint32_t>(frame), 99 + camera);
+    set->frames[camera] = noisy;
+  }
+  return set;
+}
+
+// The ball is beside a poster of its color at first, then before it: by then the poster is known.
+TEST(DewpointRobustness, APosterOfItsColorIsNotTheTarget) {
+  DrawnRun run(rigAround(2), {redBall()});
+  for (int frame = 0; frame < 90; ++frame) {
+    const Eigen::Vector3d place =
+        drawn::kMiddle + Eigen::Vector3d(-0.15 + 0.0035 * std::max(0, frame - 25), 0.0, 0.0);
+    const SphereEstimate& estimate = run.showSet(beforePoster(run.rig(), place, frame));
+    EXPECT_TRUE(estimate.valid) << frame;
+    EXPECT_LT((estimate.mean - place).norm(), 0.02) << frame;
+  }
+}
+
+// Nothing but posters of its color: something round within them is never surely the target.
+TEST(DewpointRobustness, APartOfAPosterIsNeverSurelyTheTarget) {
+  DrawnRun run(rigAround(2), {redBall()});
+  for (int frame = 0; frame < 60; ++frame) {
+    auto set = drawn::framesOf(run.rig(), {}, frame);
+    for (std::size_t camera = 0; camera < set->frames.size(); ++camera) {
+      auto shown = std::make_shared<Frame>(*set->frames[camera]);
+      shown->image(cv::Rect(100, 60, 120, 120)) = cv::Scalar(30, 20, 190);
+      drawn::addNoise(shown->image, 3.0, static_cast<std::uint32_t>(frame), 99 + camera);
+      set->frames[camera] = shown;
+    }
+    EXPECT_LE(run.showSet(set).existenceProbability, 0.9) << frame;
+  }
+}
+
 // All cameras black for a second: declared while it can be right, withdrawn before it is far off,
 // and there at once when sight returns.
 TEST(DewpointRobustness, WithoutSightATargetIsDeclaredWhileItCanBeRight) {

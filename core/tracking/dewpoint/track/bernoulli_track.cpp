@@ -66,8 +66,9 @@ void BernoulliTrack::predict(double interval, const RandomKey& key) {
   for (TrackHypothesis& hypothesis : hypotheses_) {
     dewpoint::tracking::predict(hypothesis, motion, key);
     hypothesis.probability *= survival;
+    hypothesis.secondsSinceEnd += interval;
   }
-  if (const TrackHypothesis* confirmed = confident()) {
+  if (const TrackHypothesis* confirmed = confident(); confirmed != nullptr && confirmed->ends()) {
     searchPrior_.confirm(
         {confirmed->position(), confirmed->gaussian.covariance.topLeftCorner<3, 3>()});
   } else {
@@ -106,6 +107,7 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   }
   normalizeMasses(hypotheses_, logMasses);
   limitOneCamera(hypotheses_);
+  limitUnended(hypotheses_);
   mergeAndPrune(hypotheses_);
   if (const TrackHypothesis* sure = confident(); sure != nullptr && sure->isSaturated()) {
     radiusPrior_.learn(sure->radius, sure->logRadiusVariance);
@@ -121,8 +123,28 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
     hypothesis.oneCameraOnly =
         observation.cameraCount() > 1 &&
         observation.camerasInView(hypothesis.position(), hypothesis.velocity()) == 1;
-    logMasses.push_back(std::log(std::max(hypothesis.probability, 1e-300)) + factor);
+    logMasses.push_back(std::log(std::max(probabilityBefore(hypothesis, observation), 1e-300)) +
+                        factor);
   }
+}
+
+double BernoulliTrack::probabilityBefore(TrackHypothesis& hypothesis,
+                                         SphereObservation& observation) const {
+  observation.setRadius(hypothesis.radius);
+  if (observation.showsWhereItEnds(hypothesis.position(), hypothesis.velocity())) {
+    hypothesis.everEnded = true;
+    hypothesis.secondsSinceEnd = 0.0;
+  }
+  // A part of something that stands still looks the same in every frame, and counts once.
+  return hypothesis.everEnded
+             ? hypothesis.probability
+             : std::min(hypothesis.probability,
+                        birthProbability(hypothesis.position(), hypothesis.radius));
+}
+
+double BernoulliTrack::birthProbability(const Eigen::Vector3d& position, double radius) const {
+  return kBirthProbability * searchPrior_.birthDensity(position, settings_.searchSize, bounds_) *
+         evidenceVolume(radius);
 }
 
 void BernoulliTrack::removeImpossible(std::vector<double>& logMasses) {
@@ -170,7 +192,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
                                       std::vector<double>& logMasses) {
   const bool radiusKnown = target_.radius > 0.0;
   observation.setRadius(target_.radius);
-  const double birth = absenceFromSharedViews(hypotheses_) * kBirthProbability;
+  const double absence = absenceFromSharedViews(hypotheses_);
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
     const OutlineFit fit = fitBirth(candidate, observation);
@@ -187,14 +209,14 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
     const bool known = std::any_of(hypotheses_.begin(), hypotheses_.end(), [&](const auto& other) {
       return (other.position() - fit.center).norm() < fit.radius;
     });
-    const double density = searchPrior_.birthDensity(fit.center, settings_.searchSize, bounds_);
+    const double birth = birthProbability(fit.center, fit.radius);
     if (known || !radiusPrior_.allows(fit.radius) || isOccupied(fit.center, fit.radius, occupied) ||
-        logLikelihoodRatio < kMinLogLikelihoodRatio || density <= 0.0) {
+        logLikelihoodRatio < kMinLogLikelihoodRatio || birth <= 0.0) {
       continue;
     }
     hypotheses_.push_back(createHypothesis(fit, observation, key, team));
-    logMasses.push_back(std::log(birth * density * evidenceVolume(fit.radius)) +
-                        logLikelihoodRatio - evidenceBeyondSaturation(hypotheses_.back()) -
+    logMasses.push_back(std::log(absence * birth) + logLikelihoodRatio -
+                        evidenceBeyondSaturation(hypotheses_.back()) -
                         radiusPrior_.penalty(fit.radius));
   }
   if (first) {
@@ -240,6 +262,7 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.outlineFound = true;
+  hypothesis.everEnded = observation.showsWhereItEnds(fit.center, Eigen::Vector3d::Zero());
   hypothesis.sizeMisfit = radiusPrior_.isTrusted() ? fit.sizeMisfit : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
@@ -258,6 +281,7 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
   hypotheses_.front().provenProbability = kInitialProbability;
+  hypotheses_.front().everEnded = true;
 }
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
@@ -266,6 +290,7 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
+  hypothesis.everEnded = true;
   hypothesis.given = position.covariance;
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);

@@ -105,6 +105,11 @@ public:
 private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
+  /// The probability of a hypothesis before the images of this frame, of which it says whether they
+  /// show where it ends; of what may be a part of something larger no more than at a birth.
+  double probabilityBefore(TrackHypothesis& hypothesis, SphereObservation& observation) const;
+  /// Probability that an absent target appears at a position, as far as images tell it from others.
+  double birthProbability(const Eigen::Vector3d& position, double radius) const;
   /// Removes hypotheses that are more than their radius outside the bounds, and those of a radius
   /// that the target cannot have.
   void removeImpossible(std::vector<double>& logMasses);

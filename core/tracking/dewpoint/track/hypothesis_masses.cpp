@@ -18,6 +18,9 @@ constexpr double kMinAbsence = 1e-9;
 constexpr double kNoSearchProbability = 0.98;
 /// Frames after which one of several objects that look just like the target is taken for it.
 constexpr int kUpdatesToResolve = 5;
+/// Most probability of what may be a part of something larger: likely enough to be shown, too
+/// little to be sure.
+constexpr double kMostUnended = 0.9;
 
 } // namespace
 
@@ -43,6 +46,14 @@ void limitOneCamera(std::vector<TrackHypothesis>& hypotheses) {
       hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
     } else {
       hypothesis.provenProbability = hypothesis.probability;
+    }
+  }
+}
+
+void limitUnended(std::vector<TrackHypothesis>& hypotheses) {
+  for (TrackHypothesis& hypothesis : hypotheses) {
+    if (!hypothesis.ends()) {
+      hypothesis.probability = std::min(hypothesis.probability, kMostUnended);
     }
   }
 }

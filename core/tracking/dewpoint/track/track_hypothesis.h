@@ -32,6 +32,10 @@ struct TrackHypothesis {
   bool oneCameraOnly = false;
   /// Its probability when more than one camera could see it last.
   double provenProbability = 0.0;
+  /// Whether a camera has shown since the birth where it ends, or somebody said that it is here:
+  /// until then it may be a part of something larger.
+  bool everEnded = false;
+  double secondsSinceEnd = 0.0;    ///< since that was shown or said last
   double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
   /// The log likelihood ratio if every camera in whose image the target lies saw it fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
@@ -62,12 +66,18 @@ struct TrackHypothesis {
   /// Above this share at least a part of the target is seen.
   static constexpr double kPartlyVisibleShare = 0.25;
 
+  /// Seconds that an end is remembered: as long as a target is covered in passing.
+  static constexpr double kEndMemory = 0.5;
+
   /// Whether the outline was found and the evidence has reached kSaturationShare. The evidence does
   /// not decide between two such hypotheses.
   bool isSaturated() const {
     return outlineFound && fullyVisibleLogLikelihoodRatio > 0.0 &&
            logLikelihoodRatio >= kSaturationShare * fullyVisibleLogLikelihoodRatio;
   }
+
+  /// Whether it is known not to be a part of something larger.
+  bool ends() const { return everEnded && secondsSinceEnd <= kEndMemory; }
 
   Eigen::Vector3d position() const { return gaussian.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return gaussian.mean.tail<3>(); }

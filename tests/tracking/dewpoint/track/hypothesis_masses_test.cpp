@@ -57,6 +57,15 @@ TEST(HypothesisMasses, OneCameraGivesBackWhatWasProvenAndNoMore) {
   EXPECT_EQ(all[0].probability, 0.6);
 }
 
+TEST(HypothesisMasses, WhatMayBeAPartOfSomethingLargerIsNeverSure) {
+  std::vector<TrackHypothesis> all{at(0, 0.99), at(1, 0.99), at(2, 0.99), at(3, 0.5)};
+  all[0].everEnded = true;
+  all[1].everEnded = true;
+  all[1].secondsSinceEnd = TrackHypothesis::kEndMemory + 0.01; // for too long
+  limitUnended(all);
+  EXPECT_EQ(probabilitiesOf(all), (std::vector<double>{0.99, 0.9, 0.9, 0.5}));
+}
+
 // Priors 0.5, 0.3 and 0.2 for "not there"; the images make the first four times likelier than
 // "not there" and say nothing of the second: masses 2, 0.3, 0.2 of 2.5 in all.
 TEST(HypothesisMasses, ProbabilitiesAreShareOfAllMass) {
