@@ -1526,6 +1526,10 @@
         <source>– not there</source>
         <translation>– nicht da</translation>
     </message>
+    <message>
+        <source>◇ ambiguous</source>
+        <translation>◇ mehrdeutig</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -5766,10 +5770,6 @@ bei %4, %5, %6</translation>
         <translation>Läuft, angehalten, am Ende, im Rückblick auf einen früheren Moment oder diesen erneut verfolgend</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
-        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Verloren: seit einer Sekunde nicht.</translation>
-    </message>
-    <message>
         <source>held where it is thought to be</source>
         <translation>gehalten, wo es vermutet wird</translation>
     </message>
@@ -5792,6 +5792,14 @@ bei %4, %5, %6</translation>
     <message>
         <source>○ people: %1, searching</source>
         <translation>○ Personen: %1, sucht</translation>
+    </message>
+    <message>
+        <source>something else fits about as well: press X, and drag the target in an image to where it is</source>
+        <translation>etwas anderes passt etwa genauso gut: X drücken und das Ziel in einem Bild dorthin ziehen, wo es ist</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
+        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Etwas anderes passt etwa genauso gut. Verloren: seit einer Sekunde nicht gehalten.</translation>
     </message>
 </context>
 <context>
@@ -6079,8 +6087,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>◆ korrigiert</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Corrected: you said where the target is</source>
-        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Korrigiert: Sie haben gesagt, wo das Ziel ist</translation>
+        <source>◇ ambiguous</source>
+        <translation>◇ mehrdeutig</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Corrected: you said where the target is</source>
+        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Etwas anderes passt etwa genauso gut. Korrigiert: Sie haben gesagt, wo das Ziel ist</translation>
     </message>
 </context>
 <context>

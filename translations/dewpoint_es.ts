@@ -1526,6 +1526,10 @@
         <source>– not there</source>
         <translation>– ausente</translation>
     </message>
+    <message>
+        <source>◇ ambiguous</source>
+        <translation>◇ ambiguo</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -5766,10 +5770,6 @@ en %4, %5, %6</translation>
         <translation>En marcha, en pausa, al final, mirando un momento anterior o siguiéndolo de nuevo</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
-        <translation>Seguido: las cámaras confirman la estimación. Perdido: no desde hace un segundo.</translation>
-    </message>
-    <message>
         <source>held where it is thought to be</source>
         <translation>se mantiene donde se cree que está</translation>
     </message>
@@ -5792,6 +5792,14 @@ en %4, %5, %6</translation>
     <message>
         <source>○ people: %1, searching</source>
         <translation>○ personas: %1, buscando</translation>
+    </message>
+    <message>
+        <source>something else fits about as well: press X, and drag the target in an image to where it is</source>
+        <translation>otra cosa encaja casi igual de bien: pulse X y arrastre el objetivo en una imagen hasta donde está</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
+        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otra cosa encaja casi igual de bien. Perdido: no seguido desde hace un segundo.</translation>
     </message>
 </context>
 <context>
@@ -6079,8 +6087,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>◆ corregido</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Corrected: you said where the target is</source>
-        <translation>Seguido: las cámaras confirman la estimación. Corregido: usted dijo dónde está el objetivo</translation>
+        <source>◇ ambiguous</source>
+        <translation>◇ ambiguo</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Corrected: you said where the target is</source>
+        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otra cosa encaja casi igual de bien. Corregido: usted dijo dónde está el objetivo</translation>
     </message>
 </context>
 <context>

@@ -1526,6 +1526,10 @@
         <source>– not there</source>
         <translation>– 不在</translation>
     </message>
+    <message>
+        <source>◇ ambiguous</source>
+        <translation>◇ あいまい</translation>
+    </message>
 </context>
 <context>
     <name>MapLegend</name>
@@ -5764,10 +5768,6 @@ at %4, %5, %6</source>
         <translation>再生中、一時停止、終端、過去の時点を表示中、または再追跡中</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Lost: not so for a second.</source>
-        <translation>保持: カメラが推定を裏付けています。喪失: 1 秒以上裏付けがありません。</translation>
-    </message>
-    <message>
         <source>held where it is thought to be</source>
         <translation>あると思われる場所に保っています</translation>
     </message>
@@ -5790,6 +5790,14 @@ at %4, %5, %6</source>
     <message>
         <source>○ people: %1, searching</source>
         <translation>○ 人物：%1、探索中</translation>
+    </message>
+    <message>
+        <source>something else fits about as well: press X, and drag the target in an image to where it is</source>
+        <translation>ほかにも同じくらい合うものがあります。X を押し、画像の中でターゲットを本当の位置へドラッグしてください</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
+        <translation>追跡中：カメラが推定を裏付けています。あいまい：ほかにも同じくらい合うものがあります。見失い：1 秒間追跡できていません。</translation>
     </message>
 </context>
 <context>
@@ -6077,8 +6085,12 @@ Effective sample size %8 of %9</source>
         <translation>◆ 修正済み</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Corrected: you said where the target is</source>
-        <translation>追跡中：カメラが推定を裏付けています。修正済み：ターゲットの位置をあなたが指定しました</translation>
+        <source>◇ ambiguous</source>
+        <translation>◇ あいまい</translation>
+    </message>
+    <message>
+        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Corrected: you said where the target is</source>
+        <translation>追跡中：カメラが推定を裏付けています。あいまい：ほかにも同じくらい合うものがあります。修正済み：ターゲットの位置をあなたが指定しました</translation>
     </message>
 </context>
 <context>

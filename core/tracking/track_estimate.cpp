@@ -65,6 +65,11 @@ bool isHeld(const TrackEstimate& estimate) {
   return std::visit(Held{}, estimate);
 }
 
+bool isAmbiguous(const TrackEstimate& estimate) {
+  const auto* const sphere = std::get_if<SphereEstimate>(&estimate);
+  return sphere != nullptr && sphere->ambiguous;
+}
+
 double existenceProbabilityOf(const TrackEstimate& estimate) {
   return std::visit(Existence{}, estimate);
 }

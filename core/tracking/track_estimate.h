@@ -22,8 +22,11 @@ struct SphereEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0;             ///< cameras with target color at the projected mean
-  bool valid = false;                ///< seen by two cameras (by the only one, if there is one)
+  int camerasSeeing = 0; ///< cameras with target color at the projected mean
+  bool valid = false;    ///< seen by two cameras (by the only one, if there is one)
+  /// Something else may be the target about as well, or became the estimate in this frame: the
+  /// covariance spans what is known of the others.
+  bool ambiguous = false;
   double existenceProbability = 0.0; ///< probability that the target is where the estimate says
   double radius = 0.0; ///< meters, of the target as known or as estimated; 0 when neither
   /// Of a target that is taken for no ball: its extent (m²) as geometry::Ellipsoid has it, and
@@ -83,6 +86,8 @@ bool isAbsent(const TrackEstimate& estimate);
 /// Whether the cameras confirm the track now: a valid sphere, a box in sight, a person whose
 /// existence is at least one half.
 bool isHeld(const TrackEstimate& estimate);
+/// Whether something else may be the track about as well.
+bool isAmbiguous(const TrackEstimate& estimate);
 /// Existence of a sphere or a person; of a box the similarity, which stands for it. 0 when absent.
 double existenceProbabilityOf(const TrackEstimate& estimate);
 double effectiveSampleSizeOf(const TrackEstimate& estimate);

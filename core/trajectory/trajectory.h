@@ -34,6 +34,7 @@ struct TrajectorySample {
   double existenceProbability = 0.0;       ///< probability that the target is there; not in files
   std::optional<Eigen::Vector3d> best;     ///< particle of highest weight (MAP); nothing: not known
   bool corrected = false;                  ///< the user said in this frame where the target is
+  bool ambiguous = false;                  ///< something else may be the target about as well
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.
@@ -50,6 +51,7 @@ struct TrajectoryHeader {
   bool hasSeen = false;      ///< the file has columns for `seen`
   bool hasBest = false;      ///< the file has columns for `best`
   bool hasCorrected = false; ///< the file has a column for `corrected`
+  bool hasAmbiguous = false; ///< the file has a column for `ambiguous`
 };
 
 struct Trajectory {

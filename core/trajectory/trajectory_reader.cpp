@@ -153,6 +153,7 @@ private:
     trajectory_.header.hasSeen = column("seen_x_m").has_value();
     trajectory_.header.hasBest = column("best_x_m").has_value();
     trajectory_.header.hasCorrected = column("corrected").has_value();
+    trajectory_.header.hasAmbiguous = column("ambiguous").has_value();
     for (const char* name : {"x_m", "y_m", "z_m"})
       if (!column(name))
         return missing(name, "this column is needed");
@@ -167,6 +168,7 @@ private:
     sample.frame = kNoFrame;
     int valid = 1;
     int corrected = 0;
+    int ambiguous = 0;
     Status status;
     const auto number = [&](const char* name, auto& value) {
       const auto index = column(name);
@@ -201,6 +203,7 @@ private:
     number("cameras", sample.cameras);
     number("valid", valid);
     number("corrected", corrected);
+    number("ambiguous", ambiguous);
     if (const auto index = column("seen_x_m"); index && !cells[*index].empty()) {
       PositionMeasurement& seen = sample.seen.emplace();
       readPosition("seen_", seen.position, seen.covariance);
@@ -215,6 +218,7 @@ private:
       return status;
     sample.valid = valid != 0;
     sample.corrected = corrected != 0;
+    sample.ambiguous = ambiguous != 0;
     if (const auto index = column("target"))
       sample.target = cells[*index];
     trajectory_.samples.push_back(std::move(sample));

@@ -20,6 +20,7 @@ constexpr std::string_view kSeenColumns =
     "seen_cov_yz_m2,seen_cov_zz_m2";
 constexpr std::string_view kBestColumns = ",best_x_m,best_y_m,best_z_m";
 constexpr std::string_view kCorrectedColumn = ",corrected";
+constexpr std::string_view kAmbiguousColumn = ",ambiguous";
 
 std::string headerText(const TrajectoryHeader& header) {
   std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
@@ -34,6 +35,7 @@ std::string headerText(const TrajectoryHeader& header) {
   text.append(kColumns).append(header.hasSeen ? kSeenColumns : "");
   text.append(header.hasBest ? kBestColumns : "");
   text.append(header.hasCorrected ? kCorrectedColumn : "");
+  text.append(header.hasAmbiguous ? kAmbiguousColumn : "");
   return text + '\n';
 }
 
@@ -58,6 +60,9 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
   }
   if (header.hasCorrected) {
     text += sample.corrected ? ",1" : ",0";
+  }
+  if (header.hasAmbiguous) {
+    text += sample.ambiguous ? ",1" : ",0";
   }
   return text + '\n';
 }

@@ -169,6 +169,23 @@ TEST(TrajectoryFile, MarksWhatWasCorrected) {
   EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasCorrected);
 }
 
+TEST(TrajectoryFile, MarksWhatIsAmbiguous) {
+  const auto path = temporary("ambiguous.csv");
+  Trajectory written{{}, {sample(), sample()}};
+  written.header.hasAmbiguous = true;
+  written.samples[1].ambiguous = true;
+  ASSERT_TRUE(writeTrajectory(written, path));
+  EXPECT_NE(contents(path).find(",ess,cameras,valid,ambiguous\n"), std::string::npos);
+  const auto read = readTrajectory(path);
+  ASSERT_TRUE(read) << sentence(read.error());
+  EXPECT_TRUE(read->header.hasAmbiguous);
+  ASSERT_EQ(read->samples.size(), 2U);
+  EXPECT_FALSE(read->samples[0].ambiguous);
+  EXPECT_TRUE(read->samples[1].ambiguous);
+  std::filesystem::remove(path);
+  EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasAmbiguous);
+}
+
 TEST(TrajectoryFile, ReadsTruthByColumnNames) {
   const auto truth = readText("z_m,frame,x_m,remark,y_m\r\n3,7,1,hello,2\r\n");
   ASSERT_TRUE(truth) << sentence(truth.error());

@@ -70,7 +70,10 @@ QString playWord(const TrackSnapshot& snapshot) {
 /// Why a target is not held, and what helps.
 QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   const auto ofCameras = [&] {
-    return snapshot.family.isDefined(target.target)
+    return target.status == TargetStatus::Ambiguous
+               ? StatusBarPanel::tr("something else fits about as well: press X, and drag the "
+                                    "target in an image to where it is")
+           : snapshot.family.isDefined(target.target)
                ? reasonText(target.reasons, cameraNames(snapshot))
                : StatusBarPanel::tr("click it or drag a box around it");
   };
@@ -131,7 +134,8 @@ void StatusBarPanel::retranslateUi() {
   explain(position_, QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
           tr("Estimated position of the target in the room"));
   explain(held_, holdText(HoldState::Searching),
-          tr("Held: the cameras confirm the estimate. Lost: not so for a second."));
+          tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about as "
+             "well. Lost: not held for a second."));
   refresh();
 }
 

@@ -101,6 +101,7 @@ QColor holdColor(HoldState state, const QPalette& palette) {
   switch (state) {
   case HoldState::Held:
     return QColor(dark ? "#2fc79a" : "#00734f");
+  case HoldState::Ambiguous:
   case HoldState::Hidden:
   case HoldState::Searching:
   case HoldState::Learning:

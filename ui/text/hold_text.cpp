@@ -9,6 +9,8 @@ QString holdText(HoldState state) {
   switch (state) {
   case HoldState::Held:
     return QCoreApplication::translate("HoldState", "● held");
+  case HoldState::Ambiguous:
+    return QCoreApplication::translate("HoldState", "◇ ambiguous");
   case HoldState::Hidden:
     return QCoreApplication::translate("HoldState", "◌ hidden");
   case HoldState::Searching:

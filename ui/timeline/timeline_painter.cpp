@@ -25,9 +25,10 @@ constexpr double kLeastShare = 0.25; ///< of a ribbon's height, so that a small 
 
 /// What stands behind a ribbon's color, so that it is not color alone that tells.
 Qt::BrushStyle patternOf(TargetStatus status) {
-  return status == TargetStatus::Held   ? Qt::SolidPattern
-         : status == TargetStatus::Lost ? Qt::DiagCrossPattern
-                                        : Qt::BDiagPattern;
+  return status == TargetStatus::Held        ? Qt::SolidPattern
+         : status == TargetStatus::Lost      ? Qt::DiagCrossPattern
+         : status == TargetStatus::Ambiguous ? Qt::Dense4Pattern
+                                             : Qt::BDiagPattern;
 }
 
 /// A stretch of one status; where several frames fall on one pixel, the worst is drawn.
@@ -41,8 +42,9 @@ struct Stretch {
 int badness(TargetStatus status) {
   return status == TargetStatus::Gone        ? -1
          : status == TargetStatus::Held      ? 0
-         : status == TargetStatus::Searching ? 1
-                                             : 2;
+         : status == TargetStatus::Ambiguous ? 1
+         : status == TargetStatus::Searching ? 2
+                                             : 3;
 }
 
 std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale& scale,

@@ -88,7 +88,10 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case Existence:
     return tableText(sample.existenceProbability, 2);
   case Held:
-    return sample.corrected ? tr("◆ corrected") : sample.valid ? tr("● held") : tr("○ not held");
+    return sample.corrected   ? tr("◆ corrected")
+           : sample.ambiguous ? tr("◇ ambiguous")
+           : sample.valid     ? tr("● held")
+                              : tr("○ not held");
   default:
     return {};
   }
@@ -126,8 +129,8 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
     return name ? tr("existence") : tr("Probability that the target is where the estimate says");
   case Held:
     return name ? tr("state")
-                : tr("Held: the cameras confirm the estimate. Corrected: you said where the target "
-                     "is");
+                : tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about as "
+                     "well. Corrected: you said where the target is");
   default:
     return {};
   }

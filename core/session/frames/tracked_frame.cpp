@@ -37,7 +37,8 @@ FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames
     record.missingCameras |= frames.frames[k] ? 0 : std::uint64_t{1} << k;
   }
   for (const TrackedTarget& target : trackedFrame.targets) {
-    const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone;
+    const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone ||
+                      target.status == TargetStatus::Ambiguous; // no camera contradicts it
     record.targets.push_back({target.status,
                               static_cast<float>(existenceProbabilityOf(target.estimate)),
                               held ? std::vector<CameraReport>() : target.reasons});

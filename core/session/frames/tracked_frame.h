@@ -18,6 +18,7 @@ namespace dewpoint::session {
 enum class TargetStatus {
   Searching, ///< not held, or not held yet
   Held,      ///< the cameras confirm the estimate
+  Ambiguous, ///< the same, or nearly so, but something else may be the target about as well
   Lost,      ///< was held, and has not been for kLostAfter seconds
   Gone,      ///< removed, or not created yet: there is nothing to search for
 };

@@ -12,6 +12,7 @@ enum class HoldState {
   NotTracked,
   NoBox,
   Held,
+  Ambiguous, ///< something else may be the target about as well
   Hidden,
   Searching,
   Lost,

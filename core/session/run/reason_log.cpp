@@ -18,6 +18,8 @@ const char* stateName(TargetStatus status) {
     return "searching";
   case TargetStatus::Held:
     return "held";
+  case TargetStatus::Ambiguous:
+    return "ambiguous";
   case TargetStatus::Lost:
     return "lost";
   case TargetStatus::Gone:

@@ -37,10 +37,19 @@ bool isWithin(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d
 } // namespace
 
 HoldState holdState(TargetStatus status) {
-  return status == TargetStatus::Held   ? HoldState::Held
-         : status == TargetStatus::Lost ? HoldState::Lost
-         : status == TargetStatus::Gone ? HoldState::Gone
-                                        : HoldState::Searching;
+  switch (status) {
+  case TargetStatus::Held:
+    return HoldState::Held;
+  case TargetStatus::Ambiguous:
+    return HoldState::Ambiguous;
+  case TargetStatus::Lost:
+    return HoldState::Lost;
+  case TargetStatus::Gone:
+    return HoldState::Gone;
+  case TargetStatus::Searching:
+    break;
+  }
+  return HoldState::Searching;
 }
 
 HoldState holdState(const TargetSnapshot& target) {
@@ -99,8 +108,8 @@ template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, cons
   if (findsTargets) {
     return stateOfPeople(snapshot);
   }
-  for (const HoldState state :
-       {HoldState::Lost, HoldState::Searching, HoldState::Hidden, HoldState::Held}) {
+  for (const HoldState state : {HoldState::Lost, HoldState::Searching, HoldState::Ambiguous,
+                                HoldState::Hidden, HoldState::Held}) {
     if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
           return counts(target) && holdState(target) == state;
         })) {
@@ -143,7 +152,7 @@ const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera
   }
   const Projector projector(*its);
   const auto isInView = [&](const TargetSnapshot& target) {
-    if (target.status != TargetStatus::Held) {
+    if (target.status != TargetStatus::Held && target.status != TargetStatus::Ambiguous) {
       return false;
     }
     const auto isInImage = [&] {

@@ -15,7 +15,8 @@ namespace dewpoint::session {
 HoldState holdState(TargetStatus status);
 /// The same of a target, and of a box whether it is hidden or not there yet.
 HoldState holdState(const TargetSnapshot& target);
-/// The worst of all targets: lost, searching, held; nothing to say without targets or images.
+/// The worst of all targets: lost, searching, ambiguous, held; nothing to say without targets or
+/// images.
 HoldState holdState(const TrackSnapshot& snapshot);
 /// The same of one camera: a box is followed in the camera of the box only.
 HoldState holdState(const TrackSnapshot& snapshot, int camera);

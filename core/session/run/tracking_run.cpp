@@ -38,6 +38,7 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
                           std::nullopt,
                           sphere.existenceProbability,
                           bestParticleOf(sphere)};
+  sample.ambiguous = sphere.ambiguous;
   if (sphere.measurement) {
     sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
   }
@@ -67,6 +68,7 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   const Method* const method = findMethod(project.method);
   header.hasSeen = method != nullptr && method->writesMeasurements;
   header.hasBest = method != nullptr && method->family.hasBestParticle;
+  header.hasAmbiguous = method != nullptr && method->statesAmbiguity;
   header.hasCorrected = header.hasBest && !project.corrections.empty();
   return header;
 }
@@ -376,7 +378,9 @@ TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* pr
     const bool held = isHeld(target.estimate);
     target.lastHeld = held ? trackedFrame.time : target.lastHeld;
     target.status = isAbsent(target.estimate) ? TargetStatus::Gone
-                                              : statusOf(held, trackedFrame.time, target.lastHeld);
+                    : isAmbiguous(target.estimate)
+                        ? TargetStatus::Ambiguous
+                        : statusOf(held, trackedFrame.time, target.lastHeld);
   }
   return trackedFrame;
 }

@@ -86,6 +86,8 @@ struct Method {
                                    const std::vector<Target>& targets);
   /// Trajectories have columns of their own for what the images of a frame alone say.
   bool writesMeasurements = false;
+  /// Trajectories have a column that says where something else may be the target about as well.
+  bool statesAmbiguity = false;
 };
 
 /// All methods a project may choose, the default first; of each family its default first.

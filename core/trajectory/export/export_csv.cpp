@@ -40,6 +40,9 @@ std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
   if (table.corrected) {
     text += cell.corrected ? ",1" : ",0";
   }
+  if (table.ambiguous) {
+    text += cell.ambiguous ? ",1" : ",0";
+  }
   return text + '\n';
 }
 
@@ -52,7 +55,8 @@ Files tidyCsv(const ExportTable& table, const std::string& /*name*/) {
                       "valid,filled",
                       table.unitName());
   text += table.best ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName()) : "";
-  text += table.corrected ? ",corrected\n" : "\n";
+  text += table.corrected ? ",corrected" : "";
+  text += table.ambiguous ? ",ambiguous\n" : "\n";
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     for (std::size_t target = 0; target < table.targets.size(); ++target) {
       text += fmt::format("{},{},{}", timeText(table.times[row]), table.frames[row],

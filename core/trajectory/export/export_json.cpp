@@ -42,10 +42,11 @@ std::string targetText(const std::string& name, const ExportCell& cell) {
   if (cell.best) {
     text += fmt::format(",\"best\":{}", vectorText(*cell.best));
   }
-  return text + fmt::format(",\"cams\":{},\"ess\":{}{}{}}}", cell.cameras,
+  return text + fmt::format(",\"cams\":{},\"ess\":{}{}{}{}}}", cell.cameras,
                             covarianceText(cell.effectiveSampleSize),
                             cell.filled ? ",\"filled\":true" : "",
-                            cell.corrected ? ",\"corrected\":true" : "");
+                            cell.corrected ? ",\"corrected\":true" : "",
+                            cell.ambiguous ? ",\"ambiguous\":true" : "");
 }
 
 } // namespace

@@ -152,6 +152,12 @@ Files npz(const ExportTable& table, const std::string& /*name*/) {
            return Flag{c.corrected};
          })});
   }
+  if (table.ambiguous) {
+    entries.push_back(
+        {"ambiguous.npy", cellArray<std::uint8_t>(table, "|b1", "", [](const ExportCell& c) {
+           return Flag{c.ambiguous};
+         })});
+  }
   if (table.header) {
     std::string about;
     for (const auto& [key, value] : table.entries) {

@@ -73,6 +73,7 @@ ExportCell cellOf(const TrajectorySample& sample) {
     cell.effectiveSampleSize = sample.effectiveSampleSize;
     cell.cameras = sample.cameras;
     cell.corrected = sample.corrected;
+    cell.ambiguous = sample.ambiguous;
   }
   return cell;
 }
@@ -221,6 +222,7 @@ private:
     const ExportCell& nearest = cells_[share < 0.5 ? a : b];
     cell.effectiveSampleSize = nearest.effectiveSampleSize;
     cell.corrected = nearest.corrected;
+    cell.ambiguous = cells_[a].ambiguous || cells_[b].ambiguous;
     cell.cameras = b == a + 1 ? std::min(cells_[a].cameras, cells_[b].cameras) : 0;
     return cell;
   }
@@ -288,6 +290,7 @@ void turnAndScale(ExportTable& table) {
         table.best = true;
       }
       table.corrected = table.corrected || cell.corrected;
+      table.ambiguous = table.ambiguous || cell.ambiguous;
     }
   }
 }

@@ -20,6 +20,7 @@ struct ExportCell {
   bool present = false;   ///< otherwise nothing else is set
   bool filled = false;    ///< interpolated over a gap
   bool corrected = false; ///< the user said in this frame where the target is
+  bool ambiguous = false; ///< something else may be the target about as well
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> covariance; ///< nothing: not known
   std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; nothing: not known
@@ -39,6 +40,7 @@ struct ExportTable {
   bool covariance = false;                    ///< some cell has one
   bool best = false;                          ///< some cell has one
   bool corrected = false;                     ///< some cell is
+  bool ambiguous = false;                     ///< some cell is
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool header = true;

@@ -148,6 +148,11 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
       return std::string(cellAt(node).corrected ? "1" : "0");
     });
   }
+  if (table.ambiguous) {
+    text += nodeArray(drawing, "UInt8", "ambiguous", 1, [&](const Node& node) {
+      return std::string(cellAt(node).ambiguous ? "1" : "0");
+    });
+  }
   return text + "</PointData>\n";
 }
 

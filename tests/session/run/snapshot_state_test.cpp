@@ -56,6 +56,8 @@ TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
   EXPECT_EQ(holdState(snapshotOf({Held, Held})), HoldState::Held);
   EXPECT_EQ(holdState(snapshotOf({Held, Searching})), HoldState::Searching);
   EXPECT_EQ(holdState(snapshotOf({Searching, Lost, Held})), HoldState::Lost);
+  EXPECT_EQ(holdState(snapshotOf({Held, Ambiguous})), HoldState::Ambiguous);
+  EXPECT_EQ(holdState(snapshotOf({Ambiguous, Searching})), HoldState::Searching);
 }
 
 TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {

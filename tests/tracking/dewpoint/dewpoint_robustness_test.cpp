@@ -139,6 +139,31 @@ TEST(DewpointRobustness, APartOfAPosterIsNeverSurelyTheTarget) {
   }
 }
 
+// Two balls alike and one target: no image tells which it is, somebody has to.
+TEST(DewpointRobustness, OfTwoBallsAlikeTheTargetIsAmbiguousUntilSomebodySaysWhichItIs) {
+  const Eigen::Vector3d one = drawn::kMiddle + Eigen::Vector3d(-0.1, 0.0, 0.0);
+  const Eigen::Vector3d other = drawn::kMiddle + Eigen::Vector3d(0.1, 0.0, 0.0);
+  DrawnRun run(rigAround(2), {redBall()});
+  for (int frame = 0; frame < 30; ++frame) {
+    const SphereEstimate estimate = run.show({Ball{one}, Ball{other}});
+    EXPECT_TRUE(frame < 2 || estimate.ambiguous) << frame;
+  }
+  ThreadTeam team(1);
+  run.tracker().correctPosition(0, {other, 1e-4 * Eigen::Matrix3d::Identity()}, team);
+  for (int frame = 30; frame < 60; ++frame) {
+    const SphereEstimate estimate = run.show({Ball{one}, Ball{other}});
+    EXPECT_FALSE(estimate.ambiguous) << frame;
+    EXPECT_LT((estimate.mean - other).norm(), 5e-3) << frame;
+  }
+}
+
+TEST(DewpointRobustness, ABallAloneIsNotAmbiguous) {
+  DrawnRun run(rigAround(2), {redBall()});
+  for (int frame = 0; frame < 30; ++frame) {
+    EXPECT_FALSE(run.show({Ball{moving(frame)}}).ambiguous) << frame;
+  }
+}
+
 // All cameras black for a second: declared while it can be right, withdrawn before it is far off,
 // and there at once when sight returns.
 TEST(DewpointRobustness, WithoutSightATargetIsDeclaredWhileItCanBeRight) {

@@ -80,6 +80,29 @@ TEST(ExportText, WhatWasCorrectedIsMarked) {
   EXPECT_NE(exported(trajectory, options, "a.csv").find(",corrected\n"), std::string::npos);
 }
 
+TEST(ExportText, WhatIsAmbiguousIsMarked) {
+  Trajectory trajectory = exportExample();
+  trajectory.samples[2].ambiguous = true; // the ball at frame 1
+  trajectory.samples[4].ambiguous = true; // at frame 2, which is a gap
+  ExportOptions options = exportAs("csv");
+  options.targets = {"ball"};
+  const std::string csv = exported(trajectory, options, "a.csv");
+  EXPECT_NE(csv.find(",valid,filled,ambiguous\n"), std::string::npos);
+  EXPECT_NE(csv.find(",2,120,1,0,1\n"), std::string::npos); // frame 1
+  EXPECT_NE(csv.find(",2,120,1,0,0\n"), std::string::npos); // frames 0 and 3
+  EXPECT_NE(csv.find(",,0,0,0\n"), std::string::npos);      // frame 2: a gap
+  const std::string lines = exported(trajectory, exportAs("jsonl"), "a.jsonl");
+  EXPECT_NE(lines.find(",\"ambiguous\":true}"), std::string::npos);
+  EXPECT_EQ(lines.find("ambiguous", lines.find("ambiguous") + 1), std::string::npos); // no other
+  EXPECT_NE(exported(trajectory, exportAs("vtp"), "a.vtp").find("Name=\"ambiguous\""),
+            std::string::npos);
+  EXPECT_NE(exported(trajectory, exportAs("npz"), "a.npz").find("ambiguous.npy"),
+            std::string::npos);
+  EXPECT_EQ(exported(exportExample(), options, "a.csv").find("ambiguous"), std::string::npos);
+  options.smooth = true; // the marks stay
+  EXPECT_NE(exported(trajectory, options, "a.csv").find(",ambiguous\n"), std::string::npos);
+}
+
 TEST(ExportText, TidyCsvIsReadByOurOwnReader) {
   const ExportFolder folder;
   ExportOptions options = exportAs("csv");

@@ -27,6 +27,9 @@ constexpr double kInitialSigmaRadii = 0.1;
 constexpr double kMaxSizeMisfit = 20.0;
 /// By this much the log likelihood ratio must be larger with another radius than the given one.
 constexpr double kOtherRadiusGain = 3.0;
+/// Probability of an identical object from which on a target is ambiguous: as of rivals that are
+/// still there (hypothesis_masses.cpp).
+constexpr double kAmbiguousIdentity = 0.1;
 /// Radii, edge of the cubes in which KLD-sampling counts the particles.
 constexpr double kBinRadii = 0.5;
 
@@ -54,6 +57,7 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
   radiusPrior_.restart();
   searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
   identityAmbiguity_ = 0.0;
+  confidentBefore_ = 0;
   nextStream_ = 1;
   hypotheses_.clear();
   predicted_.clear();
@@ -61,6 +65,7 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
 }
 
 void BernoulliTrack::predict(double interval, const RandomKey& key) {
+  confidentBefore_ = confident() != nullptr ? confident()->stream : 0;
   const ConstantVelocity motion{interval, settings_.accelerationSigma};
   const double survival = std::exp(-interval / settings_.survivalTime);
   for (TrackHypothesis& hypothesis : hypotheses_) {
@@ -294,6 +299,7 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   hypothesis.given = position.covariance;
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);
+  confidentBefore_ = 0; // it may be anywhere
   measurementUpdate(hypothesis, observation, settings_.maxParticles, key, team);
   hypotheses_.assign(1, hypothesis);
   identityAmbiguity_ = 0.0;
@@ -358,11 +364,30 @@ std::optional<OccupiedSphere> BernoulliTrack::expectedSphere() const {
   return last ? std::optional(OccupiedSphere{*last, radiusPrior_.expected()}) : std::nullopt;
 }
 
+bool BernoulliTrack::hasJumped() const {
+  if (confidentBefore_ == 0 || hypotheses_.empty() ||
+      hypotheses_.front().stream == confidentBefore_) {
+    return false;
+  }
+  const auto before = std::ranges::find(predicted_, confidentBefore_, &TrackHypothesis::stream);
+  return before != predicted_.end() &&
+         (before->position() - hypotheses_.front().position()).norm() > before->radius;
+}
+
 SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
   const TrackHypothesis* likeliest = best();
-  return likeliest == nullptr || likeliest->states.rows() == 0
-             ? sphereEstimateFrom(searchParticles_)
-             : sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.errors, observation);
+  if (likeliest == nullptr || likeliest->states.rows() == 0) {
+    return sphereEstimateFrom(searchParticles_);
+  }
+  SphereEstimate result =
+      sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.errors, observation);
+  const bool undecided = isUndecided(hypotheses_);
+  result.ambiguous = undecided || identityAmbiguity_ >= kAmbiguousIdentity || hasJumped();
+  if (undecided) {
+    result.covariance +=
+        mixtureCovariance(hypotheses_) - likeliest->gaussian.covariance.topLeftCorner<3, 3>();
+  }
+  return result;
 }
 
 void BernoulliTrack::particles(int limit, Eigen::ArrayXXd& positions,

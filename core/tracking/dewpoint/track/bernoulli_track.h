@@ -133,7 +133,13 @@ private:
   RadiusPrior radiusPrior_;
   SearchPrior searchPrior_;
   SearchParticles searchParticles_;
+  /// Whether another position than the one that was confident before this frame is the likeliest
+  /// now, without being where that can have moved.
+  bool hasJumped() const;
+
   double identityAmbiguity_ = 0.0; ///< probability that resolveIdentity() chose wrongly
+  /// The stream of the hypothesis that was confident before this frame; 0: none was.
+  std::uint32_t confidentBefore_ = 0;
   bool createsHypotheses_ = true;
   std::vector<TrackHypothesis> hypotheses_; ///< after the last update
   std::vector<TrackHypothesis> predicted_;  ///< before the updates of this frame

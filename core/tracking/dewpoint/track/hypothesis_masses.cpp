@@ -21,6 +21,9 @@ constexpr int kUpdatesToResolve = 5;
 /// Most probability of what may be a part of something larger: likely enough to be shown, too
 /// little to be sure.
 constexpr double kMostUnended = 0.9;
+/// Share of the probability of all hypotheses from which on those that are not the likeliest make
+/// the target ambiguous.
+constexpr double kRivalShare = 0.1;
 
 } // namespace
 
@@ -56,6 +59,31 @@ void limitUnended(std::vector<TrackHypothesis>& hypotheses) {
       hypothesis.probability = std::min(hypothesis.probability, kMostUnended);
     }
   }
+}
+
+bool isUndecided(const std::vector<TrackHypothesis>& hypotheses) {
+  if (hypotheses.size() < 2) {
+    return false;
+  }
+  double all = 0.0;
+  double rivals = 0.0;
+  for (const TrackHypothesis& hypothesis : hypotheses) {
+    all += hypothesis.probability;
+    rivals = &hypothesis == &hypotheses.front() ? 0.0 : rivals + hypothesis.probability;
+  }
+  return all > 0.5 && rivals >= kRivalShare * all;
+}
+
+Eigen::Matrix3d mixtureCovariance(const std::vector<TrackHypothesis>& hypotheses) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  double all = 0.0;
+  for (const TrackHypothesis& hypothesis : hypotheses) {
+    const Eigen::Vector3d apart = hypothesis.position() - hypotheses.front().position();
+    sum += hypothesis.probability *
+           (hypothesis.gaussian.covariance.topLeftCorner<3, 3>() + apart * apart.transpose());
+    all += hypothesis.probability;
+  }
+  return all > 0.0 ? Eigen::Matrix3d(sum / all) : sum;
 }
 
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis) {

@@ -57,6 +57,14 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
 void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
                      const std::vector<double>& logMasses);
 
+/// Whether hypotheses other than the first, the likeliest, fit about as well, if it is likelier
+/// than not that the target is at one of them.
+bool isUndecided(const std::vector<TrackHypothesis>& hypotheses);
+
+/// Covariance (m²) of the target's position about that of the first hypothesis, by all of them:
+/// their mixture.
+Eigen::Matrix3d mixtureCovariance(const std::vector<TrackHypothesis>& hypotheses);
+
 /// Puts the likeliest first, adds the probability of those closer than half a radius to the
 /// likelier one, and keeps at most six, none less likely than 1e-8.
 void mergeAndPrune(std::vector<TrackHypothesis>& hypotheses);

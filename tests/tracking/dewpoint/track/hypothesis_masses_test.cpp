@@ -66,6 +66,27 @@ TEST(HypothesisMasses, WhatMayBeAPartOfSomethingLargerIsNeverSure) {
   EXPECT_EQ(probabilitiesOf(all), (std::vector<double>{0.99, 0.9, 0.9, 0.5}));
 }
 
+TEST(HypothesisMasses, RivalsThatFitAboutAsWellLeaveItUndecided) {
+  EXPECT_FALSE(isUndecided({}));
+  EXPECT_FALSE(isUndecided({at(0, 1.0)}));
+  EXPECT_FALSE(isUndecided({at(0, 0.95), at(1, 0.04)}));
+  EXPECT_TRUE(isUndecided({at(0, 0.6), at(1, 0.2)}));
+  EXPECT_TRUE(isUndecided({at(0, 0.4), at(1, 0.3)}));
+  EXPECT_FALSE(isUndecided({at(0, 0.02), at(1, 0.02)})); // it is likelier not to be there at all
+}
+
+// A quarter of the probability is 2 m away: 0.25 x 2² = 1 m² more along the x axis.
+TEST(HypothesisMasses, TheMixtureSpansAllPositions) {
+  std::vector<TrackHypothesis> all{at(0, 0.6), at(2, 0.2)};
+  for (TrackHypothesis& one : all) {
+    one.gaussian.covariance.setIdentity();
+    one.gaussian.covariance *= 1e-4;
+  }
+  const Eigen::Matrix3d expected =
+      1e-4 * Eigen::Matrix3d::Identity() + Eigen::Vector3d(1, 0, 0).asDiagonal().toDenseMatrix();
+  EXPECT_LT((mixtureCovariance(all) - expected).norm(), 1e-12);
+}
+
 // Priors 0.5, 0.3 and 0.2 for "not there"; the images make the first four times likelier than
 // "not there" and say nothing of the second: masses 2, 0.3, 0.2 of 2.5 in all.
 TEST(HypothesisMasses, ProbabilitiesAreShareOfAllMass) {
