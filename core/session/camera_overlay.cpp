@@ -2,6 +2,7 @@
 #include "core/session/camera_overlay.h"
 
 #include "core/base/overloaded.h"
+#include "core/geometry/ellipsoid_image.h"
 #include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
 
@@ -41,6 +42,19 @@ std::optional<ImageEllipse> projectedEllipse(const Projector& projector,
   return ImageEllipse{*center, radius(1), radius(0), std::atan2(axis.y(), axis.x())};
 }
 
+/// The outline of an ellipsoid of this extent (m²).
+std::optional<ImageEllipse> outlineOf(const Camera& camera, const Eigen::Vector3d& center,
+                                      const Eigen::Matrix3d& extent) {
+  const auto outline = geometry::EllipsoidProjector(camera).project({center, extent});
+  if (!outline) {
+    return std::nullopt;
+  }
+  const auto eigen = geometry::symmetricEigen2(outline->extent);
+  const Eigen::Vector2d axis = eigen.vectors.col(1);
+  const auto semiAxis = [&](int k) { return std::sqrt(std::max(0.0, eigen.values[k])); };
+  return ImageEllipse{outline->center, semiAxis(1), semiAxis(0), std::atan2(axis.y(), axis.x())};
+}
+
 /// Centers of pixels lie at whole numbers, as in all of an overlay but its box.
 void addBox(const BoxEstimate& estimate, const BoxParticles& particles, CameraOverlay& overlay) {
   const float largest = particles.weights.size() > 0 ? particles.weights.maxCoeff() : 0.0F;
@@ -68,6 +82,9 @@ void addPlace(const Camera& camera, const TargetSnapshot& target, CameraOverlay&
   if (position && particleCountOf(target.estimate) > 0) {
     overlay.estimate = projector.project(position->mean);
     overlay.ellipse = projectedEllipse(projector, position->mean, position->covariance);
+    if (const auto extent = extentOf(target.estimate)) {
+      overlay.outline = outlineOf(camera, position->mean, *extent);
+    }
   }
   if (const auto best = bestParticleOf(target.estimate)) {
     overlay.best = projector.project(*best);

@@ -24,6 +24,7 @@ struct CameraOverlay {
   std::vector<float> weights;             ///< relative to the largest: 0..1
   std::optional<Eigen::Vector2d> estimate;
   std::optional<ImageEllipse> ellipse; ///< 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.)
+  std::optional<ImageEllipse> outline; ///< of the target itself, of what is no ball
   std::optional<Eigen::Vector2d> best; ///< particle of highest weight
   std::optional<Eigen::Vector2d> truth;
   std::optional<ImageBox> box; ///< of methods that follow boxes, then without estimate and ellipse

@@ -70,6 +70,11 @@ bool isAmbiguous(const TrackEstimate& estimate) {
   return sphere != nullptr && sphere->ambiguous;
 }
 
+std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate) {
+  const auto* const sphere = std::get_if<SphereEstimate>(&estimate);
+  return sphere != nullptr ? sphere->extent : std::nullopt;
+}
+
 double existenceProbabilityOf(const TrackEstimate& estimate) {
   return std::visit(Existence{}, estimate);
 }

@@ -97,6 +97,8 @@ std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
 /// Particle of highest weight (MAP) in the world, meters; nothing where there are no particles, and
 /// for kinds of targets that do not tell it (boxes, people).
 std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);
+/// The extent (m²) of what is no ball, as geometry::Ellipsoid has it; nothing for all else.
+std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate);
 /// Evidence of each camera for the position; empty when the method has none.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
 /// Per camera the color range in use where it follows the light; else empty.

@@ -35,6 +35,9 @@ struct TrajectorySample {
   std::optional<Eigen::Vector3d> best;     ///< particle of highest weight (MAP); nothing: not known
   bool corrected = false;                  ///< the user said in this frame where the target is
   bool ambiguous = false;                  ///< something else may be the target about as well
+  /// Of what is no ball (m²): an ellipsoid whose semi-axes are the roots of its eigenvalues, along
+  /// its eigenvectors; nothing: a ball, or not known.
+  std::optional<Eigen::Matrix3d> extent;
 };
 
 /// Where a camera stood, so that an error can be split along and across its optical axis.
@@ -52,6 +55,7 @@ struct TrajectoryHeader {
   bool hasBest = false;      ///< the file has columns for `best`
   bool hasCorrected = false; ///< the file has a column for `corrected`
   bool hasAmbiguous = false; ///< the file has a column for `ambiguous`
+  bool hasExtent = false;    ///< the file has columns for `extent`
 };
 
 struct Trajectory {

@@ -154,6 +154,7 @@ private:
     trajectory_.header.hasBest = column("best_x_m").has_value();
     trajectory_.header.hasCorrected = column("corrected").has_value();
     trajectory_.header.hasAmbiguous = column("ambiguous").has_value();
+    trajectory_.header.hasExtent = column("extent_xx_m2").has_value();
     for (const char* name : {"x_m", "y_m", "z_m"})
       if (!column(name))
         return missing(name, "this column is needed");
@@ -185,18 +186,21 @@ private:
     };
     number("time_s", sample.time);
     number("frame", sample.frame);
+    const auto readSymmetric = [&](const std::string& before, Eigen::Matrix3d& c) {
+      number((before + "xx_m2").c_str(), c(0, 0));
+      number((before + "xy_m2").c_str(), c(0, 1));
+      number((before + "xz_m2").c_str(), c(0, 2));
+      number((before + "yy_m2").c_str(), c(1, 1));
+      number((before + "yz_m2").c_str(), c(1, 2));
+      number((before + "zz_m2").c_str(), c(2, 2));
+      c = c.selfadjointView<Eigen::Upper>().toDenseMatrix();
+    };
     const auto readPosition = [&](const std::string& before, Eigen::Vector3d& p,
                                   Eigen::Matrix3d& c) {
       number((before + "x_m").c_str(), p.x());
       number((before + "y_m").c_str(), p.y());
       number((before + "z_m").c_str(), p.z());
-      number((before + "cov_xx_m2").c_str(), c(0, 0));
-      number((before + "cov_xy_m2").c_str(), c(0, 1));
-      number((before + "cov_xz_m2").c_str(), c(0, 2));
-      number((before + "cov_yy_m2").c_str(), c(1, 1));
-      number((before + "cov_yz_m2").c_str(), c(1, 2));
-      number((before + "cov_zz_m2").c_str(), c(2, 2));
-      c = c.selfadjointView<Eigen::Upper>().toDenseMatrix();
+      readSymmetric(before + "cov_", c);
     };
     readPosition("", sample.position, sample.covariance);
     number("ess", sample.effectiveSampleSize);
@@ -213,6 +217,9 @@ private:
       number("best_x_m", best.x());
       number("best_y_m", best.y());
       number("best_z_m", best.z());
+    }
+    if (const auto index = column("extent_xx_m2"); index && !cells[*index].empty()) {
+      readSymmetric("extent_", sample.extent.emplace(Eigen::Matrix3d::Zero()));
     }
     if (!status)
       return status;

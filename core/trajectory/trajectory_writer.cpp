@@ -21,6 +21,8 @@ constexpr std::string_view kSeenColumns =
 constexpr std::string_view kBestColumns = ",best_x_m,best_y_m,best_z_m";
 constexpr std::string_view kCorrectedColumn = ",corrected";
 constexpr std::string_view kAmbiguousColumn = ",ambiguous";
+constexpr std::string_view kExtentColumns =
+    ",extent_xx_m2,extent_xy_m2,extent_xz_m2,extent_yy_m2,extent_yz_m2,extent_zz_m2";
 
 std::string headerText(const TrajectoryHeader& header) {
   std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
@@ -36,12 +38,16 @@ std::string headerText(const TrajectoryHeader& header) {
   text.append(header.hasBest ? kBestColumns : "");
   text.append(header.hasCorrected ? kCorrectedColumn : "");
   text.append(header.hasAmbiguous ? kAmbiguousColumn : "");
+  text.append(header.hasExtent ? kExtentColumns : "");
   return text + '\n';
 }
 
+std::string symmetricText(const Eigen::Matrix3d& c) {
+  return fmt::format("{},{},{},{},{},{}", c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2));
+}
+
 std::string numbersText(const Eigen::Vector3d& p, const Eigen::Matrix3d& c) {
-  return fmt::format("{},{},{},{},{},{},{},{},{}", p.x(), p.y(), p.z(), c(0, 0), c(0, 1), c(0, 2),
-                     c(1, 1), c(1, 2), c(2, 2));
+  return fmt::format("{},{},{},{}", p.x(), p.y(), p.z(), symmetricText(c));
 }
 
 std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& header) {
@@ -63,6 +69,9 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
   }
   if (header.hasAmbiguous) {
     text += sample.ambiguous ? ",1" : ",0";
+  }
+  if (header.hasExtent) {
+    text += sample.extent ? ',' + symmetricText(*sample.extent) : std::string(6, ',');
   }
   return text + '\n';
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
+#include "core/geometry/sphere_image.h"
 #include "core/session/camera_overlay.h"
 #include "tests/session/fake_recording.h"
 
@@ -52,6 +53,34 @@ TEST(CameraOverlay, IsEmptyWithoutRigCameraOrEstimate) {
   EXPECT_TRUE(cameraOverlay(snapshotWithRig(), 2, target).particles.empty());
   const auto overlay = cameraOverlay(snapshotWithRig(), 0, target);
   EXPECT_FALSE(overlay.estimate || overlay.ellipse || overlay.truth);
+}
+
+// An ellipsoid with three equal axes is a ball, whose outline is known otherwise.
+TEST(CameraOverlay, OutlinesWhatIsNoBall) {
+  constexpr double kRadius = 0.06;
+  const auto snapshot = snapshotWithRig();
+  TargetSnapshot target = threeParticles();
+  auto& sphere = std::get<SphereEstimate>(target.estimate);
+  sphere.particleCount = 3;
+  sphere.mean = {0.02, 0.01, 0.1};
+  sphere.covariance = 1e-6 * Eigen::Matrix3d::Identity();
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).outline); // of a ball
+  sphere.extent = kRadius * kRadius * Eigen::Matrix3d::Identity();
+  const auto overlay = cameraOverlay(snapshot, 0, target);
+  ASSERT_TRUE(overlay.outline);
+  const auto ball = SphereProjector((*snapshot.rig)[0]).project(sphere.mean, kRadius);
+  ASSERT_TRUE(ball);
+  EXPECT_LT((overlay.outline->center - ball->center).norm(), 0.5);
+  EXPECT_NEAR(std::sqrt(overlay.outline->semiMajor * overlay.outline->semiMinor), ball->radius,
+              0.01 * ball->radius);
+  // Twice as long along the image's columns.
+  const Eigen::Vector3d across = (*snapshot.rig)[0].cameraFromWorld.linear().row(0);
+  *sphere.extent += 3.0 * kRadius * kRadius * across * across.transpose();
+  const auto longer = cameraOverlay(snapshot, 0, target);
+  ASSERT_TRUE(longer.outline);
+  EXPECT_NEAR(longer.outline->semiMajor, 2.0 * longer.outline->semiMinor,
+              0.1 * longer.outline->semiMinor);
+  EXPECT_NEAR(std::abs(std::cos(longer.outline->angle)), 1.0, 0.02);
 }
 
 TEST(CameraOverlay, HasTheParticleOfHighestWeight) {

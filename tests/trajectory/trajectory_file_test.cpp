@@ -186,6 +186,25 @@ TEST(TrajectoryFile, MarksWhatIsAmbiguous) {
   EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasAmbiguous);
 }
 
+TEST(TrajectoryFile, KeepsTheExtentOfWhatIsNoBall) {
+  const auto path = temporary("extent.csv");
+  Trajectory written{{}, {sample(), sample()}};
+  written.header.hasExtent = true;
+  Eigen::Matrix3d extent;
+  extent << 4e-4, 1e-4, 0.0, 1e-4, 9e-4, -2e-4, 0.0, -2e-4, 1e-4;
+  written.samples[1].extent = extent;
+  ASSERT_TRUE(writeTrajectory(written, path));
+  const auto read = readTrajectory(path);
+  ASSERT_TRUE(read) << sentence(read.error());
+  std::filesystem::remove(path);
+  EXPECT_TRUE(read->header.hasExtent);
+  ASSERT_EQ(read->samples.size(), 2U);
+  EXPECT_FALSE(read->samples[0].extent);
+  EXPECT_EQ(read->samples[1].extent, extent);
+  EXPECT_EQ(read->samples[1].covariance, sample().covariance);
+  EXPECT_FALSE(readText("frame,x_m,y_m,z_m\n0,1,2,3\n")->header.hasExtent);
+}
+
 TEST(TrajectoryFile, ReadsTruthByColumnNames) {
   const auto truth = readText("z_m,frame,x_m,remark,y_m\r\n3,7,1,hello,2\r\n");
   ASSERT_TRUE(truth) << sentence(truth.error());

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::ui {
@@ -61,6 +62,15 @@ void paintParticles(QPainter& painter, const CameraOverlay& overlay,
   painter.drawPixmapFragments(dots.data(), static_cast<int>(dots.size()), stamp);
 }
 
+void paintEllipse(QPainter& painter, const ImageEllipse& ellipse, const ImagePlacement& placement) {
+  painter.save();
+  painter.translate(placed(ellipse.center.x(), ellipse.center.y(), placement));
+  painter.rotate(ellipse.angle * 180.0 / std::numbers::pi);
+  painter.drawEllipse(QPointF(0, 0), ellipse.semiMajor * placement.scale,
+                      ellipse.semiMinor * placement.scale);
+  painter.restore();
+}
+
 /// Dashed where the target is only thought to be.
 void paintBox(QPainter& painter, const ImageBox& box, bool hidden, const ImagePlacement& placement,
               const QColor& color) {
@@ -86,16 +96,16 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
   if (overlay.box) {
     paintBox(painter, *overlay.box, overlay.boxHidden, placement, color);
   }
+  if (overlay.outline) {
+    // Dashed: the target itself, not what is known of its position.
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [ink, width] : {std::pair{QColor(0, 0, 0, 150), 3.4}, std::pair{color, 1.6}}) {
+      painter.setPen(QPen(ink, width, Qt::DashLine, Qt::FlatCap));
+      paintEllipse(painter, *overlay.outline, placement);
+    }
+  }
   if (overlay.ellipse) {
-    const ImageEllipse& ellipse = *overlay.ellipse;
-    painter.save();
-    painter.translate(placed(ellipse.center.x(), ellipse.center.y(), placement));
-    painter.rotate(ellipse.angle * 180.0 / std::numbers::pi);
-    withHalo(painter, color, 1.5, [&] {
-      painter.drawEllipse(QPointF(0, 0), ellipse.semiMajor * placement.scale,
-                          ellipse.semiMinor * placement.scale);
-    });
-    painter.restore();
+    withHalo(painter, color, 1.5, [&] { paintEllipse(painter, *overlay.ellipse, placement); });
   }
   if (overlay.truth) {
     const QPointF at = placed(overlay.truth->x(), overlay.truth->y(), placement);

@@ -7,6 +7,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
+#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,40 @@ vtkSmartPointer<vtkActor> ballActor(int resolution) {
   actor->PickableOff();
   actor->VisibilityOff();
   return actor;
+}
+
+/// The axes of a symmetric matrix, right-handed (a mirrored ball would be lit from inside), and its
+/// eigenvalues in their order; nothing where it has none above 0.
+struct Axes {
+  Eigen::Matrix3d directions;
+  Eigen::Vector3d values;
+};
+std::optional<Axes> axesOf(const Eigen::Matrix3d& matrix) {
+  if (!matrix.allFinite()) {
+    return std::nullopt;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (matrix + matrix.transpose()));
+  if (solver.info() != Eigen::Success || solver.eigenvalues().maxCoeff() <= 0.0) {
+    return std::nullopt;
+  }
+  Axes axes{solver.eigenvectors(), solver.eigenvalues()};
+  if (axes.directions.determinant() < 0.0) {
+    axes.directions.col(0) *= -1.0;
+  }
+  return axes;
+}
+
+/// Turns an actor so that its axes point along these.
+void turn(vtkActor* actor, const Eigen::Matrix3d& directions) {
+  vtkNew<vtkMatrix4x4> pose;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      pose->SetElement(row, column, directions(row, column));
+    }
+  }
+  std::array<double, 3> angles{};
+  vtkTransform::GetOrientation(angles.data(), pose);
+  actor->SetOrientation(angles.data());
 }
 
 /// Three great circles of the unit ball.
@@ -200,7 +235,7 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
     return;
   }
   mean_ = position->mean;
-  radius_ = std::isfinite(target.target.radius) ? std::max(0.0, target.target.radius) : 0.0;
+  showBody(target);
   // Not held: a ghost only.
   sphere_->GetProperty()->SetOpacity(held ? 1.0 : 0.35);
   Strokes plumb;
@@ -209,21 +244,29 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
   showEllipsoid(position->covariance);
 }
 
+void TargetActors::showBody(const TargetSnapshot& target) {
+  radius_ = std::isfinite(target.target.radius) ? std::max(0.0, target.target.radius) : 0.0;
+  semiAxes_.setConstant(radius_);
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();
+  if (const auto extent = extentOf(target.estimate)) {
+    if (const auto axes = axesOf(*extent)) {
+      semiAxes_ = axes->values.cwiseMax(1e-8).cwiseSqrt();
+      directions = axes->directions;
+      radius_ = semiAxes_.maxCoeff();
+    }
+  }
+  turn(sphere_, directions);
+  turn(halo_, directions);
+}
+
 void TargetActors::showEllipsoid(const Eigen::Matrix3d& covariance) {
-  if (!covariance.allFinite()) {
+  const auto axes = axesOf(covariance);
+  if (!axes) {
     return;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      0.5 * (covariance + covariance.transpose()));
-  if (solver.info() != Eigen::Success || solver.eigenvalues().maxCoeff() <= 0.0) {
-    return;
-  }
-  Eigen::Matrix3d directions = solver.eigenvectors();
-  if (directions.determinant() < 0.0) {
-    directions.col(0) *= -1.0; // a mirrored ball would be lit from inside
-  }
+  const Eigen::Matrix3d& directions = axes->directions;
   const Eigen::Vector3d semiAxes =
-      (solver.eigenvalues() * kChiSquared95).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
+      (axes->values * kChiSquared95).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       ellipsoidPose_->SetElement(row, column, directions(row, column) * semiAxes[column]);
@@ -332,11 +375,15 @@ void TargetActors::prepareFrame(const ScreenScale& scale) {
   const double nearer = 1.5 * cloudReach_ + radius;
   const Eigen::Vector3d place = scale.nearer(mean_, nearer);
   sphere_->SetPosition(place.x(), place.y(), place.z());
-  sphere_->SetScale(radius * scale.nearerFactor(mean_, nearer));
+  const double smallest = scale.meters(mean_, kSmallestSpherePx);
+  const auto scaled = [&](double more, double factor) {
+    return Eigen::Vector3d(factor * (semiAxes_.array().max(smallest) + more));
+  };
+  sphere_->SetScale(scaled(0.0, scale.nearerFactor(mean_, nearer)).data());
   const double haloNearer = nearer - 0.7 * radius;
   const Eigen::Vector3d behind = scale.nearer(mean_, haloNearer);
   halo_->SetPosition(behind.x(), behind.y(), behind.z());
-  halo_->SetScale((radius + scale.meters(mean_, 1.5)) * scale.nearerFactor(mean_, haloNearer));
+  halo_->SetScale(scaled(scale.meters(mean_, 1.5), scale.nearerFactor(mean_, haloNearer)).data());
   const double dot = scale.meters(mean_, kParticlePx);
   // A new scale makes the mapper upload all points again: only when it shows.
   if (std::abs(dot - cloudMapper_->GetScaleFactor()) > 0.1 * dot) {

@@ -37,6 +37,8 @@ public:
 private:
   void showParticles(const TargetSnapshot& target);
   void showEstimate(const TargetSnapshot& target);
+  /// The shape of the target, at the origin.
+  void showBody(const TargetSnapshot& target);
   void showEllipsoid(const Eigen::Matrix3d& covariance);
   void showTail(const TargetSnapshot& target);
   void showTruth(const TargetSnapshot& target);
@@ -55,6 +57,8 @@ private:
   std::optional<Eigen::Vector3d> best_; ///< particle of highest weight
   bool bestShown_ = false;
   double radius_ = 0.0;
+  /// Semi-axes of what is no ball, meters; all are the radius of a ball.
+  Eigen::Vector3d semiAxes_ = Eigen::Vector3d::Zero();
   double cloudReach_ = 0.0; ///< from the mean to the rim of the ellipsoid, meters
 
   vtkNew<vtkFloatArray> positions_;

@@ -27,18 +27,19 @@ constexpr Overloaded kStatusBeforeTracking{
 
 TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& target,
                           std::int64_t frame, double time) {
-  TrajectorySample sample{time,
-                          frame,
-                          target,
-                          sphere.mean,
-                          sphere.covariance,
-                          sphere.effectiveSampleSize,
-                          sphere.camerasSeeing,
-                          sphere.valid,
-                          std::nullopt,
-                          sphere.existenceProbability,
-                          bestParticleOf(sphere)};
+  TrajectorySample sample;
+  sample.time = time;
+  sample.frame = frame;
+  sample.target = target;
+  sample.position = sphere.mean;
+  sample.covariance = sphere.covariance;
+  sample.effectiveSampleSize = sphere.effectiveSampleSize;
+  sample.cameras = sphere.camerasSeeing;
+  sample.valid = sphere.valid;
+  sample.existenceProbability = sphere.existenceProbability;
+  sample.best = bestParticleOf(sphere);
   sample.ambiguous = sphere.ambiguous;
+  sample.extent = sphere.extent;
   if (sphere.measurement) {
     sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
   }
@@ -69,6 +70,9 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   header.hasSeen = method != nullptr && method->writesMeasurements;
   header.hasBest = method != nullptr && method->family.hasBestParticle;
   header.hasAmbiguous = method != nullptr && method->statesAmbiguity;
+  const auto mayBeNoBall = [](const Target& target) { return target.shape != TargetShape::Ball; };
+  header.hasExtent = method != nullptr && method->learnsShapes &&
+                     std::ranges::any_of(project.targets, mayBeNoBall);
   header.hasCorrected = header.hasBest && !project.corrections.empty();
   return header;
 }

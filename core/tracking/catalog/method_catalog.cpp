@@ -103,7 +103,7 @@ Made makeMohedano(const ParameterValues& parameters, const CameraRig& rig,
 constexpr Method kMethods[] = {
     {"dewpoint", kSpheres,
      "The surest and most accurate: for all that moves, any number of cameras and targets.",
-     dewpointParameters, makeTogether<DewpointTracker>, true, true},
+     dewpointParameters, makeTogether<DewpointTracker>, true, true, true},
     {"barrera", kSpheres,
      "The color particle filter of Barrera et al. (2005): for teaching and comparison.",
      barreraParameters, makeIndependent<BarreraTracker>},

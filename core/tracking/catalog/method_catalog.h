@@ -88,6 +88,8 @@ struct Method {
   bool writesMeasurements = false;
   /// Trajectories have a column that says where something else may be the target about as well.
   bool statesAmbiguity = false;
+  /// Trajectories have columns for the extent of targets that are no balls.
+  bool learnsShapes = false;
 };
 
 /// All methods a project may choose, the default first; of each family its default first.

@@ -9,6 +9,14 @@
 namespace dewpoint::trajectory::encoders {
 namespace {
 
+std::string symmetricCells(const Eigen::Matrix3d& c) {
+  std::string text;
+  for (const auto& [row, column] : {std::pair{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}) {
+    text += ',' + covarianceText(c(row, column));
+  }
+  return text;
+}
+
 std::string covarianceCells(const ExportCell& cell) {
   if (!cell.covariance) {
     return std::string(9, ',');
@@ -18,10 +26,7 @@ std::string covarianceCells(const ExportCell& cell) {
   for (int axis = 0; axis < 3; ++axis) {
     text += ',' + covarianceText(std::sqrt(std::max(0.0, c(axis, axis))));
   }
-  for (const auto& [row, column] : {std::pair{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}) {
-    text += ',' + covarianceText(c(row, column));
-  }
-  return text;
+  return text + symmetricCells(c);
 }
 
 std::string positionCells(const Eigen::Vector3d& p) {
@@ -43,6 +48,9 @@ std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
   if (table.ambiguous) {
     text += cell.ambiguous ? ",1" : ",0";
   }
+  if (table.extent) {
+    text += cell.extent ? symmetricCells(*cell.extent) : std::string(6, ',');
+  }
   return text + '\n';
 }
 
@@ -56,7 +64,12 @@ Files tidyCsv(const ExportTable& table, const std::string& /*name*/) {
                       table.unitName());
   text += table.best ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName()) : "";
   text += table.corrected ? ",corrected" : "";
-  text += table.ambiguous ? ",ambiguous\n" : "\n";
+  text += table.ambiguous ? ",ambiguous" : "";
+  text += table.extent ? fmt::format(",extent_xx_{0}2,extent_xy_{0}2,extent_xz_{0}2,"
+                                     "extent_yy_{0}2,extent_yz_{0}2,extent_zz_{0}2",
+                                     table.unitName())
+                       : "";
+  text += '\n';
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     for (std::size_t target = 0; target < table.targets.size(); ++target) {
       text += fmt::format("{},{},{}", timeText(table.times[row]), table.frames[row],

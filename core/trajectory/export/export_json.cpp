@@ -42,6 +42,9 @@ std::string targetText(const std::string& name, const ExportCell& cell) {
   if (cell.best) {
     text += fmt::format(",\"best\":{}", vectorText(*cell.best));
   }
+  if (cell.extent) {
+    text += fmt::format(",\"extent\":{}", matrixText(*cell.extent));
+  }
   return text + fmt::format(",\"cams\":{},\"ess\":{}{}{}{}}}", cell.cameras,
                             covarianceText(cell.effectiveSampleSize),
                             cell.filled ? ",\"filled\":true" : "",

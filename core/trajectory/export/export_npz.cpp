@@ -106,13 +106,19 @@ std::array<double, 3> bestOf(const ExportCell& cell) {
   return {best.x(), best.y(), best.z()};
 }
 
-std::array<double, 9> covarianceOf(const ExportCell& cell) {
+std::array<double, 9> valuesOf(const std::optional<Eigen::Matrix3d>& symmetric) {
   std::array<double, 9> values{};
   values.fill(kNaN);
-  if (cell.covariance) {
-    std::copy_n(cell.covariance->data(), values.size(), values.begin()); // symmetric
+  if (symmetric) {
+    std::copy_n(symmetric->data(), values.size(), values.begin());
   }
   return values;
+}
+std::array<double, 9> covarianceOf(const ExportCell& cell) {
+  return valuesOf(cell.covariance);
+}
+std::array<double, 9> extentOf(const ExportCell& cell) {
+  return valuesOf(cell.extent);
 }
 
 template <class T> std::string rowArray(const char* type, const std::vector<T>& values) {
@@ -157,6 +163,9 @@ Files npz(const ExportTable& table, const std::string& /*name*/) {
         {"ambiguous.npy", cellArray<std::uint8_t>(table, "|b1", "", [](const ExportCell& c) {
            return Flag{c.ambiguous};
          })});
+  }
+  if (table.extent) {
+    entries.push_back({"extent.npy", cellArray<double>(table, "<f8", ", 3, 3", extentOf)});
   }
   if (table.header) {
     std::string about;

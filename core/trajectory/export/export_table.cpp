@@ -74,6 +74,9 @@ ExportCell cellOf(const TrajectorySample& sample) {
     cell.cameras = sample.cameras;
     cell.corrected = sample.corrected;
     cell.ambiguous = sample.ambiguous;
+    if (sample.extent && sample.extent->allFinite()) {
+      cell.extent = sample.extent;
+    }
   }
   return cell;
 }
@@ -223,6 +226,7 @@ private:
     cell.effectiveSampleSize = nearest.effectiveSampleSize;
     cell.corrected = nearest.corrected;
     cell.ambiguous = cells_[a].ambiguous || cells_[b].ambiguous;
+    cell.extent = nearest.extent;
     cell.cameras = b == a + 1 ? std::min(cells_[a].cameras, cells_[b].cameras) : 0;
     return cell;
   }
@@ -291,6 +295,11 @@ void turnAndScale(ExportTable& table) {
       }
       table.corrected = table.corrected || cell.corrected;
       table.ambiguous = table.ambiguous || cell.ambiguous;
+      if (cell.extent) {
+        const Eigen::Matrix3d rotated = turn * *cell.extent * turn.transpose();
+        cell.extent = scale * scale * rotated;
+        table.extent = true;
+      }
     }
   }
 }

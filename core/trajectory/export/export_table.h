@@ -24,6 +24,7 @@ struct ExportCell {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::optional<Eigen::Matrix3d> covariance; ///< nothing: not known
   std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; nothing: not known
+  std::optional<Eigen::Matrix3d> extent;     ///< of what is no ball; nothing: a ball, or not known
   double effectiveSampleSize = 0.0;
   int cameras = 0;
 };
@@ -41,6 +42,7 @@ struct ExportTable {
   bool best = false;                          ///< some cell has one
   bool corrected = false;                     ///< some cell is
   bool ambiguous = false;                     ///< some cell is
+  bool extent = false;                        ///< some cell has one
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   bool header = true;

@@ -89,11 +89,11 @@ double speedAt(const ExportTable& table, const Node& node) {
 }
 
 /// xx yy zz xy yz xz: VTK's order of a symmetric tensor.
-std::string tensorText(const ExportCell& cell) {
-  if (!cell.covariance) {
+std::string tensorText(const std::optional<Eigen::Matrix3d>& tensor) {
+  if (!tensor) {
     return "nan nan nan nan nan nan";
   }
-  const Eigen::Matrix3d& c = *cell.covariance;
+  const Eigen::Matrix3d& c = *tensor;
   return fmt::format("{} {} {} {} {} {}", covarianceText(c(0, 0)), covarianceText(c(1, 1)),
                      covarianceText(c(2, 2)), covarianceText(c(0, 1)), covarianceText(c(1, 2)),
                      covarianceText(c(0, 2)));
@@ -137,7 +137,7 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
                     [&](const Node& node) { return std::string(cellAt(node).filled ? "1" : "0"); });
   if (table.covariance) {
     text += nodeArray(drawing, "Float64", "covariance", 6,
-                      [&](const Node& node) { return tensorText(cellAt(node)); });
+                      [&](const Node& node) { return tensorText(cellAt(node).covariance); });
   }
   if (table.best) {
     text += nodeArray(drawing, "Float64", "best", 3,
@@ -152,6 +152,10 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
     text += nodeArray(drawing, "UInt8", "ambiguous", 1, [&](const Node& node) {
       return std::string(cellAt(node).ambiguous ? "1" : "0");
     });
+  }
+  if (table.extent) {
+    text += nodeArray(drawing, "Float64", "extent", 6,
+                      [&](const Node& node) { return tensorText(cellAt(node).extent); });
   }
   return text + "</PointData>\n";
 }

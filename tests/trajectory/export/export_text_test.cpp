@@ -103,6 +103,29 @@ TEST(ExportText, WhatIsAmbiguousIsMarked) {
   EXPECT_NE(exported(trajectory, options, "a.csv").find(",ambiguous\n"), std::string::npos);
 }
 
+TEST(ExportText, TheExtentOfWhatIsNoBallIsWritten) {
+  Trajectory trajectory = exportExample();
+  trajectory.samples[2].extent = Eigen::Vector3d(4e-4, 9e-4, 1e-4).asDiagonal(); // frame 1
+  ExportOptions options = exportAs("csv");
+  options.targets = {"ball"};
+  options.unit = LengthUnit::Millimeter;
+  const std::string csv = exported(trajectory, options, "a.csv");
+  EXPECT_NE(csv.find(",valid,filled,extent_xx_mm2,extent_xy_mm2,extent_xz_mm2,extent_yy_mm2,"
+                     "extent_yz_mm2,extent_zz_mm2\n"),
+            std::string::npos);
+  EXPECT_NE(csv.find(",2,120,1,0,400,0,0,900,0,100\n"), std::string::npos); // frame 1
+  EXPECT_NE(csv.find(",2,120,1,0,,,,,,\n"), std::string::npos);             // frames 0 and 3
+  ExportOptions json = exportAs("jsonl");
+  json.axes = WorldAxes::YUp; // (x, y, z) becomes (y, z, x)
+  EXPECT_NE(exported(trajectory, json, "a.jsonl")
+                .find("\"extent\":[[0.0009,0,0],[0,0.0001,0],[0,0,0.0004]]"),
+            std::string::npos);
+  EXPECT_NE(exported(trajectory, exportAs("vtp"), "a.vtp").find("Name=\"extent\""),
+            std::string::npos);
+  EXPECT_NE(exported(trajectory, exportAs("npz"), "a.npz").find("extent.npy"), std::string::npos);
+  EXPECT_EQ(exported(exportExample(), options, "a.csv").find("extent"), std::string::npos);
+}
+
 TEST(ExportText, TidyCsvIsReadByOurOwnReader) {
   const ExportFolder folder;
   ExportOptions options = exportAs("csv");
