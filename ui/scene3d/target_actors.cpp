@@ -23,6 +23,8 @@ constexpr double kChiSquared95 = 7.815;
 constexpr double kParticlePx = 1.7;       ///< radius
 constexpr double kSmallestSpherePx = 4.5; ///< radius
 constexpr Eigen::Index kMostParticles = 20000;
+/// Of what is no ball: it may be large, and its cloud is inside.
+constexpr double kBodyOpacity = 0.4;
 
 /// A disc with a soft rim instead of VTK's Gaussian, whose wide skirt costs software OpenGL dearly.
 constexpr const char* kDiscShader =
@@ -226,7 +228,8 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
                      particleCountOf(target.estimate) > 0 && target.shape == nullptr;
   const bool held = isHeld(target.estimate);
   sphere_->SetVisibility(known);
-  halo_->SetVisibility(known && held);
+  const bool isBall = !extentOf(target.estimate);
+  halo_->SetVisibility(known && held && isBall);
   cloudReach_ = 0.0;
   plumb_->SetVisibility(known);
   ellipsoid_->VisibilityOff();
@@ -237,7 +240,8 @@ void TargetActors::showEstimate(const TargetSnapshot& target) {
   mean_ = position->mean;
   showBody(target);
   // Not held: a ghost only.
-  sphere_->GetProperty()->SetOpacity(held ? 1.0 : 0.35);
+  const double opacity = isBall ? 1.0 : kBodyOpacity;
+  sphere_->GetProperty()->SetOpacity(held ? opacity : 0.35 * opacity);
   Strokes plumb;
   plumb.line(mean_, {mean_.x(), mean_.y(), 0.0});
   plumb.writeTo(plumbData_);
