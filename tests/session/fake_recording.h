@@ -116,8 +116,10 @@ inline SessionInputs inputs(FakeRecording::Options options = {},
 }
 
 /// Polls until `condition` holds; the bound only keeps a broken program from hanging for ever.
+/// Sanitizers are slow.
 inline bool eventually(const std::function<bool()>& condition) {
-  const auto giveUp = std::chrono::steady_clock::now() + std::chrono::seconds(100);
+  const auto giveUp =
+      std::chrono::steady_clock::now() + std::chrono::seconds(DEWPOINT_TEST_SECONDS / 3);
   while (!condition()) {
     if (std::chrono::steady_clock::now() > giveUp) {
       return false;
