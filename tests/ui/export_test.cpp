@@ -305,7 +305,7 @@ void ExportTest::aLongPreviewCanBeStopped() {
   auto* cancel = dialog.findChild<QPushButton*>(QStringLiteral("exportCancel"));
   auto* size = dialog.findChild<QLabel*>(QStringLiteral("exportSize"));
   QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), kPatienceMs);
-  QVERIFY(size->text().contains(QLatin1Char('%')));
+  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QLatin1Char('%')), kPatienceMs);
   QTest::mouseClick(cancel, Qt::LeftButton);
   QVERIFY(!cancel->isVisible());
   QVERIFY(size->text().contains(QStringLiteral("stopped")));

@@ -251,7 +251,7 @@ void BackgroundModel::start(const cv::Mat& image) {
 }
 
 void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hidden,
-                            bool nothingElsewhere) {
+                            bool noTargetElsewhere) {
   if (image.empty() || image.type() != CV_8UC3) {
     return;
   }
@@ -260,23 +260,23 @@ void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hid
   }
   known_ = 0;
   new_ = 0;
-  if (nothingElsewhere && familiar_.empty()) {
+  if (noTargetElsewhere && familiar_.empty()) {
     familiar_ = cv::Mat::zeros(image.size(), CV_8UC1);
   }
   for (int row = phase_; row < image.rows; row += kRowPhases) {
-    learnRow(image, row, hidden, nothingElsewhere);
+    learnRow(image, row, hidden, noTargetElsewhere);
   }
   phase_ = (phase_ + 1) % kRowPhases;
   novelShare_ = known_ > 0 ? static_cast<double>(new_) / known_ : 0.0;
 }
 
-void BackgroundModel::doubtEmptiness() {
+void BackgroundModel::forgetEmptyPlaces() {
   if (!familiar_.empty()) {
     familiar_.setTo(0, familiar_ < kEmptyRoom);
   }
 }
 
-void BackgroundModel::doubtEmptiness(const Hidden& circle) {
+void BackgroundModel::forgetEmptyPlaces(const Hidden& circle) {
   if (familiar_.empty()) {
     return;
   }
@@ -287,7 +287,7 @@ void BackgroundModel::doubtEmptiness(const Hidden& circle) {
 }
 
 void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int end,
-                                  bool nothingElsewhere) {
+                                  bool noTargetElsewhere) {
   const std::int64_t count = end - begin;
   const std::uint8_t* pixel = image.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * begin;
   std::uint8_t* mean = mean_.ptr<std::uint8_t>(row) + std::ptrdiff_t{3} * begin;
@@ -299,7 +299,7 @@ void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int 
     runKernel<ForgetKernel>(static_cast<const std::uint8_t*>(moves), count,
                             familiar_.ptr<std::uint8_t>(row) + begin);
   }
-  if (nothingElsewhere) {
+  if (noTargetElsewhere) {
     runKernel<ProveKernel>(static_cast<const std::uint8_t*>(moves), count,
                            familiar_.ptr<std::uint8_t>(row) + begin);
   }
@@ -308,7 +308,7 @@ void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int 
 }
 
 void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden,
-                               bool nothingElsewhere) {
+                               bool noTargetElsewhere) {
   int begin = 0;
   while (begin < image.cols) {
     // The next stretch of the row that no target hides.
@@ -331,7 +331,7 @@ void BackgroundModel::learnRow(const cv::Mat& image, int row, const std::vector<
       }
     }
     if (begin < end) {
-      learnPixels(image, row, begin, end, nothingElsewhere);
+      learnPixels(image, row, begin, end, noTargetElsewhere);
     }
     begin = std::max(begin, end);
   }

@@ -48,15 +48,15 @@ public:
   /// or of another tint at once (estimateLightChange()). Before the labels of the image are made.
   void followLight(const cv::Mat& image);
   /// Learns from every fourth row of an image (CV_8UC3), other rows each time. An image of another
-  /// size starts from scratch. With `nothingElsewhere` no target is outside of `hidden`, so that
+  /// size starts from scratch. With `noTargetElsewhere` no target is outside of `hidden`, so that
   /// what has a target's color there is none: after some observations it counts as what the empty
   /// room showed.
   void learn(const cv::Mat& image, const std::vector<Hidden>& hidden,
-             bool nothingElsewhere = false);
-  /// What learn() with `nothingElsewhere` has found out is no longer believed: everywhere, or
+             bool noTargetElsewhere = false);
+  /// What learn() with `noTargetElsewhere` has found out is no longer believed: everywhere, or
   /// inside a circle, where a target was after all.
-  void doubtEmptiness();
-  void doubtEmptiness(const Hidden& circle);
+  void forgetEmptyPlaces();
+  void forgetEmptyPlaces(const Hidden& circle);
   /// Bytes of its images.
   std::size_t memoryBytes() const;
   /// Share of the known pixels among those last learned from that showed something new, 0 to 1:
@@ -79,9 +79,9 @@ public:
 
 private:
   void learnRow(const cv::Mat& image, int row, const std::vector<Hidden>& hidden,
-                bool nothingElsewhere);
+                bool noTargetElsewhere);
   void start(const cv::Mat& image);
-  void learnPixels(const cv::Mat& image, int row, int begin, int end, bool nothingElsewhere);
+  void learnPixels(const cv::Mat& image, int row, int begin, int end, bool noTargetElsewhere);
 
   cv::Mat mean_;       ///< CV_8UC3
   cv::Mat confidence_; ///< CV_8UC1, observations that agreed, up to kMostConfident

@@ -153,7 +153,7 @@ double SphereEvidence::explainedRingGain(const LabelImage& labels, const SphereI
   return -kSampleCorrelationFactor * std::min(1.0, area / kFullArea) * kRingMatch * explained;
 }
 
-double SphereEvidence::endShare(const LabelImage& labels, const SphereImage& outline) {
+double SphereEvidence::rimShare(const LabelImage& labels, const SphereImage& outline) {
   const Sampler sampler(labels, outline);
   int shown = 0;
   int ends = 0;

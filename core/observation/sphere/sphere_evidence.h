@@ -36,7 +36,7 @@ public:
   /// Share of the spokes on which the color ends at the outline, of those that nothing hides, 0 to
   /// 1: it matches inside, and the ring is neither of the color nor explained. 0 if more than two
   /// thirds are hidden.
-  static double endShare(const LabelImage& labels, const SphereImage& outline);
+  static double rimShare(const LabelImage& labels, const SphereImage& outline);
   /// Share of the samples inside the outline that match, 0 to 1.
   static double matchShare(const LabelImage& labels, const SphereImage& outline);
 };

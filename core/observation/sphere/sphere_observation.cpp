@@ -13,7 +13,7 @@ namespace {
 constexpr double kLargestRadiusPx = 2000.0;
 /// Share of the spokes, of those that nothing hides, on which the color must end. A judgment: a
 /// third may touch something of the color; of a disc in the corner of a large area half end.
-constexpr double kEndShare = 0.6;
+constexpr double kRimShare = 0.6;
 
 Eigen::Vector3d positionInRow(ConstStateRows rows, Eigen::Index row, double timeOffset) {
   Eigen::Vector3d position(rows(row, 0), rows(row, 1), rows(row, 2));
@@ -144,8 +144,7 @@ double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& 
   return sum;
 }
 
-bool SphereObservation::showsWhereItEnds(const Eigen::Vector3d& center,
-                                         const Eigen::Vector3d& velocity) {
+bool SphereObservation::showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
   return std::any_of(views_.begin(), views_.end(), [&](View& view) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (view.labels.empty() || !outline || outline->radius >= kLargestRadiusPx ||
@@ -153,7 +152,7 @@ bool SphereObservation::showsWhereItEnds(const Eigen::Vector3d& center,
       return false;
     }
     view.labels.require(areaOf(*outline, SphereEvidence::kReach));
-    return SphereEvidence::endShare(view.labels, *outline) >= kEndShare;
+    return SphereEvidence::rimShare(view.labels, *outline) >= kRimShare;
   });
 }
 

@@ -72,9 +72,9 @@ public:
   /// The ratio if every camera into whose image the position projects saw the target fully.
   double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
                                         const Eigen::Vector3d& velocity) const;
-  /// Whether a camera shows where the target ends, as far as it sees its rim: what is only a part
-  /// of something larger of its color ends nowhere.
-  bool showsWhereItEnds(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  /// Whether a camera shows the target's rim, as far as nothing hides it: its color ends there.
+  /// What is only a part of something larger of its color has none.
+  bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Cameras with an image into which the position projects.
   int camerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
   /// The evidence of each camera for one position: SphereEvidence and the share of the outline

@@ -76,7 +76,7 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
     TrackedObject& object = objects_[k];
     if (!(targets[k].color == object.track.target().color)) {
       images_.resetReferenceLight(); // the color was picked in the light of now
-      images_.doubtEmptiness();      // what is empty was found by the colors of before
+      images_.forgetEmptyPlaces();   // what is empty was found by the colors of before
       object.color = AdaptiveColor(targets[k].color, images_.cameraCount());
     }
     object.track.setTarget(targets[k]);
@@ -114,7 +114,7 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
                                       ThreadTeam& team) {
   TrackedObject& object = objects_[target];
   object.search.reset();
-  doubtEmptinessAt(object, position.mean);
+  forgetEmptyPlacesAt(object, position.mean);
   // Without what other objects explain: what the user points at is the target.
   images_.showTo(object.observation, object.color);
   if (object.isBall()) {
@@ -340,12 +340,12 @@ void DewpointTracker::adaptTargetColors() {
   }
 }
 
-bool DewpointTracker::nothingIsElsewhere() const {
+bool DewpointTracker::noTargetIsElsewhere() const {
   const int fewest = std::min<int>(2, static_cast<int>(images_.cameraCount()));
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
     const TrackHypothesis* const best = objects_[k].track.confident();
     const SphereEstimate& estimate = estimates_[k];
-    if (best == nullptr || !best->ends() || !best->outlineFound || !objects_[k].isBall() ||
+    if (best == nullptr || !best->hasRim() || !best->outlineFound || !objects_[k].isBall() ||
         best->logLikelihoodRatio <
             TrackHypothesis::kMostlyVisibleShare * best->fullyVisibleLogLikelihoodRatio ||
         !estimate.valid || estimate.existenceProbability < kSurelyThere ||
@@ -356,19 +356,19 @@ bool DewpointTracker::nothingIsElsewhere() const {
   return true;
 }
 
-void DewpointTracker::doubtEmptinessAt(const TrackedObject& object,
-                                       const Eigen::Vector3d& position) {
+void DewpointTracker::forgetEmptyPlacesAt(const TrackedObject& object,
+                                          const Eigen::Vector3d& position) {
   const TrackHypothesis* const best = object.track.best();
   const double radius = best != nullptr ? best->radius : object.track.target().radius;
   for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
     if (const auto outline = object.observation.projector(camera).project(position, radius)) {
-      images_.doubtEmptiness(camera,
-                             {outline->center, kNotLearnedRadii * outline->radius + kNotLearnedPx});
+      images_.forgetEmptyPlaces(
+          camera, {outline->center, kNotLearnedRadii * outline->radius + kNotLearnedPx});
     }
   }
 }
 
-void DewpointTracker::doubtLongEmptiness() {
+void DewpointTracker::forgetEmptyPlacesWhenLost() {
   for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
     TrackedObject& object = objects_[k];
     const double before = object.unseenSeconds;
@@ -376,14 +376,14 @@ void DewpointTracker::doubtLongEmptiness() {
         object.track.confident() != nullptr ? 0.0 : before + secondsSinceLastFrame();
     const double patience = parameters_.at("survival_time");
     if (before < patience && object.unseenSeconds >= patience) {
-      images_.doubtEmptiness(); // it may have been there all the time
+      images_.forgetEmptyPlaces(); // it may have been there all the time
     }
   }
 }
 
 void DewpointTracker::learnBackgrounds() {
-  doubtLongEmptiness();
-  const bool nothingElsewhere = nothingIsElsewhere();
+  forgetEmptyPlacesWhenLost();
+  const bool noTargetElsewhere = noTargetIsElsewhere();
   for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
     if (!images_.frame(camera)) {
       continue;
@@ -391,7 +391,7 @@ void DewpointTracker::learnBackgrounds() {
     std::vector<BackgroundModel::Hidden> hidden;
     for (const TrackedObject& object : objects_) {
       const TrackHypothesis* best = object.track.best();
-      if (best == nullptr || (object.isBall() && !best->ends())) {
+      if (best == nullptr || (object.isBall() && !best->hasRim())) {
         continue; // a part of something larger hides nothing
       }
       const auto outline =
@@ -404,7 +404,7 @@ void DewpointTracker::learnBackgrounds() {
       }
     }
     budget_.spend(TimeBudget::Part::Learning,
-                  [&] { images_.learnBackground(camera, hidden, nothingElsewhere); });
+                  [&] { images_.learnBackground(camera, hidden, noTargetElsewhere); });
   }
 }
 

@@ -63,18 +63,18 @@ void FrameImages::followLight() {
 
 void FrameImages::learnBackground(std::size_t camera,
                                   const std::vector<BackgroundModel::Hidden>& hidden,
-                                  bool nothingElsewhere) {
-  backgrounds_[camera].learn(frame(camera)->image, hidden, nothingElsewhere);
+                                  bool noTargetElsewhere) {
+  backgrounds_[camera].learn(frame(camera)->image, hidden, noTargetElsewhere);
 }
 
-void FrameImages::doubtEmptiness() {
+void FrameImages::forgetEmptyPlaces() {
   for (BackgroundModel& background : backgrounds_) {
-    background.doubtEmptiness();
+    background.forgetEmptyPlaces();
   }
 }
 
-void FrameImages::doubtEmptiness(std::size_t camera, const BackgroundModel::Hidden& circle) {
-  backgrounds_[camera].doubtEmptiness(circle);
+void FrameImages::forgetEmptyPlaces(std::size_t camera, const BackgroundModel::Hidden& circle) {
+  backgrounds_[camera].forgetEmptyPlaces(circle);
 }
 
 std::size_t FrameImages::memoryBytes() const {

@@ -43,10 +43,10 @@ public:
   /// Learns a camera's background from the frame, but not inside `hidden`, as
   /// BackgroundModel::learn(). There must be an image.
   void learnBackground(std::size_t camera, const std::vector<BackgroundModel::Hidden>& hidden,
-                       bool nothingElsewhere);
-  /// BackgroundModel::doubtEmptiness() of all cameras, and inside a circle in one.
-  void doubtEmptiness();
-  void doubtEmptiness(std::size_t camera, const BackgroundModel::Hidden& circle);
+                       bool noTargetElsewhere);
+  /// BackgroundModel::forgetEmptyPlaces() of all cameras, and inside a circle in one.
+  void forgetEmptyPlaces();
+  void forgetEmptyPlaces(std::size_t camera, const BackgroundModel::Hidden& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
   /// Bytes of the backgrounds.
   std::size_t memoryBytes() const;

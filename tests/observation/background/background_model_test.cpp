@@ -198,25 +198,25 @@ TEST(BackgroundModel, WhatHasTheColorIsTheTargetWhereItWasHidden) {
   EXPECT_EQ(labels.at<std::uint8_t>(30, 20), static_cast<int>(PixelLabel::Explained));
 }
 
-TEST(BackgroundModel, EmptinessIsDoubtedEverywhereOrInsideACircle) {
+TEST(BackgroundModel, EmptyPlacesAreForgottenEverywhereOrInsideACircle) {
   BackgroundModel model;
   const cv::Mat poster = plain(200, 30, 180);
   learnElsewhere(model, poster, kMany);
-  model.doubtEmptiness({{40.0, 30.0}, 10.0});
+  model.forgetEmptyPlaces({{40.0, 30.0}, 10.0});
   const cv::Mat labels = labelsOfTargetColor(model, poster);
   EXPECT_EQ(labels.at<std::uint8_t>(30, 40), static_cast<int>(PixelLabel::Target));
   EXPECT_EQ(labels.at<std::uint8_t>(30, 20), static_cast<int>(PixelLabel::Explained));
-  model.doubtEmptiness();
+  model.forgetEmptyPlaces();
   EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Target), kAll);
 }
 
-TEST(BackgroundModel, APictureOfTheEmptyRoomIsNotDoubted) {
+TEST(BackgroundModel, APictureOfTheEmptyRoomIsNotForgotten) {
   BackgroundModel model;
   const cv::Mat poster = plain(200, 30, 180);
   model.setEmptyRoom(poster);
   model.reset();
-  model.doubtEmptiness();
-  model.doubtEmptiness({{40.0, 30.0}, 10.0});
+  model.forgetEmptyPlaces();
+  model.forgetEmptyPlaces({{40.0, 30.0}, 10.0});
   EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Explained), kAll);
 }
 

@@ -50,22 +50,22 @@ protected:
 };
 
 TEST_F(SphereEvidenceTest, AColorThatGoesOnAroundDoesNotEnd) {
-  EXPECT_EQ(SphereEvidence::endShare(labelsOf(discImage(kOutline)), kOutline), 1.0);
+  EXPECT_EQ(SphereEvidence::rimShare(labelsOf(discImage(kOutline)), kOutline), 1.0);
   // A disc within a larger one, and in the corner of a poster, of which two sides end.
-  EXPECT_EQ(SphereEvidence::endShare(labelsOf(discImage({kOutline.center, 40.0})), kOutline), 0.0);
+  EXPECT_EQ(SphereEvidence::rimShare(labelsOf(discImage({kOutline.center, 40.0})), kOutline), 0.0);
   cv::Mat poster = grayImage();
   cv::rectangle(poster, {60, 40}, {150, 110}, cv::Scalar(0, 0, 230), cv::FILLED);
-  EXPECT_LE(SphereEvidence::endShare(labelsOf(poster), kOutline), 0.5);
+  EXPECT_LE(SphereEvidence::rimShare(labelsOf(poster), kOutline), 0.5);
 }
 
 TEST_F(SphereEvidenceTest, WhatHidesTheRimDoesNotCount) {
   cv::Mat half = discImage(kOutline);
   cv::rectangle(half, {80, 0}, {kWidth - 1, kHeight - 1}, cv::Scalar(200, 200, 30), cv::FILLED);
-  EXPECT_GE(SphereEvidence::endShare(labelsOf(half), kOutline), 0.8);
+  EXPECT_GE(SphereEvidence::rimShare(labelsOf(half), kOutline), 0.8);
   cv::Mat nearlyAll = discImage(kOutline);
   cv::rectangle(nearlyAll, {64, 0}, {kWidth - 1, kHeight - 1}, cv::Scalar(200, 200, 30),
                 cv::FILLED);
-  EXPECT_EQ(SphereEvidence::endShare(labelsOf(nearlyAll), kOutline), 0.0);
+  EXPECT_EQ(SphereEvidence::rimShare(labelsOf(nearlyAll), kOutline), 0.0);
 }
 
 TEST_F(SphereEvidenceTest, AFullDiscIsTheBest) {

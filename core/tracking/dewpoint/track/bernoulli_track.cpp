@@ -71,9 +71,9 @@ void BernoulliTrack::predict(double interval, const RandomKey& key) {
   for (TrackHypothesis& hypothesis : hypotheses_) {
     dewpoint::tracking::predict(hypothesis, motion, key);
     hypothesis.probability *= survival;
-    hypothesis.secondsSinceEnd += interval;
+    hypothesis.secondsSinceRim += interval;
   }
-  if (const TrackHypothesis* confirmed = confident(); confirmed != nullptr && confirmed->ends()) {
+  if (const TrackHypothesis* confirmed = confident(); confirmed != nullptr && confirmed->hasRim()) {
     searchPrior_.confirm(
         {confirmed->position(), confirmed->gaussian.covariance.topLeftCorner<3, 3>()});
   } else {
@@ -112,7 +112,7 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   }
   normalizeMasses(hypotheses_, logMasses);
   limitOneCamera(hypotheses_);
-  limitUnended(hypotheses_);
+  limitWithoutRim(hypotheses_);
   mergeAndPrune(hypotheses_);
   if (const TrackHypothesis* sure = confident(); sure != nullptr && sure->isSaturated()) {
     radiusPrior_.learn(sure->radius, sure->logRadiusVariance);
@@ -136,15 +136,14 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
 double BernoulliTrack::probabilityBefore(TrackHypothesis& hypothesis,
                                          SphereObservation& observation) const {
   observation.setRadius(hypothesis.radius);
-  if (observation.showsWhereItEnds(hypothesis.position(), hypothesis.velocity())) {
-    hypothesis.everEnded = true;
-    hypothesis.secondsSinceEnd = 0.0;
+  if (observation.showsRim(hypothesis.position(), hypothesis.velocity())) {
+    hypothesis.rimSeen = true;
+    hypothesis.secondsSinceRim = 0.0;
   }
   // A part of something that stands still looks the same in every frame, and counts once.
-  return hypothesis.everEnded
-             ? hypothesis.probability
-             : std::min(hypothesis.probability,
-                        birthProbability(hypothesis.position(), hypothesis.radius));
+  return hypothesis.rimSeen ? hypothesis.probability
+                            : std::min(hypothesis.probability,
+                                       birthProbability(hypothesis.position(), hypothesis.radius));
 }
 
 double BernoulliTrack::birthProbability(const Eigen::Vector3d& position, double radius) const {
@@ -267,7 +266,7 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.outlineFound = true;
-  hypothesis.everEnded = observation.showsWhereItEnds(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.rimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
   hypothesis.sizeMisfit = radiusPrior_.isTrusted() ? fit.sizeMisfit : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
@@ -286,7 +285,7 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
   hypotheses_.front().provenProbability = kInitialProbability;
-  hypotheses_.front().everEnded = true;
+  hypotheses_.front().rimSeen = true;
 }
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
@@ -295,7 +294,7 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
-  hypothesis.everEnded = true;
+  hypothesis.rimSeen = true;
   hypothesis.given = position.covariance;
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);

@@ -105,8 +105,8 @@ public:
 private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
-  /// The probability of a hypothesis before the images of this frame, of which it says whether they
-  /// show where it ends; of what may be a part of something larger no more than at a birth.
+  /// The probability of a hypothesis before the images of this frame count, and keeps in it whether
+  /// they show its rim. Of what may be a part of something larger no more than at a birth.
   double probabilityBefore(TrackHypothesis& hypothesis, SphereObservation& observation) const;
   /// Probability that an absent target appears at a position, as far as images tell it from others.
   double birthProbability(const Eigen::Vector3d& position, double radius) const;

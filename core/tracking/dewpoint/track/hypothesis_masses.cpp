@@ -20,7 +20,7 @@ constexpr double kNoSearchProbability = 0.98;
 constexpr int kUpdatesToResolve = 5;
 /// Most probability of what may be a part of something larger: likely enough to be shown, too
 /// little to be sure.
-constexpr double kMostUnended = 0.9;
+constexpr double kMostWithoutRim = 0.9;
 /// Share of the probability of all hypotheses from which on those that are not the likeliest make
 /// the target ambiguous.
 constexpr double kRivalShare = 0.1;
@@ -53,10 +53,10 @@ void limitOneCamera(std::vector<TrackHypothesis>& hypotheses) {
   }
 }
 
-void limitUnended(std::vector<TrackHypothesis>& hypotheses) {
+void limitWithoutRim(std::vector<TrackHypothesis>& hypotheses) {
   for (TrackHypothesis& hypothesis : hypotheses) {
-    if (!hypothesis.ends()) {
-      hypothesis.probability = std::min(hypothesis.probability, kMostUnended);
+    if (!hypothesis.hasRim()) {
+      hypothesis.probability = std::min(hypothesis.probability, kMostWithoutRim);
     }
   }
 }

@@ -34,9 +34,9 @@ double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses);
 /// one could: one camera's evidence counts up to its prior.
 void limitOneCamera(std::vector<TrackHypothesis>& hypotheses);
 
-/// What may be a part of something larger (TrackHypothesis::ends() is false) is not stated with
+/// What may be a part of something larger (TrackHypothesis::hasRim() is false) is not stated with
 /// more than 0.9.
-void limitUnended(std::vector<TrackHypothesis>& hypotheses);
+void limitWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
 /// The part of the log likelihood ratio above TrackHypothesis::kSaturationShare, which does not
 /// count.

@@ -32,10 +32,10 @@ struct TrackHypothesis {
   bool oneCameraOnly = false;
   /// Its probability when more than one camera could see it last.
   double provenProbability = 0.0;
-  /// Whether a camera has shown since the birth where it ends, or somebody said that it is here:
-  /// until then it may be a part of something larger.
-  bool everEnded = false;
-  double secondsSinceEnd = 0.0;    ///< since that was shown or said last
+  /// Whether a camera has shown its rim since the birth, or somebody said that it is here: until
+  /// then it may be a part of something larger.
+  bool rimSeen = false;
+  double secondsSinceRim = 0.0;    ///< since that was shown or said last
   double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
   /// The log likelihood ratio if every camera in whose image the target lies saw it fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
@@ -66,8 +66,8 @@ struct TrackHypothesis {
   /// Above this share at least a part of the target is seen.
   static constexpr double kPartlyVisibleShare = 0.25;
 
-  /// Seconds that an end is remembered: as long as a target is covered in passing.
-  static constexpr double kEndMemory = 0.5;
+  /// Seconds that a rim is remembered: as long as a target is covered in passing.
+  static constexpr double kRimMemory = 0.5;
 
   /// Whether the outline was found and the evidence has reached kSaturationShare. The evidence does
   /// not decide between two such hypotheses.
@@ -76,8 +76,8 @@ struct TrackHypothesis {
            logLikelihoodRatio >= kSaturationShare * fullyVisibleLogLikelihoodRatio;
   }
 
-  /// Whether it is known not to be a part of something larger.
-  bool ends() const { return everEnded && secondsSinceEnd <= kEndMemory; }
+  /// Whether its rim was shown not long ago, so that it is no part of something larger.
+  bool hasRim() const { return rimSeen && secondsSinceRim <= kRimMemory; }
 
   Eigen::Vector3d position() const { return gaussian.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return gaussian.mean.tail<3>(); }

@@ -59,10 +59,10 @@ TEST(HypothesisMasses, OneCameraGivesBackWhatWasProvenAndNoMore) {
 
 TEST(HypothesisMasses, WhatMayBeAPartOfSomethingLargerIsNeverSure) {
   std::vector<TrackHypothesis> all{at(0, 0.99), at(1, 0.99), at(2, 0.99), at(3, 0.5)};
-  all[0].everEnded = true;
-  all[1].everEnded = true;
-  all[1].secondsSinceEnd = TrackHypothesis::kEndMemory + 0.01; // for too long
-  limitUnended(all);
+  all[0].rimSeen = true;
+  all[1].rimSeen = true;
+  all[1].secondsSinceRim = TrackHypothesis::kRimMemory + 0.01; // for too long
+  limitWithoutRim(all);
   EXPECT_EQ(probabilitiesOf(all), (std::vector<double>{0.99, 0.9, 0.9, 0.5}));
 }
 
