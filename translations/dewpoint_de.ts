@@ -5794,8 +5794,8 @@ bei %4, %5, %6</translation>
         <translation>○ Personen: %1, sucht</translation>
     </message>
     <message>
-        <source>something else fits about as well: press X, and drag the target in an image to where it is</source>
-        <translation>etwas anderes passt etwa genauso gut: X drücken und das Ziel in einem Bild dorthin ziehen, wo es ist</translation>
+        <source>others fit as well: press X, drag the target</source>
+        <translation>anderes passt ebenso gut: X drücken, Ziel ziehen</translation>
     </message>
     <message>
         <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>

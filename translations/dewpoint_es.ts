@@ -5794,8 +5794,8 @@ en %4, %5, %6</translation>
         <translation>○ personas: %1, buscando</translation>
     </message>
     <message>
-        <source>something else fits about as well: press X, and drag the target in an image to where it is</source>
-        <translation>otra cosa encaja casi igual de bien: pulse X y arrastre el objetivo en una imagen hasta donde está</translation>
+        <source>others fit as well: press X, drag the target</source>
+        <translation>otros encajan igual: pulse X y arrastre el objetivo</translation>
     </message>
     <message>
         <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>

@@ -5792,8 +5792,8 @@ at %4, %5, %6</source>
         <translation>○ 人物：%1、探索中</translation>
     </message>
     <message>
-        <source>something else fits about as well: press X, and drag the target in an image to where it is</source>
-        <translation>ほかにも同じくらい合うものがあります。X を押し、画像の中でターゲットを本当の位置へドラッグしてください</translation>
+        <source>others fit as well: press X, drag the target</source>
+        <translation>ほかも同じくらい合います：X を押してターゲットをドラッグ</translation>
     </message>
     <message>
         <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>

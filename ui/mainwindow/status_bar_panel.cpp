@@ -71,8 +71,7 @@ QString playWord(const TrackSnapshot& snapshot) {
 QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   const auto ofCameras = [&] {
     return target.status == TargetStatus::Ambiguous
-               ? StatusBarPanel::tr("something else fits about as well: press X, and drag the "
-                                    "target in an image to where it is")
+               ? StatusBarPanel::tr("others fit as well: press X, drag the target")
            : snapshot.family.isDefined(target.target)
                ? reasonText(target.reasons, cameraNames(snapshot))
                : StatusBarPanel::tr("click it or drag a box around it");
