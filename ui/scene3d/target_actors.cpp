@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/target_actors.h"
 
-#include <Eigen/Eigenvalues>
+#include "ui/scene3d/ellipsoid_axes.h"
+
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
-#include <vtkTransform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,40 +47,6 @@ vtkSmartPointer<vtkActor> ballActor(int resolution) {
   actor->PickableOff();
   actor->VisibilityOff();
   return actor;
-}
-
-/// The axes of a symmetric matrix, right-handed (a mirrored ball would be lit from inside), and its
-/// eigenvalues in their order; nothing where it has none above 0.
-struct Axes {
-  Eigen::Matrix3d directions;
-  Eigen::Vector3d values;
-};
-std::optional<Axes> axesOf(const Eigen::Matrix3d& matrix) {
-  if (!matrix.allFinite()) {
-    return std::nullopt;
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (matrix + matrix.transpose()));
-  if (solver.info() != Eigen::Success || solver.eigenvalues().maxCoeff() <= 0.0) {
-    return std::nullopt;
-  }
-  Axes axes{solver.eigenvectors(), solver.eigenvalues()};
-  if (axes.directions.determinant() < 0.0) {
-    axes.directions.col(0) *= -1.0;
-  }
-  return axes;
-}
-
-/// Turns an actor so that its axes point along these.
-void turn(vtkActor* actor, const Eigen::Matrix3d& directions) {
-  vtkNew<vtkMatrix4x4> pose;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      pose->SetElement(row, column, directions(row, column));
-    }
-  }
-  std::array<double, 3> angles{};
-  vtkTransform::GetOrientation(angles.data(), pose);
-  actor->SetOrientation(angles.data());
 }
 
 /// Three great circles of the unit ball.

@@ -25,10 +25,11 @@ constexpr double kLeastShare = 0.25; ///< of a ribbon's height, so that a small 
 
 /// What stands behind a ribbon's color, so that it is not color alone that tells.
 Qt::BrushStyle patternOf(TargetStatus status) {
-  return status == TargetStatus::Held        ? Qt::SolidPattern
-         : status == TargetStatus::Lost      ? Qt::DiagCrossPattern
-         : status == TargetStatus::Ambiguous ? Qt::Dense4Pattern
-                                             : Qt::BDiagPattern;
+  using enum TargetStatus;
+  return status == Held        ? Qt::SolidPattern
+         : status == Lost      ? Qt::DiagCrossPattern
+         : status == Ambiguous ? Qt::Dense4Pattern
+                               : Qt::BDiagPattern;
 }
 
 /// A stretch of one status; where several frames fall on one pixel, the worst is drawn.
@@ -39,12 +40,10 @@ struct Stretch {
   double existenceProbability = 1.0;
 };
 
-int badness(TargetStatus status) {
-  return status == TargetStatus::Gone        ? -1
-         : status == TargetStatus::Held      ? 0
-         : status == TargetStatus::Ambiguous ? 1
-         : status == TargetStatus::Searching ? 2
-                                             : 3;
+std::ptrdiff_t badness(TargetStatus status) {
+  using enum TargetStatus;
+  static constexpr std::array kFromTheBest{Gone, Held, Ambiguous, Searching, Lost};
+  return std::ranges::find(kFromTheBest, status) - kFromTheBest.begin();
 }
 
 std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale& scale,

@@ -3,6 +3,7 @@
 
 #include "core/base/overloaded.h"
 #include "core/session/people/people_writer.h"
+#include "core/session/run/sphere_sample.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
@@ -24,27 +25,6 @@ constexpr Overloaded kStatusBeforeTracking{
     },
     [](const PersonEstimate&) { return TargetStatus::Searching; },
     [](const AbsentEstimate&) { return TargetStatus::Gone; }};
-
-TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& target,
-                          std::int64_t frame, double time) {
-  TrajectorySample sample;
-  sample.time = time;
-  sample.frame = frame;
-  sample.target = target;
-  sample.position = sphere.mean;
-  sample.covariance = sphere.covariance;
-  sample.effectiveSampleSize = sphere.effectiveSampleSize;
-  sample.cameras = sphere.camerasSeeing;
-  sample.valid = sphere.valid;
-  sample.existenceProbability = sphere.existenceProbability;
-  sample.best = bestParticleOf(sphere);
-  sample.ambiguous = sphere.ambiguous;
-  sample.extent = sphere.extent;
-  if (sphere.measurement) {
-    sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
-  }
-  return sample;
-}
 
 } // namespace
 

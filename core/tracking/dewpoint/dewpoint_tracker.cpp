@@ -2,6 +2,7 @@
 #include "core/tracking/dewpoint/dewpoint_tracker.h"
 
 #include "core/base/angle.h"
+#include "core/tracking/dewpoint/background_learning.h"
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
 
@@ -18,17 +19,11 @@ namespace {
 constexpr double kLongestGap = 1.0;
 /// Seconds, gap before a frame that is earlier than the last one: the user went back.
 constexpr double kDefaultGap = 1.0 / 30.0;
-/// Around a target's outline (radii and pixels) the background is not learned: its shadow and
-/// reflection lie there.
-constexpr double kNotLearnedRadii = 1.4;
-constexpr double kNotLearnedPx = 2.0;
 /// Frames in which the reach of a color is looked at in each after the start, or after its track
 /// was lost, and frames from one look to the next after these. Judgments (docs/method-dewpoint.md,
 /// section 8): the exposure settles within the first, daylight changes slowly.
 constexpr int kLooksAtOnce = 10;
 constexpr int kLookPeriod = 10;
-/// Least existence of targets that are surely where they are, so that nothing else is one.
-constexpr double kSurelyThere = 0.95;
 
 } // namespace
 
@@ -114,7 +109,7 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
                                       ThreadTeam& team) {
   TrackedObject& object = objects_[target];
   object.search.reset();
-  forgetEmptyPlacesAt(object, position.mean);
+  forgetEmptyPlacesAt(object, position.mean, images_);
   // Without what other objects explain: what the user points at is the target.
   images_.showTo(object.observation, object.color);
   if (object.isBall()) {
@@ -340,71 +335,16 @@ void DewpointTracker::adaptTargetColors() {
   }
 }
 
-bool DewpointTracker::noTargetIsElsewhere() const {
-  const int fewest = std::min<int>(2, static_cast<int>(images_.cameraCount()));
-  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
-    const TrackHypothesis* const best = objects_[k].track.confident();
-    const SphereEstimate& estimate = estimates_[k];
-    if (best == nullptr || !best->hasRim() || !best->outlineFound || !objects_[k].isBall() ||
-        best->logLikelihoodRatio <
-            TrackHypothesis::kMostlyVisibleShare * best->fullyVisibleLogLikelihoodRatio ||
-        !estimate.valid || estimate.existenceProbability < kSurelyThere ||
-        estimate.camerasSeeing < fewest) {
-      return false;
-    }
-  }
-  return true;
-}
-
-void DewpointTracker::forgetEmptyPlacesAt(const TrackedObject& object,
-                                          const Eigen::Vector3d& position) {
-  const TrackHypothesis* const best = object.track.best();
-  const double radius = best != nullptr ? best->radius : object.track.target().radius;
-  for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
-    if (const auto outline = object.observation.projector(camera).project(position, radius)) {
-      images_.forgetEmptyPlaces(
-          camera, {outline->center, kNotLearnedRadii * outline->radius + kNotLearnedPx});
-    }
-  }
-}
-
-void DewpointTracker::forgetEmptyPlacesWhenLost() {
-  for (std::size_t k = 0; k < objects_.targetCount(); ++k) {
-    TrackedObject& object = objects_[k];
-    const double before = object.unseenSeconds;
-    object.unseenSeconds =
-        object.track.confident() != nullptr ? 0.0 : before + secondsSinceLastFrame();
-    const double patience = parameters_.at("survival_time");
-    if (before < patience && object.unseenSeconds >= patience) {
-      images_.forgetEmptyPlaces(); // it may have been there all the time
-    }
-  }
-}
-
 void DewpointTracker::learnBackgrounds() {
-  forgetEmptyPlacesWhenLost();
-  const bool noTargetElsewhere = noTargetIsElsewhere();
+  forgetEmptyPlacesOfLost(objects_, images_, secondsSinceLastFrame(),
+                          parameters_.at("survival_time"));
+  const bool noTargetElsewhere = noTargetIsElsewhere(objects_, images_.cameraCount(), estimates_);
   for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
-    if (!images_.frame(camera)) {
-      continue;
+    if (images_.frame(camera)) {
+      budget_.spend(TimeBudget::Part::Learning, [&] {
+        images_.learnBackground(camera, hiddenByObjects(objects_, camera), noTargetElsewhere);
+      });
     }
-    std::vector<BackgroundModel::Hidden> hidden;
-    for (const TrackedObject& object : objects_) {
-      const TrackHypothesis* best = object.track.best();
-      if (best == nullptr || (object.isBall() && !best->hasRim())) {
-        continue; // a part of something larger hides nothing
-      }
-      const auto outline =
-          object.observation.projector(camera).project(best->position(), best->radius);
-      if (outline) {
-        const double wider =
-            object.isBall() ? 1.0 : object.shape->track().longestAxis() / best->radius;
-        hidden.push_back(
-            {outline->center, wider * kNotLearnedRadii * outline->radius + kNotLearnedPx});
-      }
-    }
-    budget_.spend(TimeBudget::Part::Learning,
-                  [&] { images_.learnBackground(camera, hidden, noTargetElsewhere); });
   }
 }
 

@@ -79,12 +79,6 @@ private:
   void updateEstimate(std::size_t target);
   void adaptTargetColors();
   void learnBackgrounds();
-  /// Whether every target is so surely where it is that whatever else has its color is no target.
-  bool noTargetIsElsewhere() const;
-  /// What was found to be empty there is not; nor anything, once a target has not been found for as
-  /// long as it is believed to be there unseen.
-  void forgetEmptyPlacesAt(const TrackedObject& object, const Eigen::Vector3d& position);
-  void forgetEmptyPlacesWhenLost();
 
   ParameterValues parameters_;
   TrackedObjects objects_;

@@ -4,6 +4,7 @@
 #include "core/filter/adaptive_size.h"
 #include "core/filter/constant_velocity.h"
 #include "core/filter/evenly_picked.h"
+#include "core/tracking/dewpoint/track/birth_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,6 @@ constexpr double kInitialProbability = 0.98;
 constexpr double kInitialSigmaRadii = 0.1;
 /// Largest size misfit (squared standard deviations) that counts against an initial hypothesis.
 constexpr double kMaxSizeMisfit = 20.0;
-/// By this much the log likelihood ratio must be larger with another radius than the given one.
-constexpr double kOtherRadiusGain = 3.0;
 /// Probability of an identical object from which on a target is ambiguous: as of rivals that are
 /// still there (hypothesis_masses.cpp).
 constexpr double kAmbiguousIdentity = 0.1;
@@ -167,29 +166,6 @@ void BernoulliTrack::removeImpossible(std::vector<double>& logMasses) {
   }
 }
 
-OutlineFit BernoulliTrack::fitBirth(const Candidate& candidate,
-                                    SphereObservation& observation) const {
-  OutlinePrior prior;
-  prior.center = candidate.center;
-  prior.radius = radiusPrior_.isGiven() ? radiusPrior_.expected() : candidate.radius;
-  prior.logRadiusVariance = radiusPrior_.logVariance();
-  prior.information = Eigen::Matrix3d::Identity() / (settings_.searchSize * settings_.searchSize);
-  const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());
-  if (!radiusPrior_.isTrusted()) {
-    return fit;
-  }
-  prior.logRadiusVariance = RadiusPrior::unknownLogVariance();
-  const OutlineFit free = observation.fit(prior, Eigen::Vector3d::Zero());
-  if (!free.found || !radiusPrior_.contradicts(free.radius)) {
-    return fit;
-  }
-  const auto evidence = [&observation](const OutlineFit& of) {
-    observation.setRadius(of.radius);
-    return of.found ? observation.logLikelihoodRatio(of.center, Eigen::Vector3d::Zero()) : 0.0;
-  };
-  return evidence(free) > evidence(fit) + kOtherRadiusGain ? free : fit;
-}
-
 void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
                                       const std::vector<OccupiedSphere>& occupied,
                                       const RandomKey& key, ThreadTeam& team,
@@ -199,7 +175,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
   const double absence = absenceFromSharedViews(hypotheses_);
   const bool first = hypotheses_.empty();
   for (const Candidate& candidate : search(observation, radiusKnown, kMaxCandidates)) {
-    const OutlineFit fit = fitBirth(candidate, observation);
+    const OutlineFit fit = fitBirth(candidate, radiusPrior_, settings_.searchSize, observation);
     if (!fit.found) {
       continue;
     }

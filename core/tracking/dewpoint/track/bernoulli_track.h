@@ -116,8 +116,6 @@ private:
   void addNewHypotheses(SphereObservation& observation, const CandidateSource& search,
                         const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                         ThreadTeam& team, std::vector<double>& logMasses);
-  /// The outline at a candidate, of the given radius or, where the images contradict it, of theirs.
-  OutlineFit fitBirth(const Candidate& candidate, SphereObservation& observation) const;
   /// Changes the masses of the first hypotheses of a target: their evidence does not saturate, that
   /// of their neighbors does not count against them, and their size counts.
   void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
