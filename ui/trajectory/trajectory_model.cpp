@@ -129,7 +129,8 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
     return name ? tr("existence") : tr("Probability that the target is where the estimate says");
   case Held:
     return name ? tr("state")
-                : tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about as "
+                : tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about "
+                     "as "
                      "well. Corrected: you said where the target is");
   default:
     return {};
