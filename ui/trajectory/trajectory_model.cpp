@@ -130,8 +130,7 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
   case Held:
     return name ? tr("state")
                 : tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about "
-                     "as "
-                     "well. Corrected: you said where the target is");
+                     "as well. Corrected: you said where the target is");
   default:
     return {};
   }
