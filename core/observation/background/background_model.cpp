@@ -22,8 +22,8 @@ constexpr int kRowPhases = 4; ///< every frame learns every fourth row
 constexpr int kLearned = BackgroundModel::kLearned;
 constexpr int kMostConfident = 16; ///< agreeing observations, remembered at most
 constexpr int kReplaceAfter = 24;  ///< observations of something new that replace the old
-/// Observations of what is usual, while every target is elsewhere, that count as an empty room:
-/// half a second more than it takes to know a pixel.
+/// Observations of what is usual, while every target is elsewhere, that count as an empty room: one
+/// more than it takes to know a pixel.
 constexpr int kEmptyAfter = 4;
 constexpr std::uint8_t kEmptyRoom = 255; ///< of familiar_, above any number of observations
 

@@ -57,6 +57,10 @@ void forgetEmptyPlacesAt(const TrackedObject& object, const Eigen::Vector3d& pos
                          FrameImages& images) {
   const TrackHypothesis* const best = object.track.best();
   const double radius = best != nullptr ? best->radius : object.track.target().radius;
+  if (radius <= 0.0) { // nobody knows how much of the images it takes
+    images.forgetEmptyPlaces();
+    return;
+  }
   for (std::size_t camera = 0; camera < images.cameraCount(); ++camera) {
     if (const auto outline = object.observation.projector(camera).project(position, radius)) {
       images.forgetEmptyPlaces(

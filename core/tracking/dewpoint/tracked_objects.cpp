@@ -45,7 +45,8 @@ TrackedObjects::TrackedObjects(const TrackedObjects& other)
     objects_.push_back(
         {object.track, SphereObservation(rig_), object.color, nullptr, object.stream,
          object.unseenFrames,
-         object.shape ? std::make_unique<ShapeTracking>(*object.shape, rig_) : nullptr});
+         object.shape ? std::make_unique<ShapeTracking>(*object.shape, rig_) : nullptr,
+         object.unseenSeconds});
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Method `dewpoint` where something else has the target's color: it doubts, or is not misled.
+#include "core/tracking/dewpoint/tracked_objects.h"
 #include "tests/tracking/drawn_run.h"
 
 #include <gtest/gtest.h>
@@ -84,6 +85,13 @@ TEST(DewpointLookAlikes, ABallAloneIsNotAmbiguous) {
   for (int frame = 0; frame < 30; ++frame) {
     EXPECT_FALSE(run.show({Ball{place(frame)}}).ambiguous) << frame;
   }
+}
+
+// A run that goes back is a copy: it must forget empty places in the same frame.
+TEST(DewpointLookAlikes, ACopyKnowsForHowLongATargetWasNotFound) {
+  TrackedObjects objects({redBall()}, rigAround(2));
+  objects[0].unseenSeconds = 3.0;
+  EXPECT_EQ(TrackedObjects(objects)[0].unseenSeconds, 3.0);
 }
 
 } // namespace
