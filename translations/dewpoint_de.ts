@@ -949,6 +949,10 @@
         <source>Its radius seems to be about %1, but %2 is given.</source>
         <translation>Der Radius ist anscheinend etwa %1, angegeben ist %2.</translation>
     </message>
+    <message>
+        <source>This is a part of something larger of its color: it is followed as a ball with a radius of %1, from where it was marked.</source>
+        <translation>Das ist ein Teil von etwas Größerem in dieser Farbe: Er wird als Ball mit einem Radius von %1 verfolgt, von der markierten Stelle an.</translation>
+    </message>
 </context>
 <context>
     <name>ColorLearner</name>

@@ -949,6 +949,10 @@
         <source>Its radius seems to be about %1, but %2 is given.</source>
         <translation>Su radio parece ser de unos %1, pero se indicó %2.</translation>
     </message>
+    <message>
+        <source>This is a part of something larger of its color: it is followed as a ball with a radius of %1, from where it was marked.</source>
+        <translation>Es una parte de algo más grande de su color: se sigue como una bola con un radio de %1, desde donde se marcó.</translation>
+    </message>
 </context>
 <context>
     <name>ColorLearner</name>

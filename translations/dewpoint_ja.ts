@@ -949,6 +949,10 @@
         <source>Its radius seems to be about %1, but %2 is given.</source>
         <translation>半径は約 %1 のようですが、%2 と指定されています。</translation>
     </message>
+    <message>
+        <source>This is a part of something larger of its color: it is followed as a ball with a radius of %1, from where it was marked.</source>
+        <translation>これは同じ色のより大きな物の一部です。印を付けた場所から、半径%1の球として追跡します。</translation>
+    </message>
 </context>
 <context>
     <name>ColorLearner</name>

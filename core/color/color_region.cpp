@@ -24,6 +24,7 @@ constexpr double kDarkest = 20.0;       ///< sum of channels where brightness st
 constexpr int kSmallest = 12;           ///< pixels of a region
 constexpr double kLargestShare = 0.5;   ///< of the image: more is no object in it
 constexpr double kNoOutline = 1.0;      ///< units of colorDistance(): a box lies within the object
+constexpr double kLeastOfBox = 0.35;    ///< share of it that a thing in a box fills
 constexpr int kSeedReach = 2;           ///< pixels around the click whose median begins
 /// Pixels across an outline over which its edge is seen: moving objects are blurred, and the larger
 /// they appear the farther. Each counts from this radius of a region on, pixels.
@@ -297,7 +298,14 @@ cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample) {
                                       static_cast<int>(std::ceil(sample.width)),
                                       static_cast<int>(std::ceil(sample.height)))
                            : cv::Rect{};
-  return growRegion(bgr, at, box);
+  cv::Mat region = growRegion(bgr, at, box);
+  const cv::Rect within = box & cv::Rect({0, 0}, bgr.size());
+  if (!within.empty() && cv::countNonZero(region) == within.area()) { // no outline in it
+    cv::Mat thing = growRegion(bgr, at);
+    thing &= region;
+    region = cv::countNonZero(thing) < kLeastOfBox * within.area() ? region : thing;
+  }
+  return region;
 }
 
 } // namespace dewpoint::color

@@ -28,7 +28,9 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 /// the image.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
-/// The region of a sample in an image, as takeSample() grew it.
+/// The region of a sample in an image, as takeSample() grew it. Of a box without a clear outline in
+/// it, as one that holds a part of something larger, it is what grows from its middle as far as it
+/// lies in the box, if that is more than a third of it; else all of the box.
 cv::Mat regionOfSample(const cv::Mat& bgr, const ColorSample& sample);
 
 /// The colors of the pixels at which the mask (CV_8UC1, of the image's size) is not 0, row by row.

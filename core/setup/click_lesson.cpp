@@ -5,9 +5,12 @@
 #include "core/project/project_rig.h"
 #include "core/setup/clicked_correction.h"
 #include "core/setup/clicked_position.h"
+#include "core/setup/ray_regions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 namespace dewpoint::setup {
@@ -90,16 +93,16 @@ public:
   FoundSamples(const ClickedImages& shown, ClickLesson& lesson)
       : shown_(shown), lesson_(lesson), undecided_(shown.images.size()) {}
 
-  void add(Counterparts counterparts) {
+  void add(const Counterparts& counterparts) {
     if (lesson_.centers.empty()) {
       lesson_.radius = counterparts.radius;
-      lesson_.centers = std::move(counterparts.centers);
+      lesson_.centers = counterparts.centers;
     }
     for (std::size_t i = 0; i < counterparts.found.size(); ++i) {
-      ColorSample& sample = counterparts.found[i];
+      ColorSample sample = counterparts.found[i];
       if (!showsTarget(lesson_.samples, sample.camera, shown_.frame)) {
         sample.frame = shown_.frame;
-        lesson_.found.push_back({sample.camera, std::move(counterparts.outlines[i])});
+        lesson_.found.push_back({sample.camera, counterparts.outlines[i]});
         lesson_.samples.push_back(std::move(sample));
       }
     }
@@ -125,6 +128,39 @@ private:
   std::vector<cv::Mat> undecided_;
 };
 
+/// What a click or box marks, if it is only a part of something larger. The other cameras are
+/// searched for the whole thing then.
+struct Marked {
+  std::optional<PartMark> part;
+  Counterparts counterparts;
+};
+
+Marked searchedFor(const CameraRig& rig, const std::vector<cv::Mat>& images,
+                   const ColorSample& sample, const CounterpartLimits& limits) {
+  const auto camera = static_cast<std::size_t>(sample.camera);
+  if (sample.camera < 0 || camera >= images.size() || camera >= rig.size()) {
+    return {std::nullopt, findCounterparts(rig, images, sample, limits)};
+  }
+  Marked marked;
+  marked.part = boxedPart(images[camera], sample);
+  if (marked.part && !clickedObject(rig.at(camera), images[camera], marked.part->whole)) {
+    marked.part.reset(); // a wall, or a region that grew too far
+  }
+  if (marked.part) {
+    CounterpartLimits ofWhole = limits;
+    ofWhole.radius = 0.0;
+    marked.counterparts = findCounterparts(rig, images, marked.part->whole, ofWhole);
+    return marked;
+  }
+  marked.counterparts = findCounterparts(rig, images, sample, limits);
+  if (limits.radius > 0.0 && marked.counterparts.radius) {
+    const double wholePx = std::sqrt(sample.area / std::numbers::pi);
+    marked.part =
+        clickedPart(images[camera], sample, wholePx * limits.radius / *marked.counterparts.radius);
+  }
+  return marked;
+}
+
 } // namespace
 
 Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
@@ -140,10 +176,22 @@ Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& s
     return sample.excluded && sample.frame == shown.frame;
   });
   FoundSamples found(shown, lesson);
+  std::vector<PartMark> parts;
+  std::vector<ColorSample> wholes;
   for (const ColorSample& sample : samples) {
     if (isClick(sample) && sample.frame == shown.frame) {
-      found.add(findCounterparts(rig, shown.images, sample, known));
+      const Marked marked = searchedFor(rig, shown.images, sample, known);
+      found.add(marked.counterparts);
+      if (marked.part) {
+        parts.push_back(*marked.part);
+        wholes.insert(wholes.end(), marked.counterparts.found.begin(),
+                      marked.counterparts.found.end());
+      }
     }
+  }
+  lesson.part = locatePart(rig, shown.images, parts, wholes);
+  if (lesson.part) {
+    lesson.radius = lesson.part->radius;
   }
   std::vector<cv::Mat> undecided = found.undecided();
   for (const ColorSample& sample : alike) {
@@ -173,12 +221,16 @@ Result<ClickLesson> learnFromClicks(const Project& project, int target, const Cl
     }
   }
   const CameraRig rig = rigOf(project);
+  const bool isNew = target < 0 || target >= static_cast<int>(project.targets.size());
+  const int index = isNew ? static_cast<int>(project.targets.size()) : target;
   auto lesson = learnFromClicks(rig, shown, samples, limits, others);
-  if (lesson && (!lesson->color.assessment.distractors.empty() ||
-                 !thoseAlike(others, samples, shown.frame).empty())) {
-    const bool isNew = target < 0 || target >= static_cast<int>(project.targets.size());
-    lesson->correction = correctionFrom(lesson->centers, rig, shown.frame,
-                                        isNew ? static_cast<int>(project.targets.size()) : target);
+  if (lesson && lesson->part) {
+    const MarkedPart& part = *lesson->part;
+    lesson->correction = PositionCorrection{shown.frame, index, part.position.mean,
+                                            part.position.covariance, part.clicks};
+  } else if (lesson && (!lesson->color.assessment.distractors.empty() ||
+                        !thoseAlike(others, samples, shown.frame).empty())) {
+    lesson->correction = correctionFrom(lesson->centers, rig, shown.frame, index);
   }
   return lesson;
 }
@@ -195,7 +247,17 @@ void applyLesson(const ClickLesson& lesson, std::size_t target, Project& project
   }
   taught.color = lesson.color.range;
   taught.samples = lesson.samples;
-  if (lesson.correction && correctionAt(project, lesson.correction->frame, index) == nullptr) {
+  if (lesson.part && taught.radius <= 0.0) {
+    constexpr double kRadiusStep = 1e-4; // meters: finer is not known
+    taught.radius = kRadiusStep * std::max(1.0, std::round(lesson.part->radius / kRadiusStep));
+  }
+  if (!lesson.correction) {
+    return;
+  }
+  const PositionCorrection* present = correctionAt(project, lesson.correction->frame, index);
+  const bool marksMore = present != nullptr && lesson.part &&
+                         present->clicks.size() < lesson.correction->clicks.size();
+  if (present == nullptr || marksMore) {
     PositionCorrection correction = *lesson.correction;
     correction.target = index;
     addCorrection(project, correction);

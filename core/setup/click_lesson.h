@@ -6,6 +6,7 @@
 #include "core/geometry/camera.h"
 #include "core/project/project.h"
 #include "core/setup/counterpart_search.h"
+#include "core/setup/marked_part.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -40,8 +41,11 @@ struct ClickLesson {
   /// The centers of what shows the target in the images shown, where several cameras do: of the
   /// first click that was found elsewhere too.
   std::vector<PointClick> centers;
+  /// The target, where what was marked is a part of something larger of its color: a box within it,
+  /// or a click on something larger than the radius that is known. `radius` is that of the part.
+  std::optional<MarkedPart> part;
   /// Where the target is in this frame: nothing unless the color alone does not say which object is
-  /// meant, as others match too.
+  /// meant, as others match too or it is a part of one.
   std::optional<PositionCorrection> correction;
 };
 
@@ -72,9 +76,10 @@ Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& s
 Result<ClickLesson> learnFromClicks(const Project& project, int target, const ClickedImages& shown,
                                     const std::vector<ColorSample>& samples);
 
-/// Gives a target of a project (index) what was learned: color, samples, and the correction unless
-/// there is one of this frame. Corrections in frames of clicks that are not among the samples any
-/// more are removed: they may have been of another object.
+/// Gives a target of a project (index) what was learned: color, samples, the radius of a part
+/// unless one is given, and the correction unless there is one of this frame. Corrections in frames
+/// of clicks that are not among the samples any more are removed: they may have been of another
+/// object.
 void applyLesson(const ClickLesson& lesson, std::size_t target, Project& project);
 
 /// The samples without one of them. One that was found is not forgotten but excluded: it would be

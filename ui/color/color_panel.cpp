@@ -103,6 +103,7 @@ void ColorPanel::connectLearner() {
   connect(learner_, &ColorLearner::taught, this, [this](const setup::ClickLesson& lesson) {
     found_ = lesson.found;
     shownRadius_ = lesson.radius;
+    isPart_ = lesson.part.has_value();
   });
   connect(learner_, &ColorLearner::assessed, this, &ColorPanel::showAssessment);
   assessSoon_->setSingleShot(true);
@@ -173,6 +174,7 @@ void ColorPanel::setPicking(bool picking) {
 void ColorPanel::setTarget(int target) {
   target_ = target;
   shownRadius_.reset();
+  isPart_ = false;
   assessed_ = false;
   refresh();
 }
@@ -273,8 +275,8 @@ void ColorPanel::updateAssessment() {
   QString text = colorAssessmentText(assessment_, cameras);
   const auto& targets = document_.project().targets;
   if (target_ >= 0 && target_ < static_cast<int>(targets.size())) {
-    const QString radius =
-        clickRadiusText(targets[static_cast<std::size_t>(target_)].radius, shownRadius_);
+    const double given = targets[static_cast<std::size_t>(target_)].radius;
+    const QString radius = isPart_ ? markedPartText(given) : clickRadiusText(given, shownRadius_);
     text += radius.isEmpty() ? QString() : QLatin1Char('\n') + radius;
   }
   assessmentText_->setText(text);

@@ -91,6 +91,7 @@ private:
   bool outlined_ = false;                  ///< distractors are outlined in the views
   std::vector<setup::FoundOutline> found_; ///< beside them: what is the target too
   std::optional<double> shownRadius_;      ///< meters, by the last clicks on this target
+  bool isPart_ = false;                    ///< by the same: of something larger of its color
   QTimer* assessSoon_;
   QElapsedTimer sinceSurvey_;
   BackgroundJob survey_;

@@ -39,4 +39,10 @@ QString clickRadiusText(double given, const std::optional<double>& shown) {
   return {};
 }
 
+QString markedPartText(double radius) {
+  return ClickRadiusText::tr("This is a part of something larger of its color: it is followed as a "
+                             "ball with a radius of %1, from where it was marked.")
+      .arg(lengthText(radius, LengthForm::TwoDigits));
+}
+
 } // namespace dewpoint::ui

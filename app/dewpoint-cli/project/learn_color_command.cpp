@@ -168,6 +168,11 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
   for (const std::string& text : assessmentSentences(lesson.color.assessment, cameras)) {
     fmt::print("{}\n", text);
   }
+  if (lesson.part) {
+    fmt::print("This is a part of something larger of its color: it is followed as a ball with a "
+               "radius of {:.2g} m, from where it was marked.\n",
+               target.radius);
+  }
   if (const auto text = radiusSentence(target.radius, lesson.radius); !text.empty()) {
     fmt::print("{}\n", text);
   }

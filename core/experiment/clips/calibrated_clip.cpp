@@ -54,6 +54,7 @@ Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, Cli
   result.name = target.name;
   result.color = lesson->color.range;
   result.samples = std::move(lesson->samples);
+  result.radius = lesson->part ? lesson->part->radius : 0.0;
   return result;
 }
 

@@ -16,7 +16,8 @@
 
 namespace dewpoint::experiment {
 
-/// A target of a clip, and the click that its color is learned from: `frame` counts instants.
+/// A target of a clip, and the click or box that its color is learned from, and its radius where
+/// that marks a part of something larger: `frame` counts instants.
 struct ClipTarget {
   std::string name;
   ColorSample click;

@@ -39,6 +39,18 @@ ClipDeclaration handRow() {
   return clip;
 }
 
+ClipDeclaration boxedHandRow() {
+  ClipDeclaration clip = handRow();
+  clip.name = "R1-hand-boxed";
+  clip.sentence += " One box around the hand says that it is the target, not the forearm.";
+  clip.start = "one box around the hand in one camera, from which color and radius are learned, "
+               "and a box of 0.1 m half size around the first position.";
+  clip.tuned = "that a box marks a part was made and tried on it, with other boxes";
+  clip.tunedOn = TunedOn::Yes;
+  clip.calibrated = boxedHandClip;
+  return clip;
+}
+
 ClipDeclaration bandsRow() {
   ClipDeclaration clip;
   clip.name = "R1-bands";
@@ -138,6 +150,7 @@ ClipDeclaration otbRow(const char* name, const char* clipName, const char* sente
 std::span<const ClipDeclaration> clipCatalog() {
   static const std::vector<ClipDeclaration> kClips{
       handRow(),
+      boxedHandRow(),
       bandsRow(),
       boardRow(),
       juggleRow("R2-juggle-red", "juggle1, red ball"),

@@ -12,6 +12,9 @@ namespace dewpoint::experiment {
 /// Frames 12 to 363. Lengths in meters with a chessboard square of 0.03 m, see there.
 Result<CalibratedClip> handClip(const ClipFolders& folders);
 
+/// The same, of which one box around the hand says what the target is, where the other is clicked.
+Result<CalibratedClip> boxedHandClip(const ClipFolders& folders);
+
 /// `tapes2_limbs`: three colored bands on a man's knee, ankle and wrist, two cameras. The truth is
 /// the bands' centers in the images. The length of the baseline is not known: kBandBaseline.
 Result<CalibratedClip> bandsClip(const ClipFolders& folders);

@@ -3,6 +3,8 @@
 #include "core/experiment/clips/clip_sources.h"
 #include "core/experiment/clips/clip_table.h"
 
+#include <opencv2/core/types.hpp>
+
 #include <algorithm>
 #include <utility>
 
@@ -15,6 +17,8 @@ constexpr double kHandRate = 30.0; // frames per second, of the recording's note
 constexpr std::int64_t kHandClickFrame = 21;
 constexpr double kHandClickX = 515.0;
 constexpr double kHandClickY = 234.0;
+/// A box around the hand in the same image, from the wrist to the tip of the finger, drawn by eye.
+const cv::Rect2d kHandBox(445.0, 165.0, 150.0, 225.0);
 /// What 30 mm, the suite's gate, are in these images: a pixel is about 0.5 mm at the hand.
 constexpr double kHandGatePx = 60.0;
 
@@ -72,6 +76,18 @@ Result<CalibratedClip> handClip(const ClipFolders& folders) {
     clip.marks.push_back({instant, 0, 1, pixelAt(row, HandColumn::kRight)});
   }
   return clip;
+}
+
+Result<CalibratedClip> boxedHandClip(const ClipFolders& folders) {
+  return handClip(folders).map([](CalibratedClip clip) {
+    clip.name = "R1-hand-boxed";
+    ColorSample& box = clip.targets.front().click;
+    box.x = kHandBox.x;
+    box.y = kHandBox.y;
+    box.width = kHandBox.width;
+    box.height = kHandBox.height;
+    return clip;
+  });
 }
 
 } // namespace dewpoint::experiment
