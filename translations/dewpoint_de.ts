@@ -2380,6 +2380,25 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::BackwardTracker</name>
+    <message>
+        <source>Correct position</source>
+        <translation type="unfinished">Position korrigieren</translation>
+    </message>
+    <message>
+        <source>The target was followed back to frame %1; from there on it is tracked again.</source>
+        <translation>Das Ziel wurde bis Bild %1 zurückverfolgt; ab dort wird es neu verfolgt.</translation>
+    </message>
+    <message>
+        <source>Following the target back in time: frame %1.</source>
+        <translation>Das Ziel wird rückwärts verfolgt: Bild %1.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>

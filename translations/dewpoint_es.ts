@@ -2380,6 +2380,25 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::BackwardTracker</name>
+    <message>
+        <source>Correct position</source>
+        <translation type="unfinished">Corregir la posición</translation>
+    </message>
+    <message>
+        <source>The target was followed back to frame %1; from there on it is tracked again.</source>
+        <translation>El objetivo se siguió hacia atrás hasta el fotograma %1; desde ahí se sigue de nuevo.</translation>
+    </message>
+    <message>
+        <source>Following the target back in time: frame %1.</source>
+        <translation>Siguiendo el objetivo hacia atrás: fotograma %1.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>

@@ -2380,6 +2380,25 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::BackwardTracker</name>
+    <message>
+        <source>Correct position</source>
+        <translation type="unfinished">位置を修正</translation>
+    </message>
+    <message>
+        <source>The target was followed back to frame %1; from there on it is tracked again.</source>
+        <translation>ターゲットをフレーム%1までさかのぼって追跡しました。そこから追跡し直します。</translation>
+    </message>
+    <message>
+        <source>Following the target back in time: frame %1.</source>
+        <translation>ターゲットをさかのぼって追跡しています: フレーム%1。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BirdsEyeView</name>
     <message>
         <source>Bird&apos;s-eye view</source>

@@ -24,6 +24,7 @@ void addPlanCommand(CLI::App& app, int& exitCode);
 
 // track/: runs over recordings.
 void addTrackCommand(CLI::App& app, int& exitCode);
+void addTrackBackwardsCommand(CLI::App& app, int& exitCode);
 void addTrackPositionsCommand(CLI::App& app, int& exitCode);
 void addTrackBoxCommand(CLI::App& app, int& exitCode);
 void addPeopleCommand(CLI::App& app, int& exitCode);

@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   int exitCode = kExitDone;
   addNewCommand(app, exitCode);
   addTrackCommand(app, exitCode);
+  addTrackBackwardsCommand(app, exitCode);
   addTrackPositionsCommand(app, exitCode);
   addTrackBoxCommand(app, exitCode);
   addEvaluateCommand(app, exitCode);

@@ -20,6 +20,13 @@ void addPerson(Project& project, const PersonCorrection& person) {
 
 void addCorrection(Project& project, const PositionCorrection& correction) {
   auto& all = project.corrections;
+  if (!correction.trackedFrom) {
+    std::erase_if(all, [&](const PositionCorrection& other) {
+      return other.target == correction.target && other.trackedFrom &&
+             (*other.trackedFrom == correction.frame ||
+              (other.frame < correction.frame && correction.frame < *other.trackedFrom));
+    });
+  }
   const auto former = std::ranges::find_if(all, [&](const PositionCorrection& other) {
     return other.frame == correction.frame && other.target == correction.target;
   });
@@ -29,6 +36,12 @@ void addCorrection(Project& project, const PositionCorrection& correction) {
     all.insert(std::ranges::upper_bound(all, correction.frame, {}, &PositionCorrection::frame),
                correction);
   }
+}
+
+void removeCorrection(Project& project, std::int64_t frame, int target) {
+  std::erase_if(project.corrections, [&](const PositionCorrection& one) {
+    return one.target == target && (one.frame == frame || one.trackedFrom == frame);
+  });
 }
 
 void removeTarget(Project& project, std::size_t index) {

@@ -78,6 +78,9 @@ struct PositionCorrection {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity(); ///< of the position, m²
   /// The clicks on the target that it was made of, in images of this frame; at most one per camera.
   std::vector<PointClick> clicks = {};
+  /// The frame of the correction by a person from which this one was found, by tracking back in
+  /// time; nothing: a person made it.
+  std::optional<std::int64_t> trackedFrom = std::nullopt;
 
   bool operator==(const PositionCorrection&) const = default;
 };
@@ -111,7 +114,11 @@ ParameterValues parametersInUse(const Project& project);
 /// Puts a correction behind those of its frame.
 void addPerson(Project& project, const PersonCorrection& person);
 /// Puts a correction in place of that of the same target and frame, else behind those of its frame.
+/// With one by a person, those go that were tracked back from the one it replaces, and those before
+/// it that were tracked back across its frame: they were elsewhere.
 void addCorrection(Project& project, const PositionCorrection& correction);
+/// Removes the correction of a target at a frame, and those that were tracked back from it.
+void removeCorrection(Project& project, std::int64_t frame, int target);
 /// Removes a target and its corrections.
 void removeTarget(Project& project, std::size_t index);
 

@@ -35,6 +35,11 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
   if (reader.numbers("covariance", c.data(), c.size())) {
     correction.covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
   }
+  std::int64_t from = -1;
+  reader.integer("tracked_from", from, 0, std::numeric_limits<std::int64_t>::max());
+  if (from >= 0) {
+    correction.trackedFrom = from;
+  }
   for (const toml::table* one : reader.tables("click")) {
     TableReader click(*one, file, fmt::format("{}click {}.", prefix, correction.clicks.size() + 1));
     int camera = 1;
@@ -73,6 +78,9 @@ Status checkCorrection(const PositionCorrection& correction, const std::string& 
   if (!isCovariance(correction.covariance)) {
     return wrong(".covariance",
                  "xx, xy, xz, yy, yz, zz of a matrix with positive eigenvalues are expected");
+  }
+  if (correction.trackedFrom && *correction.trackedFrom <= correction.frame) {
+    return wrong(".tracked_from", "a later frame than that of the correction is expected");
   }
   // The cameras of a scene come later, when it is opened.
   const bool areKnown =
@@ -123,6 +131,9 @@ std::string correctionsText(const Project& project) {
                         "covariance = [{}, {}, {}, {}, {}, {}]\n",
                         one.frame, one.target + 1, p.x(), p.y(), p.z(), c(0, 0), c(0, 1), c(0, 2),
                         c(1, 1), c(1, 2), c(2, 2));
+    if (one.trackedFrom) {
+      text += fmt::format("tracked_from = {}\n", *one.trackedFrom);
+    }
     for (const PointClick& click : one.clicks) {
       text += fmt::format("[[correction.click]]\ncamera = {}\npixel = [{}, {}]\n", click.camera + 1,
                           click.pixel.x(), click.pixel.y());

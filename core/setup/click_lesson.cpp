@@ -240,9 +240,7 @@ void applyLesson(const ClickLesson& lesson, std::size_t target, Project& project
   const auto index = static_cast<int>(target);
   for (const ColorSample& sample : taught.samples) {
     if (isClick(sample) && std::ranges::count(lesson.samples, sample) == 0) {
-      std::erase_if(project.corrections, [&](const PositionCorrection& correction) {
-        return correction.target == index && correction.frame == sample.frame;
-      });
+      removeCorrection(project, sample.frame, index);
     }
   }
   taught.color = lesson.color.range;

@@ -93,6 +93,47 @@ TEST(ProjectCorrections, ComeBackInTheOrderOfTheirFrames) {
   EXPECT_TRUE(changesBetween(*again, other).any());
 }
 
+TEST(ProjectCorrections, ThoseTrackedBackGoWithWhatTheyCameFrom) {
+  const auto project = loaded(std::string(kHere) + "tracked_from = 40\n");
+  ASSERT_TRUE(project) << sentence(project.error());
+  EXPECT_EQ(project->corrections[0].trackedFrom, 40);
+  const auto file = fileOfTest("again.toml");
+  ASSERT_TRUE(saveProject(*project, file));
+  EXPECT_EQ(loadProject(file)->corrections, project->corrections);
+  EXPECT_EQ(loaded(std::string(kHere) + "tracked_from = 12\n").error().field,
+            "correction 1.tracked_from");
+
+  Project edited = *project;
+  const auto backFrom = [](std::int64_t from, std::int64_t frame, int target) {
+    PositionCorrection correction = correctionOf(frame, target);
+    correction.trackedFrom = from;
+    return correction;
+  };
+  const auto frames = [&] {
+    std::vector<std::int64_t> all;
+    for (const PositionCorrection& one : edited.corrections) {
+      all.push_back(one.frame);
+    }
+    return all;
+  };
+  edited.corrections.clear();
+  addCorrection(edited, correctionOf(40, 1));
+  for (const std::int64_t frame : {10, 20, 30}) {
+    addCorrection(edited, backFrom(40, frame, 1));
+    addCorrection(edited, backFrom(50, frame, 0)); // of another target
+  }
+  EXPECT_EQ(frames(), (std::vector<std::int64_t>{10, 10, 20, 20, 30, 30, 40}));
+  // Somebody says that it was elsewhere in between: what comes before was followed wrongly.
+  addCorrection(edited, correctionOf(25, 1));
+  EXPECT_EQ(frames(), (std::vector<std::int64_t>{10, 20, 25, 30, 30, 40}));
+  // The correction itself is moved, or removed.
+  addCorrection(edited, correctionOf(40, 1));
+  EXPECT_EQ(frames(), (std::vector<std::int64_t>{10, 20, 25, 30, 40}));
+  addCorrection(edited, backFrom(40, 35, 1));
+  removeCorrection(edited, 40, 1);
+  EXPECT_EQ(frames(), (std::vector<std::int64_t>{10, 20, 25, 30}));
+}
+
 TEST(ProjectCorrections, WhatCannotBeIsRefused) {
   const auto field = [](std::string text, const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);

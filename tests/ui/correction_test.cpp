@@ -3,7 +3,9 @@
 // project; tracking goes on from there, all views show it, and it can be taken back.
 #include "core/geometry/ray.h"
 #include "core/project/project.h"
+#include "core/project/project_save.h"
 #include "core/session/session.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
@@ -61,8 +63,11 @@ private Q_SLOTS:
   void withoutTheModeImagesAreAsBefore();
   void otherModesEndIt();
   void playingIsPaused();
+  void framesBeforeItAreTrackedToo();
 
 private:
+  /// Opens a project (the demo: an empty path) and tracks its first frames.
+  void trackBeginOf(const std::filesystem::path& project);
   const std::vector<PositionCorrection>& corrections() const {
     return window_->document().project().corrections;
   }
@@ -125,7 +130,11 @@ private:
 
 void CorrectionTest::init() {
   makeWindow({.size = {1500, 950}, .theme = Theme::Light, .play = false});
-  open();
+  trackBeginOf({});
+}
+
+void CorrectionTest::trackBeginOf(const std::filesystem::path& project) {
+  open(project);
   QVERIFY(waitFor([this] { return shown().history.head == 0; }));
   for (std::int64_t frame = 1; frame < kTracked; ++frame) {
     action("actionNextFrame")->trigger();
@@ -324,6 +333,51 @@ void CorrectionTest::playingIsPaused() {
   QVERIFY(waitFor([this] { return shown().state == PlayState::Playing; }));
   begin();
   QVERIFY(waitFor([this] { return shown().state == PlayState::Paused; }));
+}
+
+// A filter that starts far from the ball never finds it. Whoever says in frame 12 where it is has
+// it in the frames before, too; both are one step.
+void CorrectionTest::framesBeforeItAreTrackedToo() {
+  auto project = resolveProject("demo");
+  QVERIFY(project);
+  project->method = "barrera";
+  project->parameters = ParameterValues(tracking::methodParameters("barrera"));
+  for (const char* key : {"start_x", "start_y"}) {
+    QVERIFY(project->parameters.set(key, 3.0));
+  }
+  QVERIFY(saveProject(*project, path("lost.toml")));
+  trackBeginOf(path("lost.toml"));
+  show(kFrame);
+  const Eigen::Vector3d truth = *shown().targets.at(0).truth;
+  QVERIFY((estimate() - truth).norm() > 0.1);
+  begin();
+  drag(0, pixelOf(0, truth), pixelOf(0, truth));
+  QVERIFY(shows(kFrame));
+  drag(1, pixelOf(1, truth), pixelOf(1, truth));
+  const auto isTrackedBack = [](const PositionCorrection& one) {
+    return one.trackedFrom == kFrame;
+  };
+  QVERIFY(waitFor([&] { return std::ranges::count_if(corrections(), isTrackedBack) > 0; }));
+  QCOMPARE(corrections().front().frame, std::int64_t{0});
+  QVERIFY(messageText().contains(QStringLiteral("followed back to frame 1;")));
+  QVERIFY(areCorrected({kFrame})); // what was found by tracking is not marked
+  show(5);
+  QVERIFY((estimate() - *shown().targets.at(0).truth).norm() < 0.03);
+  QCOMPARE(history().count(), 2);
+  action("actionUndo")->trigger(); // the second drag, with what was found from it
+  QVERIFY(std::ranges::none_of(corrections(), isTrackedBack) ||
+          corrections().back().clicks.size() == 1);
+  action("actionUndo")->trigger();
+  QVERIFY(corrections().empty());
+  QVERIFY(areCorrected({}));
+  // Redone and removed by its frame: what was found from it goes, too.
+  action("actionRedo")->trigger();
+  action("actionRedo")->trigger();
+  QVERIFY(std::ranges::any_of(corrections(), isTrackedBack));
+  QVERIFY(areCorrected({kFrame}));
+  show(kFrame);
+  action("actionRemoveCorrection")->trigger();
+  QVERIFY(corrections().empty());
 }
 
 } // namespace dewpoint::tests

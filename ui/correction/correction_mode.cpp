@@ -3,8 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
+#include "core/session/session.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
+#include "ui/correction/backward_tracker.h"
 #include "ui/correction/correction_tool.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
@@ -18,12 +20,16 @@
 #include <QMainWindow>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace dewpoint::ui {
 
 CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& cameras,
                                BirdsEyeView& birdsEye, TrajectoryPanel& trajectory)
-    : QObject(&bench.window), bench_(bench), tool_(new CorrectionTool(bench, birdsEye, this)) {
+    : QObject(&bench.window), bench_(bench), tool_(new CorrectionTool(bench, birdsEye, this)),
+      backwards_(new BackwardTracker(bench, this)) {
   bench_.connectView(tool_);
   connect(&cameras, &CameraDocks::viewMade, tool_, &CorrectionTool::attach);
   connect(tool_, &CorrectionTool::corrected, this, &CorrectionMode::keep);
@@ -84,9 +90,18 @@ void CorrectionMode::setActive(bool active) {
 }
 
 void CorrectionMode::keep(const PositionCorrection& correction) {
+  if (bench_.session.session() == nullptr) {
+    return;
+  }
+  // Before the frames from here on are tracked again.
+  std::vector<TrajectorySample> believed = bench_.session.session()->trajectory().samples;
+  const std::string mergeKey = "correction " + std::to_string(++kept_);
   const auto edited = bench_.document.edit(
-      tr("Correct position"), [&](Project& project) { addCorrection(project, correction); });
-  if (!edited) {
+      tr("Correct position"), [&](Project& project) { addCorrection(project, correction); },
+      mergeKey);
+  if (edited) {
+    backwards_->start(correction, std::move(believed), mergeKey);
+  } else {
     bench_.messages.showError(errorSentence(edited.error()));
   }
 }
@@ -99,8 +114,13 @@ void CorrectionMode::remove(std::int64_t frame, int target) {
     bench_.messages.showNotice(tr("There is no correction in this frame."));
     return;
   }
+  const std::vector<PositionCorrection> all = bench_.document.project().corrections;
   (void)bench_.document.edit(tr("Remove correction"), [&](Project& project) {
-    std::erase_if(project.corrections, isMeant);
+    for (const PositionCorrection& correction : all) {
+      if (isMeant(correction)) {
+        removeCorrection(project, frame, correction.target);
+      }
+    }
   });
 }
 

@@ -14,6 +14,7 @@ struct PositionCorrection;
 
 namespace dewpoint::ui {
 
+class BackwardTracker;
 class BirdsEyeView;
 class CameraDocks;
 class CorrectionTool;
@@ -38,6 +39,8 @@ private:
 
   Workbench bench_;
   CorrectionTool* tool_;
+  BackwardTracker* backwards_;
+  int kept_ = 0; ///< corrections so far: steps of each merge with it alone
 };
 
 } // namespace dewpoint::ui

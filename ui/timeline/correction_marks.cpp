@@ -21,7 +21,7 @@ void paintCorrections(QPainter& painter, const TimelineModel& model, const Timel
   for (const PositionCorrection& correction : model.corrections) {
     const double x = scale.x(static_cast<double>(correction.frame) + 0.5);
     if (x < rows.ribbons.left() || x > rows.ribbons.right() ||
-        correction.target >= model.targets.size()) {
+        correction.target >= model.targets.size() || correction.trackedFrom) {
       continue;
     }
     const QRectF ribbon = rows.ribbon(correction.target);

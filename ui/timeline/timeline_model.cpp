@@ -69,7 +69,8 @@ double TimelineModel::secondsOf(qint64 frame) const {
 
 bool TimelineModel::isCorrected(std::size_t target, qint64 frame) const {
   return std::ranges::any_of(corrections, [&](const PositionCorrection& correction) {
-    return correction.frame == frame && static_cast<std::size_t>(correction.target) == target;
+    return correction.frame == frame && !correction.trackedFrom &&
+           static_cast<std::size_t>(correction.target) == target;
   });
 }
 

@@ -29,6 +29,10 @@ nlohmann::ordered_json correctionJson(const PositionCorrection& correction,
   json["frame"] = correction.frame;
   json["position"] = {p.x(), p.y(), p.z()};
   json["sigma"] = {s.x(), s.y(), s.z()};
+  if (correction.trackedFrom) {
+    json["tracked_from"] = *correction.trackedFrom;
+    return json;
+  }
   json["clicks"] = nlohmann::ordered_json::array();
   for (const PointClick& click : correction.clicks) {
     nlohmann::ordered_json& one = json["clicks"].emplace_back();

@@ -249,7 +249,7 @@ void TrackingRun::correctPositions() {
 bool TrackingRun::isCorrected(std::size_t target) const {
   return takesCorrections() &&
          std::ranges::any_of(definition_->corrections, [&](const PositionCorrection& correction) {
-           return correction.frame == frames_->index &&
+           return correction.frame == frames_->index && !correction.trackedFrom &&
                   static_cast<std::size_t>(correction.target) == target;
          });
 }

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/backward_track.h"
+
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_run.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace dewpoint::session {
+namespace {
+
+// Judgments.
+
+/// Seconds for which the target may be unseen before the track has ended.
+constexpr double kLostSeconds = 0.5;
+/// Seconds for which it is where it was believed to be, until the track has ended: what was
+/// believed before was right as well. It could be wrong once more before a shorter time.
+constexpr double kRightSeconds = 10.0;
+/// Frames in a row: fewer in which it was believed elsewhere, or there, are chance.
+constexpr int kInARow = 5;
+/// Standard deviations of both together up to which two positions are the same.
+constexpr double kSamePosition = 4.0;
+/// Seconds between the corrections that are made of it: a target that is lost again on the way is
+/// found again half a second later.
+constexpr double kSpacingSeconds = 0.5;
+/// Bytes of the images that are held to be gone over from the last to the first.
+constexpr std::size_t kBlockBytes = std::size_t{256} << 20;
+constexpr std::int64_t kMostInBlock = 64; ///< frames
+constexpr std::int64_t kFewestInBlock = 4;
+/// Added along each axis, m²: a tenth of a millimeter, so that a covariance can be inverted.
+constexpr double kLeastVariance = 1e-8;
+
+/// Frames of a source from a last one down to the first, read in blocks: videos are made to be read
+/// forward.
+class ReversedFrames {
+public:
+  ReversedFrames(FrameSetSource& source, std::int64_t last) : source_(source), next_(last) {}
+
+  /// Null before the first.
+  Result<FrameSetPtr> next() {
+    if (next_ < 0) {
+      return FrameSetPtr();
+    }
+    if (block_.empty() || next_ < first_) {
+      if (const auto read = readBlock(); !read) {
+        return tl::make_unexpected(read.error());
+      }
+    }
+    return std::move(block_.at(static_cast<std::size_t>(next_-- - first_)));
+  }
+
+private:
+  Status readBlock() {
+    first_ = std::max<std::int64_t>(0, next_ - length_ + 1);
+    block_.clear();
+    if (const auto sought = source_.seek(first_); !sought) {
+      return sought;
+    }
+    std::size_t bytes = 0;
+    while (first_ + static_cast<std::int64_t>(block_.size()) <= next_) {
+      auto frames = source_.next();
+      if (!frames) {
+        return tl::make_unexpected(frames.error());
+      }
+      if (!*frames) {
+        return failure(ErrorCode::EndedEarly, "", "frame",
+                       "the recording ends before a frame that was there");
+      }
+      for (const FramePtr& frame : (*frames)->frames) {
+        bytes += frame ? frame->image.total() * frame->image.elemSize() : 0;
+      }
+      block_.push_back(std::move(*frames));
+    }
+    const std::size_t each = std::max<std::size_t>(1, bytes / block_.size());
+    length_ =
+        std::clamp(static_cast<std::int64_t>(kBlockBytes / each), kFewestInBlock, kMostInBlock);
+    return {};
+  }
+
+  FrameSetSource& source_;
+  std::int64_t next_;
+  std::int64_t first_ = 0; ///< of the block
+  std::int64_t length_ = kFewestInBlock;
+  std::vector<FrameSetPtr> block_;
+};
+
+/// The same images as if time ran the other way from a frame on.
+FrameSetPtr mirrored(const FrameSet& frames, std::int64_t at, TimeStamp time) {
+  auto result = std::make_shared<FrameSet>();
+  result->index = 2 * at - frames.index;
+  result->time = time + (time - frames.time);
+  for (const FramePtr& frame : frames.frames) {
+    if (!frame) {
+      result->frames.emplace_back();
+      continue;
+    }
+    auto other = std::make_shared<Frame>(*frame);
+    other->index = result->index;
+    other->captureTime = time + (time - frame->captureTime);
+    result->frames.push_back(std::move(other));
+  }
+  return result;
+}
+
+/// What was believed, by frame.
+class BelievedPositions {
+public:
+  BelievedPositions(const std::vector<TrajectorySample>& samples, const std::string& target) {
+    for (const TrajectorySample& sample : samples) {
+      if (sample.target == target && sample.valid) {
+        positions_[sample.frame] = {sample.position, sample.covariance};
+      }
+    }
+  }
+  /// Whether a position is the one that was believed in a frame.
+  bool agrees(std::int64_t frame, const Gaussian3& position) const {
+    const auto found = positions_.find(frame);
+    if (found == positions_.end()) {
+      return false;
+    }
+    const Eigen::Vector3d apart = found->second.mean - position.mean;
+    const Eigen::Matrix3d covariance = found->second.covariance + position.covariance;
+    return apart.dot(covariance.ldlt().solve(apart)) <= kSamePosition * kSamePosition;
+  }
+
+private:
+  std::map<std::int64_t, Gaussian3> positions_;
+};
+
+/// The run's definition with the correction, and what was believed of other targets there, as the
+/// only ones.
+RunDefinitionPtr definitionFrom(const BackwardOrder& order) {
+  auto definition = std::make_shared<RunDefinition>(order.definition);
+  definition->people.clear();
+  definition->corrections = {order.from};
+  for (std::size_t k = 0; k < definition->targets.size(); ++k) {
+    for (const TrajectorySample& sample : order.believed) {
+      if (static_cast<int>(k) != order.from.target && sample.frame == order.from.frame &&
+          sample.valid && sample.target == definition->targets[k].name) {
+        definition->corrections.push_back({.frame = order.from.frame,
+                                           .target = static_cast<int>(k),
+                                           .position = sample.position,
+                                           .covariance = sample.covariance});
+      }
+    }
+  }
+  return definition;
+}
+
+bool isSaidAt(const BackwardOrder& order, std::int64_t frame) {
+  return std::ranges::any_of(order.definition.corrections, [&](const PositionCorrection& one) {
+    return one.frame == frame && one.target == order.from.target && !one.trackedFrom;
+  });
+}
+
+/// Where the target was in a frame, and whether that was believed.
+struct BackwardPosition {
+  std::int64_t frame = 0;
+  Gaussian3 position;
+  bool wasBelieved = false;
+};
+
+/// From the last frame to the first.
+struct BackwardPositions {
+  std::vector<BackwardPosition> held;
+  double frameSeconds = 0.0; ///< from one to the next, on average
+};
+
+Result<BackwardPositions> positionsBefore(FrameSetSource& source, const BackwardOrder& order,
+                                          int threads, const BackwardProgress& progress) {
+  auto run = TrackingRun::create(definitionFrom(order), threads);
+  if (!run) {
+    return tl::make_unexpected(run.error());
+  }
+  const std::int64_t at = order.from.frame;
+  const auto target = static_cast<std::size_t>(order.from.target);
+  BackwardPositions found;
+  if (!run->takesCorrections() || target >= order.definition.targets.size()) {
+    return found;
+  }
+  const BelievedPositions believed(order.believed, order.definition.targets[target].name);
+  ReversedFrames reversed(source, at);
+  std::optional<TimeStamp> begin;
+  double lastHeld = 0.0;  // seconds before the correction
+  double lastWrong = 0.0; // the same
+  for (std::int64_t frame = at; frame >= 0; --frame) {
+    if (!progress(static_cast<double>(at - frame) / static_cast<double>(at + 1))) {
+      return failure(ErrorCode::Cancelled, "", "", "");
+    }
+    const auto frames = reversed.next();
+    if (!frames) {
+      return tl::make_unexpected(frames.error());
+    }
+    begin = begin.value_or((*frames)->time);
+    const double before = seconds(*begin - (*frames)->time);
+    if (frame < at && isSaidAt(order, frame)) {
+      break;
+    }
+    if (const auto tracked = trackOneFrame(*run, mirrored(**frames, at, *begin), {}); !tracked) {
+      return tl::make_unexpected(tracked.error());
+    }
+    const TrackEstimate estimate = run->estimate(target);
+    const auto position = positionOf(estimate);
+    const bool isHeldThere = isHeld(estimate) && position.has_value();
+    lastHeld = isHeldThere ? before : lastHeld;
+    if (before - lastHeld > kLostSeconds) {
+      break;
+    }
+    if (!isHeldThere || frame == at) { // at that frame it was said where it is
+      continue;
+    }
+    found.held.push_back({frame, *position, believed.agrees(frame, *position)});
+    found.frameSeconds = before / static_cast<double>(at - frame);
+    lastWrong = found.held.back().wasBelieved ? lastWrong : before;
+    if (before - lastWrong > kRightSeconds) {
+      break;
+    }
+  }
+  return found;
+}
+
+/// Makes of single frames what those around them are; not of those at the beginning of the track.
+void smooth(std::vector<BackwardPosition>& positions) {
+  for (const bool kind : {true, false}) {
+    for (auto begin = positions.begin(); begin != positions.end();) {
+      const auto end = std::find_if(begin, positions.end(), [&](const BackwardPosition& one) {
+        return one.wasBelieved != begin->wasBelieved;
+      });
+      // Agreement in passing first: then what is left of disagreement is as long as it is.
+      if (begin->wasBelieved == kind && end - begin < kInARow && end != positions.end()) {
+        std::for_each(begin, end, [&](BackwardPosition& one) { one.wasBelieved = !kind; });
+      }
+      begin = end;
+    }
+  }
+}
+
+std::vector<PositionCorrection> correctionsFrom(BackwardPositions positions,
+                                                const PositionCorrection& from) {
+  smooth(positions.held);
+  const auto spacing = static_cast<std::int64_t>(
+      std::max(1.0, kSpacingSeconds / std::max(1e-6, positions.frameSeconds)));
+  std::vector<PositionCorrection> corrections;
+  std::optional<std::int64_t> last;
+  for (auto one = positions.held.rbegin(); one != positions.held.rend(); ++one) {
+    if (one->wasBelieved) {
+      last.reset(); // where it is believed elsewhere next, the first frame counts
+      continue;
+    }
+    if (last && one->frame < *last + spacing) {
+      continue;
+    }
+    last = one->frame;
+    const Eigen::Matrix3d& covariance = one->position.covariance;
+    corrections.push_back({.frame = one->frame,
+                           .target = from.target,
+                           .position = one->position.mean,
+                           .covariance = 0.5 * (covariance + covariance.transpose()) +
+                                         kLeastVariance * Eigen::Matrix3d::Identity(),
+                           .clicks = {},
+                           .trackedFrom = from.frame});
+  }
+  return corrections;
+}
+
+/// What a run believes in each of the frames up to one.
+Result<std::vector<TrajectorySample>> believedUpTo(FrameSetSource& source,
+                                                   const RunDefinition& definition,
+                                                   std::int64_t last, int threads,
+                                                   const BackwardProgress& progress) {
+  class Samples final : public FrameObserver {
+  public:
+    std::vector<TrajectorySample> all;
+    Status tracked(const TrackingRun& run) override {
+      const auto samples = run.samples();
+      all.insert(all.end(), samples.begin(), samples.end());
+      return {};
+    }
+  };
+  auto run = TrackingRun::create(std::make_shared<const RunDefinition>(definition), threads);
+  if (!run) {
+    return tl::make_unexpected(run.error());
+  }
+  if (const auto sought = source.seek(0); !sought) {
+    return tl::make_unexpected(sought.error());
+  }
+  Samples samples;
+  const std::array<FrameObserver*, 1> observers{&samples};
+  std::int64_t done = 0;
+  bool wanted = true;
+  const auto goOn = [&] {
+    wanted = progress(static_cast<double>(done++) / static_cast<double>(last + 1));
+    return wanted;
+  };
+  const auto tracked = trackFrames(source, {0, last + 1}, *run, observers, goOn);
+  if (!tracked) {
+    return tl::make_unexpected(tracked.error());
+  }
+  if (!wanted) {
+    return failure(ErrorCode::Cancelled, "", "", "");
+  }
+  return std::move(samples.all);
+}
+
+} // namespace
+
+Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
+                                                       const BackwardOrder& order, int threads,
+                                                       const BackwardProgress& progress) {
+  if (source.isLive()) {
+    return std::vector<PositionCorrection>();
+  }
+  return positionsBefore(source, order, threads, progress).map([&](BackwardPositions positions) {
+    return correctionsFrom(std::move(positions), order.from);
+  });
+}
+
+Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
+                                 const std::vector<cv::Mat>& emptyRooms, int threads,
+                                 const BackwardProgress& progress) {
+  Project result = project;
+  std::erase_if(result.corrections,
+                [](const PositionCorrection& one) { return one.trackedFrom.has_value(); });
+  const std::vector<PositionCorrection> said = result.corrections;
+  for (std::size_t k = 0; k < said.size(); ++k) {
+    const auto part = [&](double from, double share) {
+      return [&progress, &said, k, from, share](double done) {
+        return progress((static_cast<double>(k) + from + share * done) /
+                        static_cast<double>(said.size()));
+      };
+    };
+    const RunDefinition definition = RunDefinition::of(result, emptyRooms);
+    auto believed = believedUpTo(source, definition, said[k].frame, threads, part(0.0, 0.5));
+    if (!believed) {
+      return tl::make_unexpected(believed.error());
+    }
+    const auto found = trackBackwards(source, {definition, said[k], std::move(*believed)}, threads,
+                                      part(0.5, 0.5));
+    if (!found) {
+      return tl::make_unexpected(found.error());
+    }
+    for (const PositionCorrection& one : *found) {
+      addCorrection(result, one);
+    }
+  }
+  return result;
+}
+
+} // namespace dewpoint::session
