@@ -2383,7 +2383,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <name>dewpoint::ui::BackwardTracker</name>
     <message>
         <source>Correct position</source>
-        <translation type="unfinished">Position korrigieren</translation>
+        <translation>Position korrigieren</translation>
     </message>
     <message>
         <source>The target was followed back to frame %1; from there on it is tracked again.</source>

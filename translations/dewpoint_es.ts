@@ -2383,7 +2383,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <name>dewpoint::ui::BackwardTracker</name>
     <message>
         <source>Correct position</source>
-        <translation type="unfinished">Corregir la posición</translation>
+        <translation>Corregir la posición</translation>
     </message>
     <message>
         <source>The target was followed back to frame %1; from there on it is tracked again.</source>

@@ -2383,7 +2383,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <name>dewpoint::ui::BackwardTracker</name>
     <message>
         <source>Correct position</source>
-        <translation type="unfinished">位置を修正</translation>
+        <translation>位置を修正</translation>
     </message>
     <message>
         <source>The target was followed back to frame %1; from there on it is tracked again.</source>
