@@ -26,7 +26,7 @@ std::vector<ParameterDeclaration> declare() {
       {"iterations_per_frame", ParameterKind::Integer, "Iterations per frame", "", 1.0, 500.0, 1.0,
        1.0, "How many filter iterations run on each frame.", false},
       {"acceleration_sigma", ParameterKind::Real, "Acceleration sigma", "m/s²", 0.1, 200.0, 0.1,
-       8.0,
+       20.0,
        "How strongly targets speed up, slow down and turn: larger follows abrupt motion, smaller "
        "bridges gaps better.",
        true},
