@@ -90,6 +90,34 @@ TEST_P(BackwardTracking, MendsWhatWasWrongBeforeItWasRight) {
   EXPECT_LT(corrections.back().frame, 22);
 }
 
+/// A ball that is elsewhere, and was not seen to go there, before a frame.
+class JumpingRecording final : public FrameSetSource {
+public:
+  static constexpr std::int64_t kJump = 20;
+  std::optional<std::int64_t> frameCount() const override { return kFrames; }
+  double framesPerSecond() const override { return 30.0; }
+  Result<FrameSetPtr> next() override {
+    const std::int64_t shown = next_ < kJump ? next_ + kFrames : next_;
+    return tests::drawn::framesOf(DrawnRecording::rig(), {{DrawnRecording::ballAt(shown)}},
+                                  next_++);
+  }
+  Status seek(std::int64_t frame) override {
+    next_ = frame;
+    return {};
+  }
+
+private:
+  std::int64_t next_ = 0;
+};
+
+// Where the two part, what was believed goes on evenly: the track back has gone to something else.
+TEST_P(BackwardTracking, EndsWhereItJumpsAwayFromWhatWasBelieved) {
+  JumpingRecording recording;
+  const auto corrections = trackBackwards(recording, wrongFrom(kFrames), 1, always);
+  ASSERT_TRUE(corrections);
+  EXPECT_TRUE(corrections->empty());
+}
+
 TEST_P(BackwardTracking, EndsAtWhatAPersonSaidBefore) {
   BackwardOrder order = wrongFrom(0);
   order.definition.corrections = {saidAt(25), saidAt(kSaidAt)};

@@ -121,14 +121,19 @@ public:
       }
     }
   }
+  /// Null where nothing was.
+  const Gaussian3* at(std::int64_t frame) const {
+    const auto found = positions_.find(frame);
+    return found == positions_.end() ? nullptr : &found->second;
+  }
   /// Whether a position is the one that was believed in a frame.
   bool agrees(std::int64_t frame, const Gaussian3& position) const {
-    const auto found = positions_.find(frame);
-    if (found == positions_.end()) {
+    const Gaussian3* const there = at(frame);
+    if (there == nullptr) {
       return false;
     }
-    const Eigen::Vector3d apart = found->second.mean - position.mean;
-    const Eigen::Matrix3d covariance = found->second.covariance + position.covariance;
+    const Eigen::Vector3d apart = there->mean - position.mean;
+    const Eigen::Matrix3d covariance = there->covariance + position.covariance;
     return apart.dot(covariance.ldlt().solve(apart)) <= kSamePosition * kSamePosition;
   }
 
@@ -192,6 +197,9 @@ Result<BackwardPositions> positionsBefore(FrameSetSource& source, const Backward
   std::optional<TimeStamp> begin;
   double lastHeld = 0.0;  // seconds before the correction
   double lastWrong = 0.0; // the same
+  // Where both have it: where they part, the one that stays nearer to this has not jumped.
+  Eigen::Vector3d common = order.from.position;
+  bool hasCommon = true;
   for (std::int64_t frame = at; frame >= 0; --frame) {
     if (!progress(static_cast<double>(at - frame) / static_cast<double>(at + 1))) {
       return failure(ErrorCode::Cancelled, "", "", "");
@@ -218,7 +226,15 @@ Result<BackwardPositions> positionsBefore(FrameSetSource& source, const Backward
     if (!isHeldThere || frame == at) { // at that frame it was said where it is
       continue;
     }
-    found.held.push_back({frame, *position, believed.agrees(frame, *position)});
+    const bool agrees = believed.agrees(frame, *position);
+    const Gaussian3* const there = believed.at(frame);
+    if (!agrees && hasCommon && there != nullptr &&
+        (there->mean - common).norm() < (position->mean - common).norm()) {
+      break;
+    }
+    common = position->mean;
+    hasCommon = agrees;
+    found.held.push_back({frame, *position, agrees});
     found.frameSeconds = before / static_cast<double>(at - frame);
     lastWrong = found.held.back().wasBelieved ? lastWrong : before;
     if (before - lastWrong > kRightSeconds) {

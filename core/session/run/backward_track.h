@@ -27,12 +27,12 @@ using BackwardProgress = std::function<bool(double)>;
 /// tracked from the last to the first by a run of its own, which begins with the correction and
 /// with what is believed of the other targets there. It ends where the target is lost, after ten
 /// seconds in which it is found where it was believed to be anyway (all before that is taken to be
-/// right), and at an earlier correction by a person.
+/// right), where it leaves what was believed by a jump, and at an earlier correction by a person.
 ///
 /// Where it found the target elsewhere comes as corrections, about two per second, with
-/// `trackedFrom` set: a run that tracks on from the first of them is where the target was. Empty when nothing was believed
-/// wrongly, for live sources, and for methods that take no corrections. Errors of the source and of
-/// TrackingRun::create(); Cancelled when it was not wanted any more.
+/// `trackedFrom` set: a run that tracks on from the first of them is where the target was. Empty
+/// when nothing was believed wrongly, for live sources, and for methods that take no corrections.
+/// Errors of the source and of TrackingRun::create(); Cancelled when it was not wanted any more.
 Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardOrder& order, int threads,
                                                        const BackwardProgress& progress);
