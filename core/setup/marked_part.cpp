@@ -86,6 +86,7 @@ struct MarkRay {
 std::vector<double> shownDepths(const CameraRig& rig, const MarkRay& ray,
                                 const std::vector<std::pair<std::size_t, cv::Mat>>& regions) {
   std::vector<Projector> projectors;
+  projectors.reserve(regions.size());
   for (const auto& [camera, region] : regions) {
     projectors.emplace_back(rig[camera]);
   }
@@ -127,6 +128,7 @@ std::optional<Gaussian3> onRay(const MarkRay& ray, const std::vector<double>& de
 
 std::optional<Gaussian3> whereRaysMeet(const std::vector<MarkRay>& rays) {
   std::vector<Ray> lines;
+  lines.reserve(rays.size());
   for (const MarkRay& ray : rays) {
     lines.push_back(ray.ray);
   }
