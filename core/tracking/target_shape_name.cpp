@@ -27,6 +27,7 @@ std::optional<TargetShape> targetShapeNamed(std::string_view name) {
 
 std::vector<std::string> targetShapeNames() {
   std::vector<std::string> names;
+  names.reserve(kNames.size());
   for (const auto& [shape, name] : kNames) {
     names.emplace_back(name);
   }

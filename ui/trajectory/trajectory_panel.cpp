@@ -109,9 +109,11 @@ void TrajectoryPanel::makeTable() {
     table_->setAccessibleName(tr("Trajectory"));
     const QFontMetrics metrics = table_->fontMetrics();
     const QString widestState =
-        std::ranges::max({TrajectoryModel::tr("○ not held"), TrajectoryModel::tr("◆ corrected"),
-                          TrajectoryModel::tr("◇ ambiguous")},
-                         {}, [&](const QString& text) { return metrics.horizontalAdvance(text); });
+        std::max({TrajectoryModel::tr("○ not held"), TrajectoryModel::tr("◆ corrected"),
+                  TrajectoryModel::tr("◇ ambiguous")},
+                 [&](const QString& one, const QString& other) {
+                   return metrics.horizontalAdvance(one) < metrics.horizontalAdvance(other);
+                 });
     for (int column = 0; column < TrajectoryModel::ColumnCount; ++column) {
       const QString title = model_->headerData(column, Qt::Horizontal).toString();
       const QString widest = column == TrajectoryModel::Target ? QStringLiteral("pink ball 1")

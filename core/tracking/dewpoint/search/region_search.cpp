@@ -49,6 +49,7 @@ double rayCost(const Seen& seen, const Eigen::Vector3d& point) {
 
 std::optional<RegionCandidate> candidateOf(const std::vector<const Seen*>& members, double radius) {
   std::vector<Ray> rays;
+  rays.reserve(members.size());
   for (const Seen* seen : members) {
     rays.push_back(seen->ray);
   }
