@@ -24,7 +24,6 @@ constexpr double kDarkest = 20.0;       ///< sum of channels where brightness st
 constexpr int kSmallest = 12;           ///< pixels of a region
 constexpr double kLargestShare = 0.5;   ///< of the image: more is no object in it
 constexpr double kNoOutline = 1.0;      ///< units of colorDistance(): a box lies within the object
-constexpr double kLeastOfBox = 0.35;    ///< share of it that a thing in a box fills
 constexpr int kSeedReach = 2;           ///< pixels around the click whose median begins
 /// Pixels across an outline over which its edge is seen: moving objects are blurred, and the larger
 /// they appear the farther. Each counts from this radius of a region on, pixels.

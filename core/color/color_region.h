@@ -28,6 +28,10 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 /// the image.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
+/// Share of a box that a thing in it fills at least: else the box is around something else. A
+/// judgment.
+inline constexpr double kLeastOfBox = 0.35;
+
 /// The region of a sample in an image, as takeSample() grew it. Of a box without a clear outline in
 /// it, as one that holds a part of something larger, it is what grows from its middle as far as it
 /// lies in the box, if that is more than a third of it; else all of the box.

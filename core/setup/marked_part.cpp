@@ -18,9 +18,6 @@
 namespace dewpoint::setup {
 namespace {
 
-/// Share of a box that what grows from its middle fills at least: else the box is around something
-/// else. A judgment.
-constexpr double kLeastFilled = 0.35;
 // Depths along a ray, meters, each 0.3 % more than the one before: steps of about a pixel.
 constexpr double kNearestShown = 0.05;
 constexpr double kFarthestShown = 100.0;
@@ -159,7 +156,8 @@ std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box) {
       cv::Rect({0, 0}, bgr.size());
   const cv::Mat region = color::growRegion(bgr, middle);
   const double inside = within.empty() ? 0 : cv::countNonZero(region(within));
-  if (inside < kLeastFilled * within.area() || inside > kMostInBox * cv::countNonZero(region)) {
+  if (inside < color::kLeastOfBox * within.area() ||
+      inside > kMostInBox * cv::countNonZero(region)) {
     return std::nullopt;
   }
   return markOf(bgr, region, box, middle, within, 0.5 * std::min(within.width, within.height));
