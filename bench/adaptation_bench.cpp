@@ -168,7 +168,7 @@ struct Follower {
     ++looks;
     held += estimate.valid && off.norm() < scene.balls.front().radius ? 1 : 0;
     for (std::size_t k = 0; k < truth.size(); ++k) {
-      const ColorRange& used = estimate.colors.empty() ? range : estimate.colors[k];
+      const ColorRange& used = estimate.colors.empty() ? range : estimate.colors[k][0];
       const PixelScore score =
           pixelScore(matchImage(frames->frames[k]->image, ColorClassifier(used)), truth[k]);
       all.add(score);

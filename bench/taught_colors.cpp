@@ -38,18 +38,19 @@ TaughtColor byTable(const std::string& name, const ColorLikelihood& table) {
 ColorLesson taughtBySamples(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images) {
   const ColorEvidence evidence = colorEvidence(samples, images);
-  const auto range = learnRange(evidence);
-  if (!range) {
+  const auto ranges = learnRanges(evidence);
+  if (!ranges) {
     return {};
   }
+  const ColorRange& range = (*ranges)[0]; // the clicks are on things of one color
   const double ratio = pixelRatio(evidence);
-  TargetColorModel unlimited(*range, kEveryColor);
+  TargetColorModel unlimited(range, kEveryColor);
   unlimited.add(evidence.target);
-  return {*range,
-          assessColor(*range, samples, images, evidence).separability,
-          {byRange("range", *range), byTable("table", learnLikelihood(evidence, *range, ratio)),
+  return {range,
+          assessColor(range, samples, images, evidence).separability,
+          {byRange("range", range), byTable("table", learnLikelihood(evidence, range, ratio)),
            byTable("no limits", unlimited.inCamera({}, evidence.rest, ratio)),
-           byTable("likelihood", learnLikelihood(evidence, *range))}};
+           byTable("likelihood", learnLikelihood(evidence, range))}};
 }
 
 void TruthLesson::add(const cv::Mat& bgr, const ColorTruth& truth) {

@@ -597,6 +597,17 @@
     </message>
 </context>
 <context>
+    <name>AssessedRegions</name>
+    <message>
+        <source>matches too</source>
+        <translation>passt auch</translation>
+    </message>
+    <message>
+        <source>also the target (Alt-click if not)</source>
+        <translation>auch das Ziel (sonst Alt+Klick)</translation>
+    </message>
+</context>
+<context>
     <name>BoardText</name>
     <message>
         <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
@@ -1100,8 +1111,8 @@
         <translation>%1 % des Hintergrunds passen auch.</translation>
     </message>
     <message>
-        <source>One sample does not go with the others: no single range holds both.</source>
-        <translation>Eine Probe passt nicht zu den anderen: Kein Bereich enthält beide.</translation>
+        <source>One sample hardly matches what was learned: what is around has its color too, or it shows something else.</source>
+        <translation>Eine Probe passt kaum zum Gelernten: Die Umgebung hat ihre Farbe auch, oder sie zeigt etwas anderes.</translation>
     </message>
     <message>
         <source>Something %1 %2 of %3 matches too.</source>
@@ -3681,6 +3692,29 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ColorChoice</name>
+    <message>
+        <source>Color %1</source>
+        <translation>Farbe %1</translation>
+    </message>
+    <message>
+        <source>Show this color of the target, to change its range by hand</source>
+        <translation>Diese Farbe des Ziels zeigen, um ihren Bereich von Hand zu ändern</translation>
+    </message>
+    <message>
+        <source>Colors of the target</source>
+        <translation>Farben des Ziels</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take this color away from the target, with the samples that show it</source>
+        <translation>Diese Farbe vom Ziel wegnehmen, samt den Proben, die sie zeigen</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorDock</name>
     <message>
         <source>Color</source>
@@ -3745,10 +3779,6 @@ bei %4, %5, %6</translation>
         <translation>Farbbereich ändern</translation>
     </message>
     <message>
-        <source>matches too</source>
-        <translation>passt auch</translation>
-    </message>
-    <message>
         <source>Click the thing to follow</source>
         <translation>Klicke an, was verfolgt werden soll</translation>
     </message>
@@ -3781,8 +3811,8 @@ bei %4, %5, %6</translation>
         <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
     </message>
     <message>
-        <source>also the target (Alt-click if not)</source>
-        <translation>auch das Ziel (sonst Alt+Klick)</translation>
+        <source>Remove color</source>
+        <translation>Farbe entfernen</translation>
     </message>
 </context>
 <context>

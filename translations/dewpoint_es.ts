@@ -597,6 +597,17 @@
     </message>
 </context>
 <context>
+    <name>AssessedRegions</name>
+    <message>
+        <source>matches too</source>
+        <translation>también coincide</translation>
+    </message>
+    <message>
+        <source>also the target (Alt-click if not)</source>
+        <translation>también el objetivo (si no, Alt+clic)</translation>
+    </message>
+</context>
+<context>
     <name>BoardText</name>
     <message>
         <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
@@ -1100,8 +1111,8 @@
         <translation>El %1 % del fondo también coincide.</translation>
     </message>
     <message>
-        <source>One sample does not go with the others: no single range holds both.</source>
-        <translation>Una muestra no va con las demás: ningún rango único abarca ambas.</translation>
+        <source>One sample hardly matches what was learned: what is around has its color too, or it shows something else.</source>
+        <translation>Una muestra apenas encaja con lo aprendido: lo que hay alrededor también tiene su color, o muestra otra cosa.</translation>
     </message>
     <message>
         <source>Something %1 %2 of %3 matches too.</source>
@@ -3681,6 +3692,29 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ColorChoice</name>
+    <message>
+        <source>Color %1</source>
+        <translation>Color %1</translation>
+    </message>
+    <message>
+        <source>Show this color of the target, to change its range by hand</source>
+        <translation>Mostrar este color del objetivo, para cambiar su rango a mano</translation>
+    </message>
+    <message>
+        <source>Colors of the target</source>
+        <translation>Colores del objetivo</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Take this color away from the target, with the samples that show it</source>
+        <translation>Quitar este color del objetivo, con las muestras que lo enseñan</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorDock</name>
     <message>
         <source>Color</source>
@@ -3745,10 +3779,6 @@ en %4, %5, %6</translation>
         <translation>Cambiar el intervalo de color</translation>
     </message>
     <message>
-        <source>matches too</source>
-        <translation>también coincide</translation>
-    </message>
-    <message>
         <source>Click the thing to follow</source>
         <translation>Haz clic en lo que quieras seguir</translation>
     </message>
@@ -3781,8 +3811,8 @@ en %4, %5, %6</translation>
         <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
     </message>
     <message>
-        <source>also the target (Alt-click if not)</source>
-        <translation>también el objetivo (si no, Alt+clic)</translation>
+        <source>Remove color</source>
+        <translation>Quitar color</translation>
     </message>
 </context>
 <context>

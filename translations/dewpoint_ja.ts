@@ -597,6 +597,17 @@
     </message>
 </context>
 <context>
+    <name>AssessedRegions</name>
+    <message>
+        <source>matches too</source>
+        <translation>これも一致</translation>
+    </message>
+    <message>
+        <source>also the target (Alt-click if not)</source>
+        <translation>これもターゲット (違う場合は Alt+クリック)</translation>
+    </message>
+</context>
+<context>
     <name>BoardText</name>
     <message>
         <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
@@ -1100,8 +1111,8 @@
         <translation>背景の %1 % も一致します。</translation>
     </message>
     <message>
-        <source>One sample does not go with the others: no single range holds both.</source>
-        <translation>ほかと合わない見本があります。1つの範囲に両方は収まりません。</translation>
+        <source>One sample hardly matches what was learned: what is around has its color too, or it shows something else.</source>
+        <translation>学習した色にほとんど合わない見本があります。周りにも同じ色があるか、別のものを示しています。</translation>
     </message>
     <message>
         <source>Something %1 %2 of %3 matches too.</source>
@@ -3680,6 +3691,29 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ColorChoice</name>
+    <message>
+        <source>Color %1</source>
+        <translation>色 %1</translation>
+    </message>
+    <message>
+        <source>Show this color of the target, to change its range by hand</source>
+        <translation>ターゲットのこの色を表示し、範囲を手で変えられるようにする</translation>
+    </message>
+    <message>
+        <source>Colors of the target</source>
+        <translation>ターゲットの色</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>取り除く</translation>
+    </message>
+    <message>
+        <source>Take this color away from the target, with the samples that show it</source>
+        <translation>この色を、それを示す見本とともにターゲットから外す</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorDock</name>
     <message>
         <source>Color</source>
@@ -3744,10 +3778,6 @@ at %4, %5, %6</source>
         <translation>色の範囲を変更</translation>
     </message>
     <message>
-        <source>matches too</source>
-        <translation>これも一致</translation>
-    </message>
-    <message>
         <source>Click the thing to follow</source>
         <translation>追跡したいものをクリック</translation>
     </message>
@@ -3780,8 +3810,8 @@ at %4, %5, %6</source>
         <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
     </message>
     <message>
-        <source>also the target (Alt-click if not)</source>
-        <translation>これもターゲット (違う場合は Alt+クリック)</translation>
+        <source>Remove color</source>
+        <translation>色を外す</translation>
     </message>
 </context>
 <context>

@@ -22,7 +22,7 @@ constexpr double kPixelsAcross = 40.0; // as many are enough
 
 } // namespace
 
-std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRange& color,
+std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
                                              const SphereImage& expected) {
   const double reach = kReach * expected.radius;
   const int left = int(std::floor(expected.center.x() - reach));
@@ -88,7 +88,7 @@ void ReprojectionResiduals::addTarget(const FrameSet& frames, const Target& targ
     if (!expected || !frames.frames[k] || frames.frames[k]->image.type() != CV_8UC3) {
       continue;
     }
-    centers[k] = colorCentroid(frames.frames[k]->image, target.color, *expected);
+    centers[k] = colorCentroid(frames.frames[k]->image, target.colors(), *expected);
     const auto point = projectors_[k].projector().project(estimate.mean);
     if (centers[k] && point) {
       *centers[k] += *point - expected->center; // from the outline's middle to the sphere's center

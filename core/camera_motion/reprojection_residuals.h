@@ -26,7 +26,7 @@ struct ReprojectionResidual {
 /// Center of the pixels of the target's color around its expected position (CV_8UC3, pixels);
 /// nothing when their number is not about that of its outline, or when they reach the edge of the
 /// searched region: the target is hidden in part, or another object has its color.
-std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRange& color,
+std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
                                              const SphereImage& expected);
 
 /// Collects, camera by camera, how tracked targets disagree with what the other cameras see. One

@@ -24,11 +24,11 @@ bool isFamiliar(const cv::Vec3b& pixel, const cv::Vec3b& usual) {
 
 } // namespace
 
-std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
+std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& rooms) {
   std::vector<cv::Mat> result = images;
-  const ColorClassifier classifier(range);
+  const ColorClassifier classifier(ranges);
   for (std::size_t k = 0; k < std::min(images.size(), rooms.size()); ++k) {
     if (images[k].type() != CV_8UC3 || rooms[k].type() != CV_8UC3 ||
         rooms[k].size() != images[k].size()) {

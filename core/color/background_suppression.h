@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_range.h"
+#include "core/color/color_ranges.h"
 
 #include <opencv2/core/mat.hpp>
 
@@ -14,11 +14,11 @@ namespace dewpoint::color {
 inline constexpr int kFamiliarLevels = 14;
 inline constexpr int kFamiliarShift = 3;
 
-/// The images (CV_8UC3) with black, which no range matches, where they have a color of the range
+/// The images (CV_8UC3) with black, which no range matches, where they have a color of the ranges
 /// but so did the empty room: a tracker that knows the room does not take that for a target.
 /// `rooms` are in the same order; an empty one, or one of another size, leaves its image as it is.
 /// An image in which nothing is familiar shares its pixels with the result.
-std::vector<cv::Mat> withoutBackgroundColors(const ColorRange& range,
+std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& rooms);
 

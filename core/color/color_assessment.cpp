@@ -161,9 +161,9 @@ ColorWord colorWord(const BgrColor& bgr) {
   return warm && color.hueDegrees > 8.0 && color.intensity < 0.4 ? ColorWord::Brown : word->word;
 }
 
-ColorAssessment assessRange(const ColorRange& range, const ColorEvidence& evidence,
+ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evidence,
                             const std::vector<cv::Mat>& images) {
-  const RangeScore score = scoreRange(range, evidence.target, evidence.rest);
+  const RangeScore score = scoreRange(ranges, evidence.target, evidence.rest);
   ColorAssessment assessment;
   assessment.separability = score.f1;
   assessment.targetShare = evidence.targetWeight > 0.0 ? score.target / evidence.targetWeight : 0.0;
@@ -178,7 +178,7 @@ ColorAssessment assessRange(const ColorRange& range, const ColorEvidence& eviden
         evidence.restWeight > 0.0 ? whole.rest / evidence.restWeight : 0.0;
   }
   std::vector<FoundRegion> found;
-  const ColorClassifier classifier(range);
+  const ColorClassifier classifier(ranges);
   const double smallest = std::max(kSmallestDistractor, kDistractorShare * evidence.targetArea);
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (!evidence.targetMasks[i].empty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_range.h"
+#include "core/color/color_ranges.h"
 #include "core/color/color_sample.h"
 
 #include <opencv2/core/mat.hpp>
@@ -75,7 +75,7 @@ struct ColorAssessment {
   /// of it would cost more than it wins. Nothing while missesTarget() is false.
   std::optional<double> backgroundShareOfWhole;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
-  /// A sample hardly matches the range that was found for all: one range cannot hold both.
+  /// A sample hardly matches what was found for all.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
@@ -89,8 +89,8 @@ struct ColorAssessment {
   bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
 };
 
-/// How well the range does on the evidence that was collected from these images.
-ColorAssessment assessRange(const ColorRange& range, const ColorEvidence& evidence,
+/// How well a color does on the evidence that was collected from these images.
+ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evidence,
                             const std::vector<cv::Mat>& images);
 
 } // namespace dewpoint::color

@@ -4,6 +4,7 @@
 #include "core/color/color_region.h"
 #include "core/color/match_image.h"
 #include "core/color/range_fit.h"
+#include "core/color/sample_colors.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -56,10 +57,10 @@ struct MatchingObjects {
   cv::Mat labels, statistics;
   int count = 0;
 
-  MatchingObjects(const cv::Mat& image, const ColorRange& range, EvidenceWork& work) {
+  MatchingObjects(const cv::Mat& image, const ColorRanges& ranges, EvidenceWork& work) {
     ++work.floods;
     cv::Mat centers;
-    count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(range)), labels,
+    count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(ranges)), labels,
                                              statistics, centers);
   }
   int area(int object) const { return statistics.at<int>(object, cv::CC_STAT_AREA); }
@@ -70,9 +71,9 @@ struct MatchingObjects {
 };
 
 /// The largest thing that matches, if it can be the target by its size; else nothing.
-cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area,
+cv::Mat likelyTarget(const cv::Mat& image, const ColorRanges& ranges, double area,
                      EvidenceWork& work) {
-  const MatchingObjects objects(image, range, work);
+  const MatchingObjects objects(image, ranges, work);
   int largest = 0;
   for (int i = 1; i < objects.count; ++i) {
     if (largest == 0 || objects.area(i) > objects.area(largest)) {
@@ -88,9 +89,9 @@ cv::Mat likelyTarget(const cv::Mat& image, const ColorRange& range, double area,
 
 /// Adds the rest of things that are in the mask already, by part: shading makes a target of one
 /// color many.
-void completeObjects(const cv::Mat& image, const ColorRange& range, double area, cv::Mat& mask,
+void completeObjects(const cv::Mat& image, const ColorRanges& ranges, double area, cv::Mat& mask,
                      EvidenceWork& work) {
-  const MatchingObjects objects(image, range, work);
+  const MatchingObjects objects(image, ranges, work);
   std::vector<bool> inMask(std::size_t(objects.count), false);
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
@@ -136,15 +137,15 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
 
 /// Where no click shows it: `similar`, an object of the typical colors, as far as it matches.
 cv::Mat unclickedTarget(const cv::Mat& image, const cv::Mat& similar,
-                        const std::optional<ColorRange>& range, double area, EvidenceWork& work) {
-  if (!range) {
+                        const std::optional<ColorRanges>& ranges, double area, EvidenceWork& work) {
+  if (!ranges) {
     return similar.clone();
   }
   if (cv::countNonZero(similar) == 0) {
-    return likelyTarget(image, *range, area, work);
+    return likelyTarget(image, *ranges, area, work);
   }
   cv::Mat mask = similar.clone();
-  completeObjects(image, *range, area, mask, work);
+  completeObjects(image, *ranges, area, mask, work);
   return mask;
 }
 
@@ -223,7 +224,7 @@ public:
   /// What the samples alone show, for so many images.
   void takeSamples(std::int64_t views);
   /// The image of the next camera, and where it may show the target.
-  void takeImage(const cv::Mat& image, const std::optional<ColorRange>& range,
+  void takeImage(const cv::Mat& image, const std::optional<ColorRanges>& ranges,
                  const cv::Mat& undecided);
   /// After all images.
   ColorEvidence finish() &&;
@@ -233,6 +234,8 @@ private:
   double targetWeight() const {
     return std::max(evidence_.targetArea, 1.0) * double(std::max<std::int64_t>(evidence_.views, 1));
   }
+  /// The target's colors, each sample of this weight, and what is typical of each.
+  void divideColors(double weight);
   void countRest();
 
   const std::vector<ColorSample>& samples_;
@@ -248,9 +251,10 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
   }
   if (before_ != nullptr && before_->views == views) {
     evidence_.target = before_->target;
+    evidence_.targetByColor = before_->targetByColor;
     evidence_.targetWeight = before_->targetWeight;
     evidence_.typicalColor = before_->typicalColor;
-    evidence_.typicalRange = before_->typicalRange;
+    evidence_.typicalRanges = before_->typicalRanges;
     return;
   }
   HsiCounts target;
@@ -267,11 +271,30 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
   evidence_.target = target.colors();
   evidence_.targetWeight = target.total();
   if (!evidence_.target.empty()) {
-    evidence_.typicalRange = fitRange(evidence_.target, {});
+    divideColors(targetWeight() / double(shown));
   }
 }
 
-void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<ColorRange>& range,
+void EvidenceCollector::divideColors(double weight) {
+  const auto groups = colorsOfSamples(samples_);
+  if (groups.size() < 2) {
+    evidence_.typicalRanges = fitRange(evidence_.target, {});
+    return;
+  }
+  std::vector<ColorRange> typical;
+  typical.reserve(groups.size());
+  for (const std::vector<std::size_t>& group : groups) {
+    HsiCounts counts;
+    for (const std::size_t sample : group) {
+      addColors(samples_[sample], weight, counts);
+    }
+    evidence_.targetByColor.push_back(counts.colors());
+    typical.push_back(fitRange(evidence_.targetByColor.back(), {}));
+  }
+  evidence_.typicalRanges = ColorRanges(std::move(typical));
+}
+
+void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<ColorRanges>& ranges,
                                   const cv::Mat& undecided) {
   const std::size_t camera = evidence_.images.size();
   ImageEvidence& shown = evidence_.images.emplace_back(ImageEvidence{image, {}, {}, undecided});
@@ -288,10 +311,10 @@ void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<Colo
   if (!shown.clicked.empty()) {
     mask = shown.clicked.clone();
   } else {
-    shown.similar = isKnown && evidence_.typicalRange == before_->typicalRange
+    shown.similar = isKnown && evidence_.typicalRanges == before_->typicalRanges
                         ? before_->images[camera].similar
-                        : likelyTarget(image, evidence_.typicalRange, area, evidence_.work);
-    mask = unclickedTarget(image, shown.similar, range, area, evidence_.work);
+                        : likelyTarget(image, evidence_.typicalRanges, area, evidence_.work);
+    mask = unclickedTarget(image, shown.similar, ranges, area, evidence_.work);
   }
   if (undecided.size() == mask.size()) {
     mask |= undecided;
@@ -338,13 +361,13 @@ ColorEvidence EvidenceCollector::finish() && {
 }
 
 ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector<cv::Mat>& images,
-                      const std::optional<ColorRange>& range, const std::vector<cv::Mat>& undecided,
-                      const ColorEvidence* before) {
+                      const std::optional<ColorRanges>& ranges,
+                      const std::vector<cv::Mat>& undecided, const ColorEvidence* before) {
   EvidenceCollector collector(samples, before);
   collector.takeSamples(
       std::ranges::count(images, CV_8UC3, [](const cv::Mat& image) { return image.type(); }));
   for (std::size_t camera = 0; camera < images.size(); ++camera) {
-    collector.takeImage(images[camera], range,
+    collector.takeImage(images[camera], ranges,
                         camera < undecided.size() ? undecided[camera] : cv::Mat());
   }
   return std::move(collector).finish();
@@ -354,19 +377,19 @@ ColorEvidence collect(const std::vector<ColorSample>& samples, const std::vector
 
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
-                            const std::optional<ColorRange>& range,
+                            const std::optional<ColorRanges>& ranges,
                             const std::vector<cv::Mat>& undecided) {
-  return collect(samples, images, range, undecided, nullptr);
+  return collect(samples, images, ranges, undecided, nullptr);
 }
 
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
-                            const std::vector<cv::Mat>& images, const ColorRange& range,
+                            const std::vector<cv::Mat>& images, const ColorRanges& ranges,
                             const ColorEvidence& before) {
   std::vector<cv::Mat> undecided;
   for (const ImageEvidence& image : before.images) {
     undecided.push_back(image.undecided);
   }
-  return collect(samples, images, range, undecided, &before);
+  return collect(samples, images, ranges, undecided, &before);
 }
 
 } // namespace dewpoint::color

@@ -5,6 +5,7 @@
 #include "core/color/color_classifier.h"
 #include "core/color/color_evidence.h"
 #include "core/color/range_fit.h"
+#include "core/color/sample_colors.h"
 
 #include <algorithm>
 
@@ -13,9 +14,9 @@ namespace dewpoint::color {
 namespace {
 
 /// Whether one of several samples hardly matches.
-bool leavesSampleOut(const ColorRange& range, const std::vector<ColorSample>& samples) {
+bool leavesSampleOut(const ColorRanges& ranges, const std::vector<ColorSample>& samples) {
   constexpr double kHardly = 0.2; // of its colors
-  const ColorClassifier classifier(range);
+  const ColorClassifier classifier(ranges);
   const auto isLeftOut = [&](const ColorSample& sample) {
     const auto matching = std::ranges::count_if(sample.colors, [&](const BgrColor& color) {
       return classifier.matches(color[0], color[1], color[2]);
@@ -26,11 +27,11 @@ bool leavesSampleOut(const ColorRange& range, const std::vector<ColorSample>& sa
   return samples.size() > 1 && std::ranges::any_of(samples, isLeftOut);
 }
 
-ColorAssessment assessmentFrom(const ColorEvidence& evidence, const ColorRange& range,
+ColorAssessment assessmentFrom(const ColorEvidence& evidence, const ColorRanges& ranges,
                                const std::vector<ColorSample>& samples,
                                const std::vector<cv::Mat>& images) {
-  ColorAssessment assessment = assessRange(range, evidence, images);
-  assessment.sampleLeftOut = leavesSampleOut(range, samples);
+  ColorAssessment assessment = assessRange(ranges, evidence, images);
+  assessment.sampleLeftOut = leavesSampleOut(ranges, samples);
   return assessment;
 }
 
@@ -40,7 +41,7 @@ bool anyRoom(const std::vector<cv::Mat>& rooms) {
 
 } // namespace
 
-Result<ColorRange> learnRange(const ColorEvidence& evidence) {
+Result<ColorRanges> learnRanges(const ColorEvidence& evidence) {
   const bool anyColor = std::ranges::any_of(
       evidence.target, [](const HsiColors& cell) { return cell.color.intensity > 0.0; });
   if (!anyColor) {
@@ -48,33 +49,34 @@ Result<ColorRange> learnRange(const ColorEvidence& evidence) {
                    "none of them shows a target that is not black");
   }
   const auto target = inOtherLight(evidence.target);
-  return withShortestHue(fitRange(target, evidence.rest), target, evidence.rest);
+  const ColorRange one = withShortestHue(fitRange(target, evidence.rest), target, evidence.rest);
+  return severalRanges(evidence, one).value_or(ColorRanges(one));
 }
 
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images) {
   const ColorEvidence evidence = colorEvidence(samples, images);
-  return learnRange(evidence).map([&](const ColorRange& range) {
-    return LearnedColor{range, assessColor(range, samples, images, evidence)};
+  return learnRanges(evidence).map([&](const ColorRanges& ranges) {
+    return LearnedColor{ranges[0], assessColor(ranges, samples, images, evidence), ranges.others()};
   });
 }
 
-ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images) {
-  return assessmentFrom(colorEvidence(samples, images, range), range, samples, images);
+  return assessmentFrom(colorEvidence(samples, images, ranges), ranges, samples, images);
 }
 
-ColorAssessment assessColor(const ColorRange& range, const std::vector<ColorSample>& samples,
+ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorEvidence& evidence) {
-  return assessmentFrom(colorEvidence(samples, images, range, evidence), range, samples, images);
+  return assessmentFrom(colorEvidence(samples, images, ranges, evidence), ranges, samples, images);
 }
 
-ColorAssessment assessColorWithBackground(const ColorRange& range,
+ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<ColorSample>& samples,
                                           const std::vector<cv::Mat>& images,
                                           const std::vector<cv::Mat>& rooms) {
-  return assessColor(range, samples,
-                     anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images);
+  return assessColor(ranges, samples,
+                     anyRoom(rooms) ? withoutBackgroundColors(ranges, images, rooms) : images);
 }
 
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
@@ -82,9 +84,9 @@ Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& sa
                                               const std::vector<cv::Mat>& rooms,
                                               const std::vector<cv::Mat>& undecided) {
   const ColorEvidence evidence = colorEvidence(samples, images, std::nullopt, undecided);
-  return learnRange(evidence).map([&](const ColorRange& range) {
-    const auto shown = anyRoom(rooms) ? withoutBackgroundColors(range, images, rooms) : images;
-    return LearnedColor{range, assessColor(range, samples, shown, evidence)};
+  return learnRanges(evidence).map([&](const ColorRanges& ranges) {
+    const auto shown = anyRoom(rooms) ? withoutBackgroundColors(ranges, images, rooms) : images;
+    return LearnedColor{ranges[0], assessColor(ranges, samples, shown, evidence), ranges.others()};
   });
 }
 

@@ -68,4 +68,8 @@ bool matches(const Hsi& color, const ColorRange& range) {
          fractionWithin(color.intensity, range.intensityMin, range.intensityMax);
 }
 
+bool matches(const Hsi& color, const ColorRanges& ranges) {
+  return std::ranges::any_of(ranges, [&](const ColorRange& one) { return matches(color, one); });
+}
+
 } // namespace dewpoint::color

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/color/color_range.h"
+#include "core/color/color_ranges.h"
 
 #include <array>
 #include <cstdint>
@@ -31,5 +32,7 @@ std::array<double, 3> bgrFromHsi(const Hsi& color);
 
 /// True if the color lies in the range. Black never matches, gray only where every hue does.
 bool matches(const Hsi& color, const ColorRange& range);
+/// True if it lies in any of them.
+bool matches(const Hsi& color, const ColorRanges& ranges);
 
 } // namespace dewpoint::color

@@ -215,16 +215,16 @@ ColorRange quantileBox(const std::vector<HsiColors>& target, double tail) {
 
 } // namespace
 
-RangeScore scoreRange(const ColorRange& range, const std::vector<HsiColors>& target,
+RangeScore scoreRange(const ColorRanges& ranges, const std::vector<HsiColors>& target,
                       const std::vector<HsiColors>& rest) {
   RangeScore score;
   double all = 0.0;
   for (const HsiColors& cell : target) {
     all += cell.weight;
-    score.target += matches(cell.color, range) ? cell.weight : 0.0;
+    score.target += matches(cell.color, ranges) ? cell.weight : 0.0;
   }
   for (const HsiColors& cell : rest) {
-    score.rest += matches(cell.color, range) ? cell.weight : 0.0;
+    score.rest += matches(cell.color, ranges) ? cell.weight : 0.0;
   }
   score.f1 = all > 0.0 ? f1Score(score.target, score.rest, all) : 0.0;
   return score;

@@ -2,19 +2,20 @@
 #pragma once
 
 #include "core/color/color_range.h"
+#include "core/color/color_ranges.h"
 #include "core/color/hsi_counts.h"
 
 #include <vector>
 
 namespace dewpoint::color {
 
-/// How much of two sets of colors a range takes in.
+/// How much of two sets of colors a range takes in, or several together.
 struct RangeScore {
   double target = 0.0; ///< weight of the target's colors that match
   double rest = 0.0;   ///< weight of the other colors that match
   double f1 = 0.0;     ///< 2 target / (all of the target + target + rest)
 };
-RangeScore scoreRange(const ColorRange& range, const std::vector<HsiColors>& target,
+RangeScore scoreRange(const ColorRanges& ranges, const std::vector<HsiColors>& target,
                       const std::vector<HsiColors>& rest);
 
 /// The range with the greatest F1 score, by coordinate ascent: with two of hue, saturation and

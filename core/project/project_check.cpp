@@ -63,6 +63,20 @@ Status checkBox(const Project& project, std::size_t index, const TargetBox& targ
   return {};
 }
 
+/// `prefix` of the target's fields.
+Status checkColors(const Target& target, const std::string& prefix) {
+  const auto named = [&](const Status& good, const std::string& place) -> Status {
+    return good
+               ? good
+               : wrong(good.error().code, prefix + place + good.error().field, good.error().detail);
+  };
+  Status good = named(checkColorRange(target.color), "");
+  for (std::size_t k = 0; good && k < target.otherColors.size(); ++k) {
+    good = named(checkColorRange(target.otherColors[k]), fmt::format("other_color {}.", k + 1));
+  }
+  return good;
+}
+
 Status checkTargets(const Project& project) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < project.targets.size(); ++i) {
@@ -74,9 +88,8 @@ Status checkTargets(const Project& project) {
       return wrong(ErrorCode::BadValue, fmt::format("target {}.radius", i + 1),
                    fmt::format("0 to {} m are expected", kLargestRadius));
     }
-    if (auto good = checkColorRange(target.color); !good) {
-      return wrong(good.error().code, fmt::format("target {}.{}", i + 1, good.error().field),
-                   good.error().detail);
+    if (auto good = checkColors(target, fmt::format("target {}.", i + 1)); !good) {
+      return good;
     }
     if (target.box) {
       if (auto good = checkBox(project, i, *target.box); !good) {

@@ -11,22 +11,18 @@
 #include "core/project/project_migration.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
+#include "core/project/project_targets.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people_state.h"
-#include "core/tracking/target_shape_name.h"
 
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
-#include <sstream>
 
 namespace dewpoint::project {
 namespace {
 
 using std::filesystem::path;
-
-constexpr double kLargestSide = 1e5; ///< of an image, pixels
 
 /// `${NAME}` replaced by the environment variable of that name.
 std::string expanded(TableReader& reader, const char* key, std::string text) {
@@ -56,128 +52,6 @@ path readPath(TableReader& reader, const char* key, const path& folder) {
     return {};
   }
   return (folder / expanded(reader, key, text)).lexically_normal();
-}
-
-void readRange(TableReader& reader, const char* key, double& low, double& high) {
-  double bounds[2] = {low, high};
-  if (reader.numbers(key, bounds, 2)) {
-    low = bounds[0];
-    high = bounds[1];
-  }
-}
-
-/// "rrggbb rrggbb ...", as in HTML.
-std::vector<BgrColor> readColors(TableReader& reader, const char* key) {
-  std::string text;
-  reader.text(key, text);
-  std::vector<BgrColor> colors;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    unsigned value = 0;
-    const auto [end, failed] =
-        std::from_chars(word.data(), word.data() + word.size(), value, 16); // not locale's
-    if (failed != std::errc{} || end != word.data() + word.size() || word.size() != 6) {
-      reader.fail(ErrorCode::BadValue, key, "'" + word + "' is not a color as rrggbb");
-      return {};
-    }
-    colors.push_back({std::uint8_t(value), std::uint8_t(value >> 8), std::uint8_t(value >> 16)});
-  }
-  if (colors.size() > ColorSample::kMostColors) {
-    reader.fail(ErrorCode::BadValue, key, fmt::format("more than {}", ColorSample::kMostColors));
-  }
-  return colors;
-}
-
-ColorSample readSample(const toml::table& table, const std::string& file, std::string prefix,
-                       std::optional<Error>& error) {
-  TableReader reader(table, file, std::move(prefix));
-  ColorSample sample;
-  reader.require("camera");
-  int camera = 1;
-  reader.integer("camera", camera, 1, 1000);
-  sample.camera = camera - 1;
-  reader.integer("frame", sample.frame, 0, std::numeric_limits<std::int64_t>::max());
-  double place[4] = {0.0, 0.0, 0.0, 0.0};
-  if (reader.has("box")) {
-    reader.numbers("box", place, 4, 0.0, kLargestSide);
-  } else {
-    reader.require("pixel");
-    reader.numbers("pixel", place, 2, 0.0, kLargestSide);
-  }
-  sample.x = place[0];
-  sample.y = place[1];
-  sample.width = place[2];
-  sample.height = place[3];
-  reader.boolean("excluded", sample.excluded);
-  reader.boolean("found", sample.found);
-  reader.integer("area", sample.area, 0, std::numeric_limits<int>::max());
-  sample.colors = readColors(reader, "colors");
-  error = reader.finish();
-  return sample;
-}
-
-std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
-                                 const std::string& prefix) {
-  const toml::table* table = target.table("box");
-  if (table == nullptr) {
-    return std::nullopt;
-  }
-  TableReader reader(*table, file, prefix + "box.");
-  TargetBox box;
-  reader.require("camera");
-  int camera = 1;
-  reader.integer("camera", camera, 1, 1000);
-  box.camera = camera - 1;
-  reader.integer("frame", box.frame, 0, std::numeric_limits<std::int64_t>::max());
-  for (const auto& [key, value] : {std::pair("x", &box.box.x), std::pair("y", &box.box.y)}) {
-    reader.require(key);
-    reader.number(key, *value, -kLargestSide, kLargestSide);
-  }
-  for (const auto& [key, value] :
-       {std::pair("width", &box.box.width), std::pair("height", &box.box.height)}) {
-    reader.require(key);
-    reader.number(key, *value, 1.0, kLargestSide);
-  }
-  target.recordError(reader.finish());
-  return box;
-}
-
-TargetShape readShape(TableReader& reader) {
-  std::string name = nameOf(TargetShape::Auto);
-  reader.text("shape", name);
-  const auto shape = targetShapeNamed(name);
-  if (!shape) {
-    reader.fail(ErrorCode::BadValue, "shape", "auto, ball or any is expected");
-  }
-  return shape.value_or(TargetShape::Auto);
-}
-
-Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
-                  std::optional<Error>& error) {
-  const std::string prefix = fmt::format("target {}.", index + 1);
-  TableReader reader(table, file, prefix);
-  Target target;
-  reader.require("name");
-  reader.text("name", target.name);
-  reader.number("radius", target.radius, 0.0, 1000.0);
-  target.shape = readShape(reader);
-  target.box = readBox(reader, file, prefix);
-  if (!target.box) {
-    reader.require("hue");
-  }
-  readRange(reader, "hue", target.color.hueMin, target.color.hueMax);
-  readRange(reader, "saturation", target.color.saturationMin, target.color.saturationMax);
-  readRange(reader, "intensity", target.color.intensityMin, target.color.intensityMax);
-  if (const auto good = checkColorRange(target.color); !good) {
-    reader.fail(good.error().code, good.error().field, good.error().detail);
-  }
-  for (const toml::table* sample : reader.tables("sample")) {
-    target.samples.push_back(readSample(
-        *sample, file, fmt::format("{}sample {}.", prefix, target.samples.size() + 1), error));
-    reader.recordError(error);
-  }
-  error = reader.finish();
-  return target;
 }
 
 /// Where the images come from: exactly one of the source keys.

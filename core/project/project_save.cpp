@@ -9,7 +9,7 @@
 #include "core/project/project_format.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
-#include "core/tracking/target_shape_name.h"
+#include "core/project/project_targets.h"
 
 #include <array>
 #include <string_view>
@@ -24,57 +24,6 @@ std::string storedPath(const path& file, const path& folder) {
   const path relative = file.lexically_relative(folder);
   const bool below = !relative.empty() && *relative.begin() != "..";
   return quoted((below ? relative : file).string());
-}
-
-std::string sampleText(const ColorSample& sample) {
-  std::string text =
-      fmt::format("[[target.sample]]\ncamera = {}\nframe = {}\n", sample.camera + 1, sample.frame);
-  text += sample.isBox() ? fmt::format("box = [{}, {}, {}, {}]   # x, y, width, height\n", sample.x,
-                                       sample.y, sample.width, sample.height)
-                         : fmt::format("pixel = [{}, {}]\n", sample.x, sample.y);
-  if (sample.excluded) {
-    text += "excluded = true\n";
-  }
-  if (sample.found) {
-    text += "found = true   # not clicked\n";
-  }
-  text += fmt::format("area = {}\ncolors = \"", sample.area);
-  const char* space = "";
-  for (const auto& [blue, green, red] : sample.colors) {
-    text += fmt::format("{}{:02x}{:02x}{:02x}", space, red, green, blue);
-    space = " ";
-  }
-  return text + "\"\n";
-}
-
-std::string boxText(const TargetBox& box) {
-  return fmt::format("box = {{camera = {}, frame = {}, x = {}, y = {}, width = {}, height = {}}}"
-                     "   # px\n",
-                     box.camera + 1, box.frame, box.box.x, box.box.y, box.box.width,
-                     box.box.height);
-}
-
-std::string targetText(const Target& target) {
-  const auto& color = target.color;
-  std::string text =
-      fmt::format("\n[[target]]\n"
-                  "name = {}\n"
-                  "radius = {}          # m; 0: unknown\n"
-                  "hue = [{}, {}]       # degrees; from > to wraps through 0\n"
-                  "saturation = [{}, {}]\n"
-                  "intensity = [{}, {}]\n",
-                  quoted(target.name), target.radius, color.hueMin, color.hueMax,
-                  color.saturationMin, color.saturationMax, color.intensityMin, color.intensityMax);
-  if (target.shape != TargetShape::Auto) {
-    text += fmt::format("shape = {}\n", quoted(nameOf(target.shape)));
-  }
-  if (target.box) {
-    text += boxText(*target.box);
-  }
-  for (const ColorSample& sample : target.samples) {
-    text += sampleText(sample);
-  }
-  return text;
 }
 
 std::string cameraText(const ProjectCamera& camera, const path& folder) {

@@ -126,10 +126,11 @@ std::vector<cv::Mat> colorMasks(const TrackSnapshot& snapshot) {
     cv::Mat mask;
     for (std::size_t k = 0; k < std::min(snapshot.targets.size(), kMostInMask); ++k) {
       const auto& target = snapshot.targets[k];
-      const auto& followed = colorsOf(target.estimate); // empty: the range is as it was learned
-      const ColorRange& range = camera < followed.size() ? followed[camera] : target.target.color;
+      const auto& followed = colorsOf(target.estimate); // empty: they are as they were learned
       if (frame) {
-        const cv::Mat matched = matchImage(frame->image, ColorClassifier(range));
+        const ColorClassifier color(camera < followed.size() ? followed[camera]
+                                                             : target.target.colors());
+        const cv::Mat matched = matchImage(frame->image, color);
         if (mask.empty()) {
           mask = matched;
         } else {

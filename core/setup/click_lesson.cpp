@@ -2,6 +2,7 @@
 #include "core/setup/click_lesson.h"
 
 #include "core/color/color_region.h"
+#include "core/color/sample_colors.h"
 #include "core/project/project_rig.h"
 #include "core/setup/clicked_correction.h"
 #include "core/setup/clicked_position.h"
@@ -60,10 +61,12 @@ BgrColor typicalColor(const std::vector<ColorSample>& samples) {
   return colors.empty() ? BgrColor{} : color::medianColor(std::move(colors));
 }
 
+/// colorDistance() of regions that may be of the same object.
+constexpr double kAlike = 4.0;
+
 /// The samples of other targets in the images of a frame whose color is about that of `samples`.
 std::vector<ColorSample> thoseAlike(const std::vector<ColorSample>& others,
                                     const std::vector<ColorSample>& samples, std::int64_t frame) {
-  constexpr double kAlike = 4.0; // colorDistance(): a region of it would still be the same object
   const BgrColor own = typicalColor(samples);
   std::vector<ColorSample> alike;
   std::ranges::copy_if(others, std::back_inserter(alike), [&](const ColorSample& sample) {
@@ -93,14 +96,20 @@ public:
   FoundSamples(const ClickedImages& shown, ClickLesson& lesson)
       : shown_(shown), lesson_(lesson), undecided_(shown.images.size()) {}
 
-  void add(const Counterparts& counterparts) {
+  void add(const ColorSample& click, const Counterparts& counterparts) {
+    clicks_.push_back(click);
+    const std::size_t colors = color::colorsOfSamples(clicks_).size();
     if (lesson_.centers.empty()) {
       lesson_.radius = counterparts.radius;
       lesson_.centers = counterparts.centers;
+    } else if (colors > colors_) {
+      join(counterparts);
     }
+    colors_ = colors;
     for (std::size_t i = 0; i < counterparts.found.size(); ++i) {
       ColorSample sample = counterparts.found[i];
-      if (!showsTarget(lesson_.samples, sample.camera, shown_.frame)) {
+      if (!showsTarget(lesson_.samples, sample.camera, shown_.frame) ||
+          (colors > 1 && !showsColor(sample))) {
         sample.frame = shown_.frame;
         lesson_.found.push_back({sample.camera, counterparts.outlines[i]});
         lesson_.samples.push_back(std::move(sample));
@@ -123,9 +132,37 @@ public:
   }
 
 private:
+  /// Whether a sample in the same image shows the target in about this color: the sides of a target
+  /// of several colors are found one by one.
+  bool showsColor(const ColorSample& found) const {
+    const BgrColor own = color::medianColor(found.colors);
+    return std::ranges::any_of(lesson_.samples, [&](const ColorSample& sample) {
+      return !sample.excluded && sample.camera == found.camera && sample.frame == shown_.frame &&
+             color::colorDistance(color::medianColor(sample.colors), own) < kAlike;
+    });
+  }
+
+  /// Another color of the same thing: its region is a further part of its outline.
+  void join(const Counterparts& part) {
+    if (!lesson_.radius || !part.radius) {
+      return;
+    }
+    const double share =
+        std::pow(*part.radius, 2) / (std::pow(*lesson_.radius, 2) + std::pow(*part.radius, 2));
+    for (PointClick& center : lesson_.centers) {
+      const auto same = std::ranges::find(part.centers, center.camera, &PointClick::camera);
+      if (same != part.centers.end()) {
+        center.pixel += share * (same->pixel - center.pixel);
+      }
+    }
+    lesson_.radius = std::hypot(*lesson_.radius, *part.radius);
+  }
+
   const ClickedImages& shown_;
   ClickLesson& lesson_;
   std::vector<cv::Mat> undecided_;
+  std::vector<ColorSample> clicks_; ///< on the target, in these images
+  std::size_t colors_ = 0;          ///< that they show
 };
 
 /// What a click or box marks, if it is only a part of something larger. The other cameras are
@@ -181,7 +218,7 @@ Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& s
   for (const ColorSample& sample : samples) {
     if (isClick(sample) && sample.frame == shown.frame) {
       const Marked marked = searchedFor(rig, shown.images, sample, known);
-      found.add(marked.counterparts);
+      found.add(sample, marked.counterparts);
       if (marked.part) {
         parts.push_back(*marked.part);
         wholes.insert(wholes.end(), marked.counterparts.found.begin(),
@@ -244,6 +281,7 @@ void applyLesson(const ClickLesson& lesson, std::size_t target, Project& project
     }
   }
   taught.color = lesson.color.range;
+  taught.otherColors = lesson.color.others;
   taught.samples = lesson.samples;
   if (lesson.part && taught.radius <= 0.0) {
     constexpr double kRadiusStep = 1e-4; // meters: finer is not known

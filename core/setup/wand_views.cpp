@@ -128,7 +128,7 @@ Result<std::vector<ColorClassifier>> wandColors(const Project& project,
     std::vector<ColorClassifier> colors;
     colors.reserve(balls.size());
     for (const Target* ball : balls) {
-      colors.emplace_back(ball->color);
+      colors.emplace_back(ball->colors());
     }
     return colors;
   });

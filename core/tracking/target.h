@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_range.h"
+#include "core/color/color_ranges.h"
 #include "core/color/color_sample.h"
 #include "core/tracking/target_box.h"
 
@@ -29,7 +29,10 @@ struct Target {
   std::optional<TargetBox> box{};
   /// For methods that know targets which are no balls (`dewpoint`); others do not use it.
   TargetShape shape = TargetShape::Auto;
+  /// Of a target of several colors, those besides `color`.
+  std::vector<ColorRange> otherColors{};
 
+  ColorRanges colors() const { return {color, otherColors}; }
   bool operator==(const Target&) const = default;
 };
 

@@ -103,8 +103,8 @@ const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimat
   return sphere != nullptr ? sphere->cameras : kNone;
 }
 
-const std::vector<ColorRange>& colorsOf(const TrackEstimate& estimate) {
-  static const std::vector<ColorRange> kNone;
+const std::vector<ColorRanges>& colorsOf(const TrackEstimate& estimate) {
+  static const std::vector<ColorRanges> kNone;
   const auto* sphere = std::get_if<SphereEstimate>(&estimate);
   return sphere != nullptr ? sphere->colors : kNone;
 }

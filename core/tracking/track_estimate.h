@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_range.h"
+#include "core/color/color_ranges.h"
 #include "core/filter/gaussian.h"
 #include "core/geometry/image_box.h"
 #include "core/observation/sphere/camera_evidence.h"
@@ -39,9 +39,9 @@ struct SphereEstimate {
   /// Evidence of each camera for the mean, in the order of the rig; empty when the method has none,
   /// or no position.
   std::vector<CameraEvidence> cameras;
-  /// The color range in use in each camera where it follows the light; empty while all cameras use
-  /// the target's own.
-  std::vector<ColorRange> colors;
+  /// The colors in use in each camera where they follow the light; empty while all cameras use the
+  /// target's own.
+  std::vector<ColorRanges> colors;
   /// Root mean square distance of the particles to their mean, meters.
   double spread() const;
 };
@@ -101,8 +101,8 @@ std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);
 std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate);
 /// Evidence of each camera for the position; empty when the method has none.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
-/// Per camera the color range in use where it follows the light; else empty.
-const std::vector<ColorRange>& colorsOf(const TrackEstimate& estimate);
+/// Per camera the colors in use where they follow the light; else empty.
+const std::vector<ColorRanges>& colorsOf(const TrackEstimate& estimate);
 
 /// The spheres among some estimates, in their order; all else as a sphere of which nothing is
 /// known.

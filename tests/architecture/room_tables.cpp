@@ -134,6 +134,7 @@ const Names& windowHeaders() {
                                  "core/geometry/reference_grid.h",
                                  "core/geometry/world_box.h",
                                  "core/color/color_range.h",
+                                 "core/color/color_ranges.h",
                                  "core/color/color_learning.h",
                                  "core/color/color_histogram.h",
                                  "core/geometry/camera.h",

@@ -211,7 +211,7 @@ ColorEvidence fromKnown(const std::vector<ColorSample>& samples, const std::vect
   EXPECT_EQ(bitsOf(evidence.targetArea), bitsOf(wanted.targetArea));
   EXPECT_EQ(bitsOf(evidence.imageShare), bitsOf(wanted.imageShare));
   EXPECT_EQ(evidence.typicalColor, wanted.typicalColor);
-  EXPECT_EQ(evidence.typicalRange, wanted.typicalRange);
+  EXPECT_EQ(evidence.typicalRanges, wanted.typicalRanges);
   EXPECT_EQ(evidence.targetMasks.size(), wanted.targetMasks.size());
   for (std::size_t i = 0; i < wanted.targetMasks.size(); ++i) {
     EXPECT_EQ(evidence.targetMasks[i].size(), wanted.targetMasks[i].size());

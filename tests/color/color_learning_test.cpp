@@ -103,7 +103,7 @@ TEST(ColorAssessment, SaysThatTheTargetIsMissedRatherThanTheRoomHit) {
   EXPECT_NEAR(*learned->assessment.backgroundShareOfWhole, 0.75, 1e-9);
 
   // A range by hand that holds the target: nothing is missed, much of the room is hit.
-  const auto all = assessColor({0.0, 60.0, 0.1, 1.0, 0.1, 1.0}, samples, {image});
+  const auto all = assessColor(ColorRange{0.0, 60.0, 0.1, 1.0, 0.1, 1.0}, samples, {image});
   EXPECT_FALSE(all.missesTarget());
   EXPECT_FALSE(all.backgroundShareOfWhole);
   EXPECT_NEAR(all.backgroundShare, 0.75, 1e-9);
@@ -121,7 +121,7 @@ TEST(ColorAssessment, SpecklesInTheRoomAskForNothing) {
     }
   }
   const auto assessment =
-      assessColor({350.0, 10.0, 0.1, 1.0, 0.1, 1.0}, {sampleOf({red}, 1000)}, {image});
+      assessColor(ColorRange{350.0, 10.0, 0.1, 1.0, 0.1, 1.0}, {sampleOf({red}, 1000)}, {image});
   EXPECT_EQ(assessment.score(), 72);
   EXPECT_FALSE(assessment.missesTarget());
   EXPECT_TRUE(assessment.distractors.empty());
@@ -242,10 +242,10 @@ TEST(ColorLearning, WhatIsExcludedMatchesLess) {
 TEST(ColorLearning, TheVerdictFollowsTheRange) {
   const cv::Mat image = room({{{120, 100}, kPink}});
   const ColorSample sample = clickAt(image, {120, 100});
-  const ColorAssessment all = assessColor({0.0, 360.0}, {sample}, {image});
+  const ColorAssessment all = assessColor(ColorRange{0.0, 360.0}, {sample}, {image});
   EXPECT_NEAR(all.backgroundShare, 1.0, 1e-3);
   EXPECT_LT(all.separability, 0.05);
-  const ColorAssessment none = assessColor({100.0, 110.0, 0.5}, {sample}, {image});
+  const ColorAssessment none = assessColor(ColorRange{100.0, 110.0, 0.5}, {sample}, {image});
   EXPECT_EQ(none.separability, 0.0);
   EXPECT_EQ(none.suggestion, Suggestion::AddSamples);
 }

@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Ranges, Dense,
 TEST(MatchImage, MarksThePixelsThatMatch) {
   cv::Mat bgr(2, 3, CV_8UC3, cv::Scalar(0, 255, 0));
   bgr.at<cv::Vec3b>(1, 2) = {0, 0, 255};
-  const cv::Mat match = matchImage(bgr, ColorClassifier({350.0, 10.0}));
+  const cv::Mat match = matchImage(bgr, ColorClassifier(ColorRange{350.0, 10.0}));
   ASSERT_EQ(match.type(), CV_8UC1);
   ASSERT_EQ(match.size(), bgr.size());
   EXPECT_EQ(cv::countNonZero(match), 1);
@@ -187,12 +187,36 @@ TEST(MatchImage, MarksThePixelsThatMatch) {
 TEST(MatchImage, WorksOnAPartOfAnImage) {
   cv::Mat bgr(10, 10, CV_8UC3, cv::Scalar(0, 0, 255));
   bgr(cv::Rect(0, 0, 10, 5)).setTo(cv::Scalar(255, 0, 0));
-  EXPECT_EQ(cv::countNonZero(matchImage(bgr(cv::Rect(2, 4, 3, 3)), ColorClassifier({350.0, 10.0}))),
+  EXPECT_EQ(cv::countNonZero(
+                matchImage(bgr(cv::Rect(2, 4, 3, 3)), ColorClassifier(ColorRange{350.0, 10.0}))),
             6); // one row of blue, two of red
 }
 
+TEST(ColorClassifier, OfSeveralRangesMatchesWhatLiesInAny) {
+  const ColorRange reds{350.0, 10.0, 0.3};
+  const ColorRange blues{220.0, 260.0, 0.2, 0.8};
+  const ColorRange greens{100.0, 140.0, 0.5, 1.0, 0.1, 0.6};
+  const ColorRanges all(reds, {blues, greens});
+  const ColorClassifier classifier(all);
+  cv::Mat pixels(3, 1500, CV_8UC3); // more than a block of columns
+  cv::RNG random(5);
+  random.fill(pixels, cv::RNG::UNIFORM, 0, 256);
+  const cv::Mat match = matchImage(pixels, classifier);
+  int matched = 0;
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) {
+      const auto& pixel = pixels.at<cv::Vec3b>(y, x);
+      const bool wanted = matches(hsiFromBgr(pixel[0], pixel[1], pixel[2]), all);
+      ASSERT_EQ(match.at<std::uint8_t>(y, x), wanted ? 255 : 0) << x << ", " << y;
+      ASSERT_EQ(classifier.matches(pixel[0], pixel[1], pixel[2]), wanted);
+      matched += wanted ? 1 : 0;
+    }
+  }
+  EXPECT_GT(matched, 300);
+}
+
 TEST(MatchImage, IsEmptyForWhatIsNotBgr) {
-  const ColorClassifier reds({350.0, 10.0});
+  const ColorClassifier reds(ColorRange{350.0, 10.0});
   EXPECT_TRUE(matchImage({}, reds).empty());
   EXPECT_TRUE(matchImage(cv::Mat(4, 4, CV_8UC1, cv::Scalar(9)), reds).empty());
 }

@@ -33,11 +33,11 @@ void expectRange(const ColorRange& found, double hueMin, double hueMax, double s
 TEST(RangeFit, AScoreIsTheF1OfWhatMatches) {
   const std::vector<HsiColors> target{cell(10, 60), cell(50, 40)};
   const std::vector<HsiColors> rest{cell(12, 20), cell(200, 500), cell(12, 30, 0.9)};
-  const RangeScore score = scoreRange({0.0, 20.0, 0.4, 0.6, 0.0, 1.0}, target, rest);
+  const RangeScore score = scoreRange(ColorRange{0.0, 20.0, 0.4, 0.6, 0.0, 1.0}, target, rest);
   EXPECT_EQ(score.target, 60.0);
   EXPECT_EQ(score.rest, 20.0);
   EXPECT_NEAR(score.f1, 120.0 / 180.0, 1e-12);
-  EXPECT_EQ(scoreRange({0.0, 20.0}, {}, rest).f1, 0.0);
+  EXPECT_EQ(scoreRange(ColorRange{0.0, 20.0}, {}, rest).f1, 0.0);
 }
 
 TEST(RangeFit, AloneTheTargetIsHeldTightly) {

@@ -39,7 +39,7 @@ Outcome track(Eigen::Index particles, int threads, InstructionSet limit) {
   const CameraRig rig{cameraAt({1.0, 0.0, 0.5}), cameraAt({0.1, -1.1, 0.4})};
   cv::Mat image(120, 160, CV_8UC3, cv::Scalar(40, 60, 50));
   image(cv::Rect(73, 52, 15, 15)) = cv::Scalar(20, 10, 200);
-  ColorWindow window(rig, ColorClassifier({340.0, 20.0, 0.5, 1.0, 0.1, 0.9}));
+  ColorWindow window(rig, ColorClassifier(ColorRange{340.0, 20.0, 0.5, 1.0, 0.1, 0.9}));
   window.setImage(0, image);
   window.setImage(1, image);
   window.prepare(particles);

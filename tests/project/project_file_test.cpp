@@ -230,6 +230,36 @@ TEST(ProjectFile, KeepsWhatAColorWasLearnedFrom) {
   EXPECT_TRUE(changesBetween(*project, without).targets);
 }
 
+TEST(ProjectFile, KeepsTheColorsOfATarget) {
+  const std::string others = "intensity = [0.1, 0.9]\n"
+                             "[[target.other_color]]\nhue = [50, 70]\nsaturation = [0.3, 0.8]\n"
+                             "[[target.other_color]]\nhue = [200, 250]\n";
+  const auto project = load(kGood, "intensity = [0.1, 0.9]\n", others);
+  ASSERT_TRUE(project) << sentence(project.error());
+  const Target& target = project->targets.front();
+  EXPECT_EQ(target.otherColors, (std::vector<ColorRange>{{50.0, 70.0, 0.3, 0.8}, {200.0, 250.0}}));
+  EXPECT_EQ(target.colors().size(), 3U);
+  const auto file = fileNamed("saved.toml");
+  ASSERT_TRUE(saveProject(*project, file));
+  EXPECT_EQ(loadProject(file)->targets, project->targets);
+
+  Project without = *project;
+  without.targets.front().otherColors.pop_back();
+  EXPECT_TRUE(changesBetween(*project, without).targets);
+}
+
+TEST(ProjectFile, NamesTheColorThatIsWrong) {
+  const auto noHue = load(kGood, "intensity = [0.1, 0.9]\n",
+                          "intensity = [0.1, 0.9]\n[[target.other_color]]\nsaturation = [0, 1]\n");
+  ASSERT_FALSE(noHue);
+  EXPECT_EQ(noHue.error().field, "target 1.other_color 1.hue");
+  const auto reversed = load(
+      kGood, "intensity = [0.1, 0.9]\n",
+      "intensity = [0.1, 0.9]\n[[target.other_color]]\nhue = [0, 9]\nsaturation = [0.9, 0.1]\n");
+  ASSERT_FALSE(reversed);
+  EXPECT_EQ(reversed.error().field, "target 1.other_color 1.saturation");
+}
+
 constexpr const char* kBox =
     "intensity = [0.1, 0.9]\nbox = {camera = 1, frame = 12, x = 10.5, y = -3, width = 40, "
     "height = 50}\n";

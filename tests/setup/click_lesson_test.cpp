@@ -57,6 +57,41 @@ TEST(ClickLesson, DoesNotSearchWhereTheTargetWasClicked) {
   EXPECT_EQ(lesson->samples, clicks);
 }
 
+// Two balls that touch, of one thing: each color is found in the other camera by itself.
+TEST(ClickLesson, FindsEachColorOfATargetInTheOtherCamera) {
+  const color::BgrColor blue{200, 80, 30};
+  const Eigen::Vector3d other = kBall + Eigen::Vector3d(0.0, 0.0, 2.0 * kRadius);
+  PaintedRig scene(2);
+  for (int camera = 0; camera < 2; ++camera) {
+    scene.paint(camera, kBall, kRadius, kRed);
+    scene.paint(camera, other, kRadius, blue);
+  }
+  const auto lesson =
+      learnFromClicks(scene.rig, {scene.images, {}, 0},
+                      {scene.clickOn(0, kBall, kRadius), scene.clickOn(0, other, kRadius)});
+  ASSERT_TRUE(lesson);
+  ASSERT_EQ(lesson->samples.size(), 4U);
+  EXPECT_EQ(lesson->samples[2].camera, 1);
+  EXPECT_EQ(lesson->samples[3].camera, 1);
+  EXPECT_EQ(lesson->found.size(), 2U);
+  for (const color::BgrColor& bgr : {kRed, blue}) {
+    EXPECT_TRUE(color::ColorClassifier(lesson->color.ranges()).matches(bgr[0], bgr[1], bgr[2]));
+  }
+  ASSERT_TRUE(lesson->radius);
+  EXPECT_NEAR(*lesson->radius, std::sqrt(2.0) * kRadius, 0.2 * kRadius) << "of both together";
+  ASSERT_EQ(lesson->centers.size(), 2U);
+  for (const PointClick& center : lesson->centers) {
+    const auto camera = static_cast<std::size_t>(center.camera);
+    const Eigen::Vector2d middle = 0.5 * (scene.discOf(camera, kBall, kRadius).center +
+                                          scene.discOf(camera, other, kRadius).center);
+    EXPECT_LT((center.pixel - middle).norm(), 3.0) << camera;
+  }
+  Project project;
+  project.targets.resize(1);
+  applyLesson(*lesson, 0, project);
+  EXPECT_EQ(project.targets[0].colors(), lesson->color.ranges());
+}
+
 TEST(ClickLesson, KeepsWhatWasFoundInOtherFramesWithTheirClicks) {
   const PaintedRig scene = ballInTwoColors();
   const auto first =

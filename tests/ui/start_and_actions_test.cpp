@@ -17,11 +17,13 @@
 #include "ui/widgets/range_bar.h"
 
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <map>
@@ -46,6 +48,7 @@ private Q_SLOTS:
   void workLeftBehindIsOffered();
   void oneClickLearnsAColorAndTracksIt();
   void thePickerIsDraggedByHandAndByKeys();
+  void eachOfSeveralColorsIsShownChangedAndTakenAway();
 };
 
 void StartAndActionsTest::theStartPageOpensTheDemoAndClosingReturnsToIt() {
@@ -325,6 +328,36 @@ void StartAndActionsTest::thePickerIsDraggedByHandAndByKeys() {
   QTest::keyClick(bar, Qt::Key_Tab);
   QTest::keyClick(bar, Qt::Key_Left, Qt::ShiftModifier);
   QVERIFY(std::abs(color().saturationMax - (before.saturationMax - 0.1)) < 1e-9);
+}
+
+void StartAndActionsTest::eachOfSeveralColorsIsShownChangedAndTakenAway() {
+  openDemo();
+  find<QDockWidget>("colorDock")->raise();
+  auto* choice = find<QWidget>("colorChoice");
+  QVERIFY(!choice->isVisible());
+  const ColorRange first = window_->document().project().targets[0].color;
+  const ColorRange second{50.0, 70.0, 0.4, 1.0, 0.1, 0.9};
+  QVERIFY(window_->document().edit(QStringLiteral("two colors"), [&](Project& project) {
+    project.targets[0].otherColors = {second};
+  }));
+  const auto target = [this] { return window_->document().project().targets[0]; };
+  QVERIFY(choice->isVisible());
+  QCOMPARE(find<QDoubleSpinBox>("hueFrom")->value(), first.hueMin);
+  QTest::mouseClick(find<QToolButton>("color2"), Qt::LeftButton);
+  QCOMPARE(find<QDoubleSpinBox>("hueFrom")->value(), second.hueMin);
+  find<QDoubleSpinBox>("hueFrom")->setValue(45.0);
+  QCOMPARE(target().otherColors.at(0).hueMin, 45.0);
+  QVERIFY(target().color == first);
+  QCOMPARE(find<QDoubleSpinBox>("hueFrom")->value(), 45.0);
+
+  QTest::mouseClick(find<QToolButton>("colorRemove"), Qt::LeftButton);
+  QVERIFY(target().otherColors.empty());
+  QVERIFY(target().color == first);
+  QVERIFY(!choice->isVisible());
+  QCOMPARE(find<QDoubleSpinBox>("hueFrom")->value(), first.hueMin);
+  action("actionUndo")->trigger();
+  QCOMPARE(target().otherColors.size(), std::size_t{1});
+  QVERIFY(choice->isVisible());
 }
 
 } // namespace dewpoint::tests

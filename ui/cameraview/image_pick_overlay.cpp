@@ -280,6 +280,9 @@ void ImagePickOverlay::paintRegions(QPainter& painter) const {
       outline << positionOf(pixel);
     }
     stroke(painter, outline, Qt::SolidLine);
+    if (region.text.isEmpty()) {
+      continue;
+    }
     const QRectF box = outline.boundingRect();
     const QRectF text =
         painter.fontMetrics().boundingRect(region.text).toRectF().adjusted(-4, -2, 4, 2);

@@ -111,7 +111,9 @@ void ColorLearner::removeSample(int index) {
   const QString step = tr("Remove color sample");
   if (!setup::anyClicked(samples)) {
     setup::ClickLesson same;
-    same.color.range = project.targets[static_cast<std::size_t>(target)].color;
+    const Target& taught = project.targets[static_cast<std::size_t>(target)];
+    same.color.range = taught.color;
+    same.color.others = taught.otherColors;
     same.color.assessment.targetKnown = false;
     applyResult(target, same, step);
     return;
@@ -158,7 +160,7 @@ void ColorLearner::assess() {
   const Target target = project.targets[static_cast<std::size_t>(target_)];
   start([this, target, shown = images(), rooms = emptyRooms()]() -> std::function<void()> {
     const ColorAssessment assessment =
-        assessColorWithBackground(target.color, target.samples, shown, rooms);
+        assessColorWithBackground(target.colors(), target.samples, shown, rooms);
     return [this, assessment] { Q_EMIT assessed(assessment); };
   });
 }

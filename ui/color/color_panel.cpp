@@ -3,9 +3,12 @@
 
 #include "core/color/color_histogram.h"
 #include "core/project/project.h"
+#include "core/setup/target_color.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/image_pick_tool.h"
+#include "ui/color/assessed_regions.h"
 #include "ui/color/box_picker.h"
+#include "ui/color/color_choice.h"
 #include "ui/color/color_learner.h"
 #include "ui/color/color_picker.h"
 #include "ui/color/color_sample_list.h"
@@ -28,7 +31,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -45,8 +47,9 @@ constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over 
 ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     : QWidget(parent), document_(document), pick_(pick), learner_(new ColorLearner(document, this)),
       boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), learn_(new QToolButton(this)),
-      picker_(new ColorPicker(this)), assessmentText_(new QLabel(this)),
-      samples_(new ColorSampleList(this)), assessSoon_(new QTimer(this)) {
+      choice_(new ColorChoice(this)), picker_(new ColorPicker(this)),
+      assessmentText_(new QLabel(this)), samples_(new ColorSampleList(this)),
+      assessSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   learn_->setObjectName(QStringLiteral("colorLearn"));
   learn_->setCheckable(true);
@@ -68,9 +71,12 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   column->setSpacing(8);
   column->addLayout(head);
   column->addWidget(assessmentText_);
+  column->addWidget(choice_);
   column->addWidget(picker_, 1);
   column->addWidget(samples_);
   connect(learn_, &QToolButton::toggled, this, &ColorPanel::setPicking);
+  connect(choice_, &ColorChoice::chosenChanged, this, &ColorPanel::refresh);
+  connect(choice_, &ColorChoice::removeRequested, this, &ColorPanel::removeColor);
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
   connect(picker_, &ColorPicker::editingFinished, this, [this] {
     document_.endMerging();
@@ -127,6 +133,7 @@ void ColorPanel::retranslateUi() {
                "Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is "
                "not the target."));
   samples_->retranslate();
+  choice_->retranslate();
   refresh();
 }
 
@@ -187,18 +194,22 @@ void ColorPanel::refresh() {
                                    : tr("A new target"));
   picker_->setVisible(!takesBoxes());
   if (takesBoxes()) {
+    choice_->setColors({});
     showBox();
     return;
   }
   picker_->setEnabled(any);
   if (!any) {
     assessed_ = false; // it was of a target that is no more
+    choice_->setColors({});
   } else {
     const Target& target = targets[static_cast<std::size_t>(target_)];
-    if (!(target.color == picker_->range())) {
+    if (!(target.colors() == colors_)) {
+      colors_ = target.colors();
       assessed_ = false;
     }
-    picker_->setRange(target.color);
+    choice_->setColors(colors_);
+    picker_->setRange(colors_[static_cast<std::size_t>(choice_->chosen())]);
   }
   samples_->setSamples(document_.project(), target_);
   if (assessed_) {
@@ -252,9 +263,18 @@ void ColorPanel::removeSample(int sample) {
 
 void ColorPanel::editRange(const ColorRange& range) {
   const auto index = static_cast<std::size_t>(target_);
+  const auto color = static_cast<std::size_t>(choice_->chosen());
   (void)document_.edit(
-      tr("Change color range"), [&](Project& project) { project.targets.at(index).color = range; },
-      "color of target " + std::to_string(target_));
+      tr("Change color range"),
+      [&](Project& project) { setup::setColor(color, range, project.targets.at(index)); },
+      "color " + std::to_string(color) + " of target " + std::to_string(target_));
+}
+
+void ColorPanel::removeColor(int color) {
+  (void)document_.edit(tr("Remove color"), [&](Project& project) {
+    setup::removeColor(static_cast<std::size_t>(color),
+                       project.targets.at(static_cast<std::size_t>(target_)));
+  });
 }
 
 void ColorPanel::setInFront(bool inFront) {
@@ -291,22 +311,8 @@ void ColorPanel::showAssessment(const ColorAssessment& assessment) {
   outlined_ = true;
   assessment_ = assessment;
   updateAssessment();
-  std::map<int, std::vector<ImagePickOverlay::Region>> regions;
-  const auto outline = [&](int camera, const std::vector<cv::Point>& points, const QString& text) {
-    QPolygonF polygon;
-    for (const cv::Point& point : points) {
-      polygon << QPointF(point.x, point.y);
-    }
-    regions[camera].push_back({polygon, text});
-  };
-  for (const DistractorRegion& region : assessment.distractors) {
-    outline(region.camera, region.outline, tr("matches too"));
-  }
-  for (const setup::FoundOutline& found : found_) {
-    outline(found.camera, found.outline, tr("also the target (Alt-click if not)"));
-  }
   pick_.clearRegions();
-  for (const auto& [camera, all] : regions) {
+  for (const auto& [camera, all] : assessedRegions(assessment, found_)) {
     pick_.setRegions(camera, all);
   }
 }

@@ -24,6 +24,7 @@ struct ColorHistogram;
 namespace dewpoint::ui {
 
 class BoxPicker;
+class ColorChoice;
 class ColorPicker;
 class ColorSampleList;
 class ColorLearner;
@@ -64,6 +65,7 @@ private:
   void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
   void editRange(const ColorRange& range);
+  void removeColor(int color);
   void updateAssessment();
   void showAssessment(const ColorAssessment& assessment);
   void assessNow();
@@ -78,6 +80,7 @@ private:
   BoxPicker* boxes_;
   QLabel* name_;
   QToolButton* learn_;
+  ColorChoice* choice_;
   ColorPicker* picker_;
   QLabel* assessmentText_;
   ColorSampleList* samples_;
@@ -85,8 +88,9 @@ private:
   int target_ = 0;
   bool picking_ = false;
   ColorAssessment assessment_;
+  ColorRanges colors_;                     ///< of the target shown
   bool inFront_ = false;                   ///< the panel is seen, not behind another tab
-  bool assessed_ = false;                  ///< the quality is of the range shown
+  bool assessed_ = false;                  ///< the quality is of the colors shown
   std::int64_t assessedFrame_ = -1;        ///< and about this frame
   bool outlined_ = false;                  ///< distractors are outlined in the views
   std::vector<setup::FoundOutline> found_; ///< beside them: what is the target too

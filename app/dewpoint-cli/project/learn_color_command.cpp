@@ -139,9 +139,9 @@ Result<Target*> taughtTarget(Project& project, const LearnColorOptions& options)
   return &*found;
 }
 
-Status writeMask(const std::string& file, const cv::Mat& image, const ColorRange& range) {
+Status writeMask(const std::string& file, const cv::Mat& image, const ColorRanges& ranges) {
   std::vector<std::uint8_t> png;
-  cv::imencode(".png", matchImage(image, ColorClassifier(range)), png);
+  cv::imencode(".png", matchImage(image, ColorClassifier(ranges)), png);
   return writeTextFile(file, std::string(png.begin(), png.end()));
 }
 
@@ -164,7 +164,13 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
   }
   fmt::print("{}: {} pixels were clicked.\n", target.name, target.samples.front().area);
   printFound(target.samples, project);
-  fmt::print("{}\n", rangeSentence(lesson.color.range));
+  for (const ColorRange& range : lesson.color.ranges()) {
+    fmt::print("{}\n", rangeSentence(range));
+  }
+  if (!lesson.color.others.empty()) {
+    fmt::print("The samples show {} colors: what lies in any of these ranges is the target's.\n",
+               lesson.color.ranges().size());
+  }
   for (const std::string& text : assessmentSentences(lesson.color.assessment, cameras)) {
     fmt::print("{}\n", text);
   }
@@ -184,7 +190,7 @@ Status keep(const LearnColorOptions& options, const setup::ClickLesson& lesson,
   setup::applyLesson(lesson, target, project);
   printLearned(project.targets[target], lesson, project);
   const auto drawn =
-      options.mask.empty() ? Status() : writeMask(options.mask, image, lesson.color.range);
+      options.mask.empty() ? Status() : writeMask(options.mask, image, lesson.color.ranges());
   if (!drawn || options.out.empty()) {
     return drawn;
   }

@@ -55,12 +55,12 @@ void CameraAgreement::restart() {
 }
 
 void CameraAgreement::takeColors(const std::vector<Target>& targets) {
-  std::vector<ColorRange> colors;
+  std::vector<ColorRanges> colors;
   std::vector<double> radii;
   for (const Target& target : targets) {
-    const auto known = std::ranges::find(colors, target.color);
+    const auto known = std::ranges::find(colors, target.colors());
     if (known == colors.end()) {
-      colors.push_back(target.color);
+      colors.push_back(target.colors());
       radii.push_back(target.radius);
     } else if (double& radius = radii[static_cast<std::size_t>(known - colors.begin())];
                radius != target.radius) {
@@ -71,7 +71,7 @@ void CameraAgreement::takeColors(const std::vector<Target>& targets) {
   if (colors != colors_) {
     colors_ = std::move(colors);
     histories_.clear();
-    for (const ColorRange& color : colors_) {
+    for (const ColorRanges& color : colors_) {
       auto& histories = histories_.emplace_back();
       for (const Camera& camera : rig_) {
         histories.emplace_back(color, camera);

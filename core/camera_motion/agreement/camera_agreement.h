@@ -47,7 +47,7 @@ private:
   CameraRig rig_;
   std::vector<CameraDisagreement> found_;
   std::size_t ofRig_ = 0; ///< of found_, those of the rig alone
-  std::vector<ColorRange> colors_;
+  std::vector<ColorRanges> colors_;
   std::vector<double> radii_; ///< of the targets of each color, meters; 0: unknown
   std::vector<std::vector<SightingHistory>> histories_; ///< [color][camera]
   std::vector<double> lastTimes_;                       ///< per camera, of images; seconds

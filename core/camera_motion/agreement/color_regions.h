@@ -29,7 +29,7 @@ public:
   /// The largest regions that are reported of an image.
   static constexpr std::size_t kMost = 8;
 
-  explicit ColorRegionSearch(const ColorRange& color) : classifier_(color) {}
+  explicit ColorRegionSearch(const ColorRanges& color) : classifier_(color) {}
 
   /// The regions of an image (CV_8UC3), the largest first; none for another type, or where the
   /// color is found in hundreds of places. What is apart by less than its size counts as one: a

@@ -18,7 +18,7 @@ constexpr double kLeastMoved = 6.0;  ///< pixels: more than noise moves a small 
 
 } // namespace
 
-SightingHistory::SightingHistory(const ColorRange& color, const Camera& camera)
+SightingHistory::SightingHistory(const ColorRanges& color, const Camera& camera)
     : search_(color), unprojector_(geometry::withoutPose(camera)) {}
 
 std::size_t SightingHistory::counted() const {

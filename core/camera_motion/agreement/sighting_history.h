@@ -37,7 +37,7 @@ public:
   /// Seconds that are kept.
   static constexpr double kKept = 4.0;
 
-  SightingHistory(const ColorRange& color, const Camera& camera);
+  SightingHistory(const ColorRanges& color, const Camera& camera);
 
   /// Searches the next image (CV_8UC3), taken at `time` (seconds). An image that is not later than
   /// the last one is passed over.

@@ -93,7 +93,7 @@ std::vector<BaselineTracker::Members> BaselineTracker::groups() const {
   for (std::size_t k = 0; k < targets_.size(); ++k) {
     const auto same = std::ranges::find_if(groups, [&](const Members& members) {
       const Target& first = targets_[members.front()];
-      return first.color == targets_[k].color && first.radius == targets_[k].radius;
+      return first.colors() == targets_[k].colors() && first.radius == targets_[k].radius;
     });
     if (same == groups.end()) {
       groups.push_back({k});
@@ -104,7 +104,7 @@ std::vector<BaselineTracker::Members> BaselineTracker::groups() const {
   return groups;
 }
 
-BaselineTracker::Views BaselineTracker::viewsOf(const ColorRange& color) const {
+BaselineTracker::Views BaselineTracker::viewsOf(const ColorRanges& color) const {
   const ColorClassifier classifier(color);
   Views views{std::vector<CameraImages>(cameraCount_), std::vector<CameraBlobs>(cameraCount_)};
   for (std::size_t camera = 0; camera < std::min(cameraCount_, frames_->frames.size()); ++camera) {
@@ -118,7 +118,7 @@ BaselineTracker::Views BaselineTracker::viewsOf(const ColorRange& color) const {
 
 void BaselineTracker::measure(const Members& members, Measured& measured) {
   const Target& target = targets_[members.front()];
-  const Views views = viewsOf(target.color);
+  const Views views = viewsOf(target.colors());
   const Members open = follow(members, views, measured);
   if (open.empty()) {
     return;

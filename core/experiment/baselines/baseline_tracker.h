@@ -70,7 +70,7 @@ private:
 
   void predict();
   std::vector<Members> groups() const;
-  Views viewsOf(const ColorRange& color) const;
+  Views viewsOf(const ColorRanges& color) const;
   void measure(const Members& members, Measured& measured);
   Members follow(const Members& members, const Views& views, Measured& measured);
   std::optional<TriangulatedPoint> followed(Tracked& tracked, const Views& views) const;

@@ -53,6 +53,7 @@ Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, Cli
   Target result;
   result.name = target.name;
   result.color = lesson->color.range;
+  result.otherColors = lesson->color.others;
   result.samples = std::move(lesson->samples);
   result.radius = lesson->part ? lesson->part->radius : 0.0;
   return result;

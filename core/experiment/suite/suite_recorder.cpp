@@ -267,7 +267,7 @@ std::vector<std::size_t> SuiteRecorder::estimateOfTruth() const {
     for (Eigen::Index estimate = 0; estimate < count; ++estimate) {
       const auto t = static_cast<std::size_t>(truth);
       const auto e = static_cast<std::size_t>(estimate);
-      if (!(run_.targets[t].color == run_.targets[e].color)) {
+      if (!(run_.targets[t].colors() == run_.targets[e].colors())) {
         cost(truth, estimate) = kNever;
         continue;
       }

@@ -5,6 +5,7 @@
 #include "core/observation/sphere/color_reach.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -18,52 +19,19 @@ namespace {
 constexpr double kInside = 0.85;
 constexpr int kMostSamples = 400; ///< of the target, and as many of its ring
 constexpr int kFewestSamples = 20;
-/// A color counts as the target's when it is in the range in use, widened by so much: what hides a
-/// part of it is left out.
-constexpr double kWiderHue = 12.0; // degrees
-constexpr double kWiderSaturation = 0.12;
-constexpr double kWiderIntensity = 1.35;  ///< factor
-constexpr double kFewestCounting = 0.7;   ///< share of the pixels within
-constexpr double kLowQuantile = 0.1;      ///< and its opposite: an odd tenth does not count
-constexpr double kRingBegin = 1.35;       ///< radii: beyond the blurred rim
-constexpr double kRingEnd = 2.0;          ///< radii
-constexpr double kMostOfRing = 0.08;      ///< share that may match: a few stray pixels
-constexpr int kRows = 120;                ///< rows of an image that are counted in an update
-constexpr double kMostOfRest = 0.003;     ///< share that may match beyond twice that of before
-constexpr double kRim = 1.15;             ///< radii: what is nearer may be the target's
-constexpr double kMostHue = 30.0;         ///< degrees from what was learned
-constexpr double kMostSaturation = 0.35;  ///< from what was learned
-constexpr double kMostIntensity = 2.0794; ///< ln 8
-constexpr double kNarrowest = 1e-3;
-constexpr double kTighter = 0.9;      ///< factor of one trial
-constexpr double kTightest = 0.1;     ///< of the way from quantile to bound
-constexpr double kWorthwhile = 0.002; ///< F1 score: less is chance
+constexpr double kFewestCounting = 0.7; ///< share of the pixels within
+constexpr double kLowQuantile = 0.1;    ///< and its opposite: an odd tenth does not count
+constexpr double kRingBegin = 1.35;     ///< radii: beyond the blurred rim
+constexpr double kRingEnd = 2.0;        ///< radii
+constexpr double kMostOfRing = 0.08;    ///< share that may match: a few stray pixels
+constexpr int kRows = 120;              ///< rows of an image that are counted in an update
+constexpr double kMostOfRest = 0.003;   ///< share that may match beyond twice that of before
+constexpr double kRim = 1.15;           ///< radii: what is nearer may be the target's
+constexpr double kTighter = 0.9;        ///< factor of one trial
+constexpr double kTightest = 0.1;       ///< of the way from quantile to bound
+constexpr double kWorthwhile = 0.002;   ///< F1 score: less is chance
 
 using Pixel = cv::Vec3b;
-
-/// `angle` within [-180, 180), degrees.
-double aside(double angle) {
-  return angle - 360.0 * std::floor((angle + 180.0) / 360.0);
-}
-double widthOf(const ColorRange& range) {
-  return spansEveryHue(range) ? 360.0 : hueOf(range.hueMax - range.hueMin);
-}
-
-/// The range with both hue bounds, the saturation's and the intensity's farther out.
-ColorRange widened(ColorRange range) {
-  if (widthOf(range) + 2.0 * kWiderHue >= 360.0) {
-    range.hueMin = 0.0;
-    range.hueMax = 360.0;
-  } else {
-    range.hueMin = hueOf(range.hueMin - kWiderHue);
-    range.hueMax = hueOf(range.hueMax + kWiderHue);
-  }
-  range.saturationMin = std::max(0.0, range.saturationMin - kWiderSaturation);
-  range.saturationMax = std::min(1.0, range.saturationMax + kWiderSaturation);
-  range.intensityMin /= kWiderIntensity;
-  range.intensityMax = std::min(1.0, range.intensityMax * kWiderIntensity);
-  return range;
-}
 
 /// The columns of a row that lie within a circle: [first, last).
 struct Stretch {
@@ -100,12 +68,6 @@ void forDisc(const cv::Mat& image, const SphereImage& outline, double radii, int
       use(image.at<Pixel>(row, column));
     }
   }
-}
-
-bool isUsable(const ColorRange& range) {
-  return range.saturationMin + kNarrowest <= range.saturationMax &&
-         range.intensityMin + kNarrowest <= range.intensityMax &&
-         checkColorRange(range).has_value();
 }
 
 /// Step that leaves about kMostSamples pixels of an area.
@@ -192,164 +154,167 @@ std::pair<double, double> quantiles(std::vector<double>& values) {
 
 } // namespace
 
-AdaptiveColor::AdaptiveColor(const ColorRange& learned, std::size_t cameras)
-    : learned_(learned), learnedClassifier_(std::make_shared<const ColorClassifier>(learned)),
-      cameras_(cameras,
-               PerCamera{.base = learned, .range = learned, .classifier = *learnedClassifier_}) {}
+AdaptiveColor::PerCamera AdaptiveColor::startOf(const ColorRanges& base) {
+  PerCamera camera{.ranges = {}, .classifier = ColorClassifier(base)};
+  for (const ColorRange& range : base) {
+    camera.ranges.emplace_back(range);
+  }
+  return camera;
+}
 
-std::vector<ColorRange> AdaptiveColor::rangesInUse() const {
+AdaptiveColor::AdaptiveColor(const ColorRanges& learned, std::size_t cameras)
+    : learned_(learned), learnedClassifier_(std::make_shared<const ColorClassifier>(learned)),
+      cameras_(cameras, startOf(learned)) {}
+
+ColorRanges AdaptiveColor::rangesOf(const PerCamera& camera) {
   std::vector<ColorRange> ranges;
+  ranges.reserve(camera.ranges.size());
+  for (const FollowedRange& range : camera.ranges) {
+    ranges.push_back(range.inUse());
+  }
+  return ColorRanges(std::move(ranges));
+}
+
+ColorRanges AdaptiveColor::rangesInUse(std::size_t camera) const {
+  return rangesOf(cameras_.at(camera));
+}
+
+std::vector<ColorRanges> AdaptiveColor::rangesInUse() const {
+  std::vector<ColorRanges> ranges;
   ranges.reserve(cameras_.size());
   bool changed = false;
   for (const PerCamera& camera : cameras_) {
-    ranges.push_back(camera.range);
-    changed = changed || !(camera.range == learned_);
+    ranges.push_back(rangesOf(camera));
+    changed = changed || !(ranges.back() == learned_);
   }
-  return changed ? ranges : std::vector<ColorRange>{};
+  return changed ? ranges : std::vector<ColorRanges>{};
 }
 
 void AdaptiveColor::forget() {
-  cameras_.assign(
-      cameras_.size(),
-      PerCamera{.base = learned_, .range = learned_, .classifier = *learnedClassifier_});
+  cameras_.assign(cameras_.size(), startOf(learned_));
 }
+
+namespace {
+
+ColorRanges basesOf(const std::vector<FollowedRange>& ranges) {
+  std::vector<ColorRange> bases;
+  bases.reserve(ranges.size());
+  for (const FollowedRange& range : ranges) {
+    bases.push_back(range.base());
+  }
+  return ColorRanges(std::move(bases));
+}
+
+} // namespace
 
 void AdaptiveColor::undoFollowing() {
   for (PerCamera& camera : cameras_) {
-    camera = PerCamera{
-        .base = camera.base, .range = camera.base, .classifier = ColorClassifier(camera.base)};
+    camera = startOf(basesOf(camera.ranges));
   }
 }
 
 void AdaptiveColor::reach(std::size_t index, const cv::Mat& image) {
   PerCamera& camera = cameras_.at(index);
-  const ColorRange base = reachInLight(learned_, image);
-  if (!(base == camera.base)) {
-    camera = PerCamera{.base = base, .range = base, .classifier = ColorClassifier(base)};
+  std::vector<ColorRange> bases;
+  bases.reserve(learned_.size());
+  for (const ColorRange& range : learned_) {
+    bases.push_back(reachInLight(range, image));
+  }
+  const ColorRanges base(std::move(bases));
+  if (!(base == basesOf(camera.ranges))) {
+    camera = startOf(base);
   }
 }
 
-double AdaptiveColor::hueCenter(const ColorRange& range) {
-  return range.hueMin + 0.5 * widthOf(range);
-}
-
-AdaptiveColor::Quantiles AdaptiveColor::boundsOf(const ColorRange& range) {
-  const double half = 0.5 * widthOf(range);
-  return {-half,
-          half,
-          range.saturationMin,
-          range.saturationMax,
-          std::log(range.intensityMin),
-          std::log(range.intensityMax)}; // of 0: no bound, see rangeOf()
-}
-
 bool AdaptiveColor::measure(const PerCamera& camera, const TargetImage& target,
-                            Quantiles& measured) const {
-  const ColorRange wider = widened(camera.range);
-  const double center = hueCenter(camera.base);
-  std::array<std::vector<double>, 3> values;
+                            Measured& measured) {
+  std::vector<ColorRange> wider;
+  for (const FollowedRange& range : camera.ranges) {
+    wider.push_back(range.widened());
+  }
+  std::vector<std::array<std::vector<double>, 3>> values(camera.ranges.size());
   int all = 0;
+  std::ptrdiff_t counting = 0;
   const double area = kInside * kInside * 3.2 * target.outline.radius * target.outline.radius;
   forDisc(target.image, target.outline, kInside, stepFor(area), [&](const Pixel& pixel) {
     ++all;
     const Hsi color = hsiFromBgr(pixel[0], pixel[1], pixel[2]);
-    if (matches(color, wider)) {
-      values[0].push_back(std::isnan(color.hueDegrees) ? 0.0 : aside(color.hueDegrees - center));
-      values[1].push_back(color.saturation);
-      values[2].push_back(std::log(color.intensity)); // black does not match
+    const auto own =
+        std::ranges::find_if(wider, [&](const ColorRange& one) { return matches(color, one); });
+    if (own != wider.end()) { // black does not match
+      ++counting;
+      const auto range = static_cast<std::size_t>(own - wider.begin());
+      const auto place = camera.ranges[range].placeOf(color);
+      for (std::size_t k = 0; k < place.size(); ++k) {
+        values[range][k].push_back(place[k]);
+      }
     }
   });
-  const auto counting = std::ssize(values[0]);
   if (counting < kFewestSamples || static_cast<double>(counting) < kFewestCounting * all) {
     return false;
   }
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    std::tie(measured[2 * k], measured[2 * k + 1]) = quantiles(values[k]);
+  measured.assign(camera.ranges.size(), std::nullopt);
+  for (std::size_t range = 0; range < values.size(); ++range) {
+    if (std::ssize(values[range][0]) < kFewestSamples) {
+      continue;
+    }
+    Quantiles own;
+    for (std::size_t k = 0; k < values[range].size(); ++k) {
+      std::tie(own[2 * k], own[2 * k + 1]) = quantiles(values[range][k]);
+    }
+    measured[range] = own;
   }
   return true;
 }
 
-ColorRange AdaptiveColor::rangeOf(const PerCamera& camera, const Quantiles& now,
-                                  const Quantiles& slack) const {
-  static constexpr Quantiles kMost{kMostHue,        kMostHue,       kMostSaturation,
-                                   kMostSaturation, kMostIntensity, kMostIntensity};
-  Quantiles bounds = boundsOf(camera.base);
-  for (std::size_t k = 0; k < kBounds; ++k) {
-    const double outward = k % 2 == 0 ? -1.0 : 1.0;
-    const double way = bounds[k] - camera.reference[k];
-    const double kept = outward * way > 0.0 ? slack[k] * way : way;
-    const double moved = std::clamp(now[k] - camera.reference[k], -kMost[k], kMost[k]);
-    bounds[k] = camera.reference[k] + moved + kept;
-  }
-  ColorRange range = camera.base; // a bound that is no bound stays none
-  if (!spansEveryHue(camera.base)) {
-    range.hueMin = hueOf(hueCenter(camera.base) + bounds[0]);
-    range.hueMax =
-        hueOf(hueCenter(camera.base) + std::max(bounds[0], std::min(bounds[1], bounds[0] + 350.0)));
-  }
-  if (camera.base.saturationMin > 0.0) {
-    range.saturationMin = std::clamp(bounds[2], 0.0, 1.0);
-  }
-  if (camera.base.saturationMax < 1.0) {
-    range.saturationMax = std::clamp(bounds[3], 0.0, 1.0);
-  }
-  if (camera.base.intensityMin > 0.0) {
-    range.intensityMin = std::min(1.0, std::exp(bounds[4]));
-  }
-  if (camera.base.intensityMax < 1.0) {
-    range.intensityMax = std::min(1.0, std::exp(bounds[5]));
-  }
-  return range;
-}
-
-void AdaptiveColor::begin(PerCamera& camera, const TargetImage& target,
-                          const Quantiles& measured) const {
-  const double share = 1.0 / camera.updateCount;
-  for (std::size_t k = 0; k < kBounds; ++k) {
-    camera.reference[k] += share * (measured[k] - camera.reference[k]);
-  }
-  camera.restShare += share * (target.count(camera.classifier).restShare() - camera.restShare);
-  camera.now = camera.reference;
-}
-
 std::optional<double> AdaptiveColor::step(PerCamera& camera, const TargetImage& target,
-                                          const Quantiles& next) const {
-  const ColorRange range = rangeOf(camera, next, camera.slack);
-  if (!isUsable(range)) {
-    return std::nullopt;
+                                          const Measured& next) {
+  std::vector<ColorRange> ranges;
+  for (std::size_t k = 0; k < camera.ranges.size(); ++k) {
+    ranges.push_back(next[k] ? camera.ranges[k].at(*next[k]) : camera.ranges[k].inUse());
+    if (!FollowedRange::isUsable(ranges.back())) {
+      return std::nullopt;
+    }
   }
-  const ColorClassifier classifier(range);
+  const ColorClassifier classifier{ColorRanges(std::move(ranges))};
   const Counts before = target.count(camera.classifier);
   const Counts after = target.count(classifier);
   if (after.ringShare() > std::max(kMostOfRing, before.ringShare()) ||
       after.restShare() > std::max(2.0 * camera.restShare + kMostOfRest, before.restShare())) {
     return std::nullopt;
   }
-  camera.now = next;
-  camera.range = range;
+  for (std::size_t k = 0; k < camera.ranges.size(); ++k) {
+    if (next[k]) {
+      camera.ranges[k].moveTo(*next[k]);
+    }
+  }
   camera.classifier = classifier;
   return after.f1();
 }
 
-void AdaptiveColor::tighten(PerCamera& camera, const TargetImage& target, double f1) const {
-  const std::size_t bound = static_cast<std::size_t>(camera.updateCount) % kBounds;
+void AdaptiveColor::tighten(PerCamera& camera, const TargetImage& target, double f1) {
+  const std::size_t turn = static_cast<std::size_t>(camera.updateCount) %
+                           (FollowedRange::kBounds * camera.ranges.size());
+  const std::size_t bound = turn % FollowedRange::kBounds;
+  const std::size_t own = turn / FollowedRange::kBounds;
+  FollowedRange& range = camera.ranges[own];
+  const ColorRanges inUse = rangesOf(camera);
   double best = f1 + kWorthwhile;
-  const double before = camera.slack[bound];
+  const double before = range.slack(bound);
+  double chosen = before;
   for (const double tried :
        {std::max(kTightest, before * kTighter), std::min(1.0, before / kTighter)}) {
-    Quantiles slack = camera.slack;
-    slack[bound] = tried;
-    const ColorRange range = rangeOf(camera, camera.now, slack);
-    const ColorClassifier classifier(isUsable(range) ? range : camera.range);
-    const double now = target.count(classifier).f1();
+    std::vector<ColorRange> ranges(inUse.begin(), inUse.end());
+    ranges[own] = range.withSlack(bound, tried);
+    const double now = target.count(ColorClassifier{ColorRanges(std::move(ranges))}).f1();
     if (now > best) {
       best = now;
-      camera.slack[bound] = tried;
+      chosen = tried;
     }
   }
-  if (camera.slack[bound] != before) {
-    camera.range = rangeOf(camera, camera.now, camera.slack);
-    camera.classifier = ColorClassifier(camera.range);
+  if (chosen != before) {
+    range.setSlack(bound, chosen);
+    camera.classifier = ColorClassifier(rangesOf(camera));
   }
 }
 
@@ -357,20 +322,29 @@ bool AdaptiveColor::follow(std::size_t index, const cv::Mat& image, const Sphere
                            const std::vector<SphereImage>& others, double share) {
   PerCamera& camera = cameras_.at(index);
   const TargetImage target{image, outline, others, camera.updateCount};
-  Quantiles measured;
+  Measured measured;
   if (image.type() != CV_8UC3 || !measure(camera, target, measured)) {
     return false;
   }
   ++camera.updateCount;
   if (camera.updateCount <= kReferenceUpdates) {
-    begin(camera, target, measured);
+    const double ofThis = 1.0 / camera.updateCount;
+    camera.restShare += ofThis * (target.count(camera.classifier).restShare() - camera.restShare);
+  }
+  bool moves = false;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    FollowedRange& range = camera.ranges[k];
+    if (measured[k] && range.takeReference(*measured[k], kReferenceUpdates)) {
+      measured[k].reset();
+    } else if (measured[k]) {
+      measured[k] = range.toward(*measured[k], share);
+      moves = true;
+    }
+  }
+  if (!moves) {
     return false;
   }
-  Quantiles next;
-  for (std::size_t k = 0; k < kBounds; ++k) {
-    next[k] = camera.now[k] + share * (measured[k] - camera.now[k]);
-  }
-  const auto f1 = step(camera, target, next);
+  const auto f1 = step(camera, target, measured);
   if (f1) {
     tighten(camera, target, *f1);
   }

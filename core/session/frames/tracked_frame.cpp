@@ -16,7 +16,9 @@ std::size_t TrackedFrame::bytes() const {
     sum += target.proposals.capacity() * sizeof(CandidatePosition);
     sum += target.reasons.capacity() * sizeof(CameraReport);
     sum += cameraEvidenceOf(target.estimate).capacity() * sizeof(CameraEvidence);
-    sum += colorsOf(target.estimate).capacity() * sizeof(ColorRange);
+    for (const ColorRanges& colors : colorsOf(target.estimate)) {
+      sum += sizeof(ColorRanges) + colors.size() * sizeof(ColorRange);
+    }
   }
   return sum;
 }

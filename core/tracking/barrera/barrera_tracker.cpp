@@ -11,11 +11,11 @@ namespace dewpoint::tracking {
 
 BarreraTracker::BarreraTracker(const ParameterValues& parameters, const CameraRig& rig,
                                const Target& target)
-    : RandomWalkTracker(parameters), projectors_(rig.begin(), rig.end()), classifier_(target.color),
-      observation_(rig, classifier_) {}
+    : RandomWalkTracker(parameters), projectors_(rig.begin(), rig.end()),
+      classifier_(target.colors()), observation_(rig, classifier_) {}
 
 void BarreraTracker::setTarget(const Target& target) {
-  classifier_ = ColorClassifier(target.color);
+  classifier_ = ColorClassifier(target.colors());
   observation_.setClassifier(classifier_);
 }
 

@@ -12,10 +12,10 @@ namespace dewpoint::tracking {
 DynamicsTracker::DynamicsTracker(const ParameterValues& parameters, const CameraRig& rig,
                                  const Target& target)
     : RandomWalkTracker(parameters), unprojectors_(rig.begin(), rig.end()),
-      classifier_(target.color), seen_(rig.size(), false) {}
+      classifier_(target.colors()), seen_(rig.size(), false) {}
 
 void DynamicsTracker::setTarget(const Target& target) {
-  classifier_ = ColorClassifier(target.color);
+  classifier_ = ColorClassifier(target.colors());
 }
 
 void DynamicsTracker::setCameras(const CameraRig& rig) {

@@ -26,10 +26,13 @@ namespace dewpoint::tracking {
 namespace {
 
 std::string colorText(const Target& target) {
-  const ColorRange& color = target.color;
-  return fmt::format("hue {} to {}, saturation {} to {}, intensity {} to {}, radius {} m",
-                     color.hueMin, color.hueMax, color.saturationMin, color.saturationMax,
-                     color.intensityMin, color.intensityMax, target.radius);
+  std::string text;
+  for (const ColorRange& color : target.colors()) {
+    text += fmt::format("{}hue {} to {}, saturation {} to {}, intensity {} to {}",
+                        text.empty() ? "" : " or ", color.hueMin, color.hueMax, color.saturationMin,
+                        color.saturationMax, color.intensityMin, color.intensityMax);
+  }
+  return fmt::format("{}, radius {} m", text, target.radius);
 }
 
 std::string boxText(const Target& target) {

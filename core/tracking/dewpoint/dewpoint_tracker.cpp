@@ -69,10 +69,10 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
   distractors_.cancel();
   for (std::size_t k = 0; k < std::min(targets.size(), objects_.targetCount()); ++k) {
     TrackedObject& object = objects_[k];
-    if (!(targets[k].color == object.track.target().color)) {
+    if (!(targets[k].colors() == object.track.target().colors())) {
       images_.resetReferenceLight(); // the color was picked in the light of now
       images_.forgetEmptyPlaces();   // what is empty was found by the colors of before
-      object.color = AdaptiveColor(targets[k].color, images_.cameraCount());
+      object.color = AdaptiveColor(targets[k].colors(), images_.cameraCount());
     }
     object.track.setTarget(targets[k]);
     object.shape->setTarget(targets[k]);

@@ -35,7 +35,7 @@ struct TrackedObject {
 
 /// Whether two objects are told apart by nothing but their positions.
 inline bool haveSameColor(const TrackedObject& one, const TrackedObject& other) {
-  return one.track.target().color == other.track.target().color;
+  return one.track.target().colors() == other.track.target().colors();
 }
 
 } // namespace dewpoint::tracking

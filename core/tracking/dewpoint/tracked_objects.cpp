@@ -33,7 +33,7 @@ TrackedObjects::TrackedObjects(const std::vector<Target>& targets, const CameraR
     : rig_(rig), targetCount_(targets.size()) {
   for (const Target& target : targets) {
     objects_.push_back({BernoulliTrack(target), SphereObservation(rig),
-                        AdaptiveColor(target.color, rig.size()), nullptr,
+                        AdaptiveColor(target.colors(), rig.size()), nullptr,
                         static_cast<std::uint32_t>(objects_.size()), 0,
                         std::make_unique<ShapeTracking>(target, rig)});
   }
@@ -142,7 +142,7 @@ bool TrackedObjects::hasIdenticalTarget(std::size_t target) const {
   const Target& own = objects_[target].track.target();
   for (std::size_t k = 0; k < targetCount_; ++k) {
     const Target& other = objects_[k].track.target();
-    if (k != target && other.color == own.color && other.radius == own.radius) {
+    if (k != target && other.colors() == own.colors() && other.radius == own.radius) {
       return true;
     }
   }

@@ -63,18 +63,56 @@ TEST(AdaptiveColor, ItsClassifiersStayWhereTheyAreWhenItIsMoved) {
   EXPECT_EQ(&colors.front().inUse(1), inUse);
 }
 
+/// The green disc with a half that is blue.
+cv::Mat twoColored(double light, std::uint32_t frame) {
+  cv::Mat image = scene(gray(light), frame);
+  const cv::Mat other = scene(gray(light), frame, {90, 90, 90}, {190.0, 90.0, 40.0});
+  other.colRange(80, 160).copyTo(image.colRange(80, 160));
+  return image;
+}
+
+TEST(AdaptiveColor, FollowsEachOfSeveralColors) {
+  const ColorRange blue{200.0, 240.0, 0.3, 0.9, 0.2, 0.7};
+  AdaptiveColor color(ColorRanges(kGreen, {blue}), 1);
+  for (std::uint32_t k = 0; k < 10; ++k) {
+    EXPECT_FALSE(color.follow(0, twoColored(1.0, k), kOutline, {}, kShare));
+  }
+  EXPECT_TRUE(color.rangesInUse().empty());
+  EXPECT_GT(taken(color, twoColored(1.0, 11)), 0.97);
+  double light = 1.0;
+  for (std::uint32_t k = 0; k < 200; ++k) {
+    light = 1.0 - 0.55 * k / 200.0;
+    color.follow(0, twoColored(light, k), kOutline, {}, kShare);
+  }
+  const ColorRanges ranges = color.rangesInUse(0);
+  ASSERT_EQ(ranges.size(), 2U);
+  EXPECT_LT(ranges[0].intensityMin, 0.65 * kGreen.intensityMin);
+  EXPECT_LT(ranges[1].intensityMin, 0.65 * blue.intensityMin);
+  EXPECT_GT(taken(color, twoColored(light, 201)), 0.97);
+}
+
+TEST(AdaptiveColor, AColorThatIsNotSeenStaysWhereItWas) {
+  const ColorRange blue{200.0, 240.0, 0.3, 0.9, 0.2, 0.7};
+  AdaptiveColor color(ColorRanges(kGreen, {blue}), 1);
+  for (std::uint32_t k = 0; k < 200; ++k) {
+    color.follow(0, scene(gray(1.0 - 0.5 * k / 200.0), k), kOutline, {}, kShare);
+  }
+  EXPECT_LT(color.rangesInUse(0)[0].intensityMin, 0.7 * kGreen.intensityMin);
+  EXPECT_EQ(color.rangesInUse(0)[1], blue);
+}
+
 TEST(AdaptiveColor, StaysAsLearnedInSteadyLight) {
   AdaptiveColor color = begun();
   for (std::uint32_t k = 0; k < 300; ++k) {
     color.follow(0, scene(gray(1.0), k), kOutline, {}, kShare);
   }
   // The quantiles of 400 noisy pixels are off by less than a gray level.
-  const ColorRange range = color.rangeInUse(0);
+  const ColorRange range = color.rangesInUse(0)[0];
   EXPECT_NEAR(range.hueMin, kGreen.hueMin, 0.5);
   EXPECT_NEAR(range.hueMax, kGreen.hueMax, 0.5);
   EXPECT_NEAR(range.saturationMin, kGreen.saturationMin, 0.01);
   EXPECT_NEAR(range.intensityMax, kGreen.intensityMax, 0.01);
-  EXPECT_EQ(color.rangeInUse(1), kGreen) << "the other camera saw nothing";
+  EXPECT_EQ(color.rangesInUse(1)[0], kGreen) << "the other camera saw nothing";
 }
 
 TEST(AdaptiveColor, FollowsLightThatFadesByTheSameFactor) {
@@ -85,7 +123,7 @@ TEST(AdaptiveColor, FollowsLightThatFadesByTheSameFactor) {
     color.follow(0, scene(gray(gain), k), kOutline, {}, kShare);
   }
   const cv::Mat dark = scene(gray(gain), 1000);
-  const ColorRange range = color.rangeInUse(0);
+  const ColorRange range = color.rangesInUse(0)[0];
   // It lags by 1 / kShare = 20 looks: a factor of 4^(20 / 400) = 1.07. Noise of 2 levels per
   // channel is 1.15 in an intensity of 23 levels: its quantiles are 1.28 x 5 % off, against 1.6 %
   // before.
@@ -106,8 +144,8 @@ TEST(AdaptiveColor, FollowsATintInItsHue) {
   const Hsi before = hsiFromBgr(60, 180, 40);
   const Hsi after = hsiFromBgr(42, 180, 64);
   const double lagging = (after.hueDegrees - before.hueDegrees) * 0.95; // 20 of 400 looks behind
-  EXPECT_NEAR(color.rangeInUse(0).hueMin - kGreen.hueMin, lagging, 1.5);
-  EXPECT_NEAR(color.rangeInUse(0).hueMax - kGreen.hueMax, lagging, 1.5);
+  EXPECT_NEAR(color.rangesInUse(0)[0].hueMin - kGreen.hueMin, lagging, 1.5);
+  EXPECT_NEAR(color.rangesInUse(0)[0].hueMax - kGreen.hueMax, lagging, 1.5);
 }
 
 TEST(AdaptiveColor, IsNotTakenAlongByWhatHidesTheTarget) {
@@ -132,8 +170,8 @@ TEST(AdaptiveColor, TakesNoStepOntoTheBackground) {
     const double disc = M_PI * 15.0 * 15.0;
     ASSERT_LT(matched, disc + 0.01 * double(image.total())) << k;
   }
-  EXPECT_GT(color.rangeInUse(0).intensityMin, 0.15);
-  EXPECT_LT(color.rangeInUse(0).intensityMin, 0.2) << "it followed as far as it may";
+  EXPECT_GT(color.rangesInUse(0)[0].intensityMin, 0.15);
+  EXPECT_LT(color.rangesInUse(0)[0].intensityMin, 0.2) << "it followed as far as it may";
 }
 
 TEST(AdaptiveColor, ForgetsAndCopies) {
@@ -143,8 +181,8 @@ TEST(AdaptiveColor, ForgetsAndCopies) {
     EXPECT_TRUE(color.follow(0, scene(gray(0.8), k), kOutline, {}, kShare));
     copy.follow(0, scene(gray(0.8), k), kOutline, {}, kShare);
   }
-  EXPECT_EQ(copy.rangeInUse(0), color.rangeInUse(0));
-  EXPECT_FALSE(color.rangeInUse(0) == kGreen);
+  EXPECT_EQ(copy.rangesInUse(0)[0], color.rangesInUse(0)[0]);
+  EXPECT_FALSE(color.rangesInUse(0)[0] == kGreen);
   color.forget();
   EXPECT_TRUE(color.rangesInUse().empty());
   EXPECT_FALSE(copy.rangesInUse().empty());

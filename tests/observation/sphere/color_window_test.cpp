@@ -174,7 +174,7 @@ TEST(ColorWindow, LazyAndIntegralAgreeToTheBit) {
     EXPECT_TRUE((evaluate() == lazy).all()) << particleCount;
   }
   window.prepare(4000); // counts of an old color or image must not survive
-  window.setClassifier(ColorClassifier({100.0, 101.0, 0.99, 1.0, 0.9, 1.0}));
+  window.setClassifier(ColorClassifier(ColorRange{100.0, 101.0, 0.99, 1.0, 0.9, 1.0}));
   window.prepare(4000);
   EXPECT_TRUE((evaluate() == std::log(1.0 / 25.0)).all());
   window.setClassifier(ColorClassifier(kRed));

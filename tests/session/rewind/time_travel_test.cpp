@@ -189,10 +189,10 @@ TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
   const Trajectory first = playedToTheEnd(session);
   session.showFrame(80);
   ASSERT_TRUE(shows(session, 80));
-  const std::vector<ColorRange> then =
+  const std::vector<ColorRanges> then =
       std::get<SphereEstimate>(session.newest()->targets[0].estimate).colors;
   ASSERT_EQ(then.size(), 2U);
-  EXPECT_LT(then[0].intensityMax, 0.9 * drawn::kRed.intensityMax);
+  EXPECT_LT(then[0][0].intensityMax, 0.9 * drawn::kRed.intensityMax);
   for (const std::int64_t from : {70, 41, 12, 0}) {
     rerun(session, from);
     EXPECT_TRUE(sameBits(session.trajectory(), first)) << from;

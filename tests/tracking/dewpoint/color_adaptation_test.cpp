@@ -55,7 +55,9 @@ TEST(ColorAdaptation, FollowsTheLightInEachCamera) {
   }
   const auto& colors = sphereOf(*tracker).colors;
   ASSERT_EQ(colors.size(), 2U);
-  for (const ColorRange& color : colors) {
+  for (const ColorRanges& inUse : colors) {
+    ASSERT_EQ(inUse.size(), 1U);
+    const ColorRange& color = inUse[0];
     // A third of the light, and a lag of a second of the 250 / 30 s: 3^(30 / 250) = 1.14 more at
     // most; for the last 20 frames the light is steady.
     EXPECT_GT(color.intensityMin, drawn::kRed.intensityMin / 3.0 * 0.95);
@@ -84,7 +86,7 @@ TEST(ColorAdaptation, AHiddenTargetsColorIsKept) {
   const CameraRig rig = drawn::rigAround(2);
   const auto tracker = made(rig, kOn);
   ThreadTeam team;
-  std::vector<ColorRange> before;
+  std::vector<ColorRanges> before;
   for (int frame = 0; frame < 200; ++frame) {
     const bool hidden = frame >= 120 && frame < 150;
     tracker->beginFrame(framesAt(rig, frame, hidden));

@@ -318,7 +318,7 @@ TEST(DewpointTracker, HowFarAColorReachesStaysWhenAParameterChanges) {
     run.show({Ball{drawn::kMiddle}});
   }
   ASSERT_TRUE(run.estimate().valid);
-  const std::vector<ColorRange> reached = run.estimate().colors;
+  const std::vector<ColorRanges> reached = run.estimate().colors;
   ASSERT_FALSE(reached.empty());
   run.tracker().configure(drawn::parametersOf("dewpoint", {{"particles", 2000}}));
   EXPECT_EQ(run.show({Ball{drawn::kMiddle}}).colors, reached);

@@ -8,10 +8,6 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
-/// Rounds per second of a ball that rolls in the hand or dangles; chosen.
-constexpr double kSlowestSpin = 0.25;
-constexpr double kFastestSpin = 1.0;
-
 bool patterned(ScenarioDraft& draft, BallPattern pattern) {
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;

@@ -30,6 +30,10 @@ struct Spin {
   Eigen::Matrix3f axesAt(double time) const;
 };
 
+/// Rounds per second of a ball that rolls in the hand or dangles; chosen.
+inline constexpr double kSlowestSpin = 0.25;
+inline constexpr double kFastestSpin = 1.0;
+
 /// A rotation about a random axis by `least` to `most` rounds per second.
 Spin drawSpin(Draws& draws, double least, double most);
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/color/color_choice.h"
+
+#include <QButtonGroup>
+#include <QColor>
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QPainter>
+#include <QPixmap>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::ui {
+
+namespace {
+
+/// A light and clear color from the middle of a range.
+QColor colorOf(const ColorRange& range) {
+  const double width =
+      color::spansEveryHue(range) ? 0.0 : color::hueOf(range.hueMax - range.hueMin);
+  const double hue = color::hueOf(range.hueMin + 0.5 * width) / 360.0;
+  const double saturation =
+      color::spansEveryHue(range) ? 0.0 : 0.5 * (range.saturationMin + range.saturationMax);
+  const double intensity = 0.5 * (range.intensityMin + range.intensityMax);
+  return QColor::fromHsvF(static_cast<float>(std::min(hue, 0.9999)), static_cast<float>(saturation),
+                          static_cast<float>(std::clamp(1.4 * intensity, 0.0, 1.0)));
+}
+
+QIcon swatchOf(const QColor& color, const QWidget& widget) {
+  const int side = widget.fontMetrics().height();
+  const qreal ratio = widget.devicePixelRatioF();
+  QPixmap pixmap(QSize(side, side) * ratio);
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(widget.palette().color(QPalette::Mid));
+  painter.setBrush(color);
+  painter.drawEllipse(QRectF(1.5, 1.5, side - 3.0, side - 3.0));
+  return pixmap;
+}
+
+} // namespace
+
+ColorChoice::ColorChoice(QWidget* parent)
+    : QWidget(parent), group_(new QButtonGroup(this)), row_(new QHBoxLayout(this)),
+      remove_(new QToolButton(this)) {
+  setObjectName(QStringLiteral("colorChoice"));
+  remove_->setObjectName(QStringLiteral("colorRemove"));
+  remove_->setFocusPolicy(Qt::StrongFocus);
+  row_->setContentsMargins(0, 0, 0, 0);
+  row_->setSpacing(4);
+  row_->addStretch(1);
+  row_->addWidget(remove_);
+  connect(remove_, &QToolButton::clicked, this, [this] { Q_EMIT removeRequested(chosen_); });
+  connect(group_, &QButtonGroup::idClicked, this, [this](int id) {
+    if (id != chosen_) {
+      chosen_ = id;
+      Q_EMIT chosenChanged();
+    }
+  });
+  hide();
+}
+
+void ColorChoice::setColors(const ColorRanges& colors) {
+  if (colors.size() != colors_.size()) {
+    chosen_ = 0;
+  }
+  colors_ = colors;
+  updateButtons();
+}
+
+void ColorChoice::updateButtons() {
+  const std::size_t count = colors_.size() > 1 ? colors_.size() : 0;
+  while (buttons_.size() < count) {
+    auto* button = new QToolButton(this);
+    const auto index = static_cast<int>(buttons_.size());
+    button->setObjectName(QStringLiteral("color%1").arg(index + 1));
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    group_->addButton(button, index);
+    row_->insertWidget(index, button);
+    buttons_.push_back(button);
+  }
+  for (std::size_t k = 0; k < buttons_.size(); ++k) {
+    buttons_[k]->setVisible(k < count);
+    if (k < count) {
+      buttons_[k]->setText(tr("Color %1").arg(k + 1));
+      buttons_[k]->setToolTip(tr("Show this color of the target, to change its range by hand"));
+      buttons_[k]->setIcon(swatchOf(colorOf(colors_[k]), *this));
+      buttons_[k]->setChecked(static_cast<int>(k) == chosen_);
+    }
+  }
+  setVisible(count > 0);
+}
+
+void ColorChoice::retranslate() {
+  setAccessibleName(tr("Colors of the target"));
+  remove_->setText(tr("Remove"));
+  remove_->setToolTip(tr("Take this color away from the target, with the samples that show it"));
+  updateButtons();
+}
+
+} // namespace dewpoint::ui
