@@ -16,11 +16,16 @@ namespace {
 /// Standard deviations of a ball's figures: blur, the dark side, the raster.
 constexpr double kBallElongation = 0.08;
 constexpr double kBallHollowness = 0.04;
+constexpr double kBallExcess = 0.15;
 /// Means of those of other things: a cap seen from the side, a cone.
 constexpr double kOtherElongation = 0.5;
 constexpr double kOtherHollowness = 0.15;
+constexpr double kOtherExcess = 0.5;
 /// Share of the images of a ball that look like anything: something of its color touches it.
 constexpr double kSpoiledShare = 0.03;
+/// Areas of the ball up to which a region is one with another thing of its color and size that
+/// touches it.
+constexpr double kTouching = 2.0;
 /// Pixels, least area: of a smaller one the raster decides.
 constexpr double kLeastArea = 80.0;
 /// Largest share of the rim that something else than the target may end.
@@ -51,15 +56,22 @@ Roundness roundnessOf(const ColorRegion& region, const EllipseImage& ball) {
   const double root = std::sqrt(std::max(0.0, mean * mean - determinant));
   const double ellipse = 4.0 * std::numbers::pi * std::sqrt(region.covariance.determinant());
   return {0.5 * std::log((mean + root) / std::max(mean - root, 1e-6 * mean)),
-          std::max(0.0, 1.0 - region.area / ellipse)};
+          std::max(0.0, 1.0 - region.area / ellipse),
+          std::max(0.0, 0.5 * std::log(region.area / (kTouching * ball.area())))};
 }
 
 std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImage& ball) {
-  if (region.area < kLeastArea || region.openShare() > kMostOpen) {
+  if (region.area < kLeastArea) {
     return std::nullopt;
   }
   const Roundness round = roundnessOf(region, ball);
-  return logRatio(round.elongation, kBallElongation, kOtherElongation) +
+  // What is no ball has regions of all sizes where one of its size was found: that they fit says
+  // nothing.
+  const double ofSize = std::max(0.0, logRatio(round.excess, kBallExcess, kOtherExcess));
+  if (region.openShare() > kMostOpen) {
+    return ofSize > 0.0 ? std::optional(ofSize) : std::nullopt;
+  }
+  return ofSize + logRatio(round.elongation, kBallElongation, kOtherElongation) +
          logRatio(round.hollowness, kBallHollowness, kOtherHollowness);
 }
 

@@ -57,6 +57,23 @@ TEST(Roundness, ADiscIsABallAndAStickIsNot) {
   EXPECT_GT(*stick, 2.0);
 }
 
+// Two balls that touch have twice the area; a forearm in which a small ball was found has far more.
+TEST(Roundness, ARegionFarLargerThanTheBallIsNone) {
+  EXPECT_EQ(roundnessOf(disc(20.0), circle(20.0)).excess, 0.0);
+  EXPECT_NEAR(roundnessOf(disc(20.0), circle(20.0 / std::sqrt(2.0))).excess, 0.0, 1e-9);
+  EXPECT_NEAR(roundnessOf(disc(20.0), circle(5.0)).excess, std::log(4.0 / std::sqrt(2.0)), 1e-9);
+  const auto touching = shapeEvidence(disc(20.0), circle(20.0 / std::sqrt(2.0)));
+  const auto small = shapeEvidence(disc(20.0), circle(5.0));
+  ASSERT_TRUE(touching && small);
+  EXPECT_LT(*touching, -2.0);
+  EXPECT_GT(*small, *touching + 3.0);
+  ColorRegion hidden = disc(20.0);
+  hidden.hiddenRim = 60;
+  const auto partly = shapeEvidence(hidden, circle(5.0));
+  ASSERT_TRUE(partly) << "what is hidden could only add to it";
+  EXPECT_GT(*partly, 3.0);
+}
+
 TEST(Roundness, WhatIsNotSeenWholeSaysNothing) {
   ColorRegion hidden = disc(20.0);
   hidden.hiddenRim = 30;

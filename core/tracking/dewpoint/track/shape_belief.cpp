@@ -24,6 +24,9 @@ constexpr double kHysteresis = 2.0;
 constexpr double kMostAtOnce = 5.0;
 /// Seconds between two images of a target that tell it anew.
 constexpr double kIndependent = 0.5;
+/// Factor of the radius, either way, beyond which a ball that was found is another one than before:
+/// its images tell anew at once.
+constexpr double kAnotherSize = 1.5;
 /// Factor of a given radius, either way, beyond which what is seen is not the target alone: two
 /// balls that touch are 1.41 times as large.
 constexpr double kMostSize = 1.35;
@@ -77,8 +80,11 @@ void ShapeBelief::learn(const RegionObservation& observation,
   if (!isOpen() || !any) {
     return;
   }
-  const double weight = first_ ? 1.0 : std::min(1.0, interval / kIndependent);
+  const bool isAnother =
+      first_ || (radius_ == 0.0 && std::abs(std::log(radius / learned_)) > std::log(kAnotherSize));
+  const double weight = isAnother ? 1.0 : std::min(1.0, interval / kIndependent);
   first_ = false;
+  learned_ = radius;
   const double least = std::min(-kMost, radius_ > 0.0 ? kPriorOfGiven : kPriorOfUnknown);
   logOdds_ =
       std::clamp(logOdds_ + weight * std::clamp(sum, -kMostAtOnce, kMostAtOnce), least, kMost);

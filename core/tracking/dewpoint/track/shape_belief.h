@@ -39,7 +39,8 @@ private:
   double radius_ = 0.0;  ///< given; 0: not known
   double logOdds_ = 0.0; ///< of "anything" against "a ball"
   bool any_ = false;
-  bool first_ = true; ///< nothing was learned yet
+  bool first_ = true;    ///< nothing was learned yet
+  double learned_ = 0.0; ///< meters, radius of what was learned from last
 };
 
 } // namespace dewpoint::tracking

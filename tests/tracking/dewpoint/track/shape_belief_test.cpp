@@ -20,8 +20,8 @@ Target target(double radius, TargetShape shape = TargetShape::Auto) {
   return result;
 }
 
-/// Shows a solid to a belief for some frames.
-void look(ShapeBelief& belief, const Ellipsoid& solid, int frames) {
+/// Shows a solid to a belief for some frames, in which a ball of a radius was found; 0: of its own.
+void look(ShapeBelief& belief, const Ellipsoid& solid, int frames, double radius = 0.0) {
   RegionScene scene(drawn::rigAround(2, kVga));
   scene.show({solid});
   RegionObservation& observation = scene.observation();
@@ -31,7 +31,7 @@ void look(ShapeBelief& belief, const Ellipsoid& solid, int frames) {
         measureRegion(view.labels, *view.projector.project(solid), Eigen::Matrix2d::Zero()));
   }
   for (int frame = 0; frame < frames; ++frame) {
-    belief.learn(observation, views, solid.center, solid.radius(), kFrame);
+    belief.learn(observation, views, solid.center, radius > 0.0 ? radius : solid.radius(), kFrame);
   }
 }
 
@@ -49,6 +49,15 @@ TEST(ShapeBelief, AFewLooksTellAStickFromABallOfUnknownSize) {
   ShapeBelief other(target(0.0));
   look(other, kBall, 1);
   EXPECT_TRUE(other.isBall());
+}
+
+// A small ball found in a large thing is refuted at once: other balls were looked at before.
+TEST(ShapeBelief, ABallOfAnotherSizeIsLookedAtAnew) {
+  ShapeBelief belief(target(0.0));
+  look(belief, kStick, 1);
+  ASSERT_TRUE(belief.isBall());
+  look(belief, kStick, 1, 0.004);
+  EXPECT_FALSE(belief.isBall());
 }
 
 // What follows within half a second is hardly new, and a belief that is 15 at most takes 17 and
