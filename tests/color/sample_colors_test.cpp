@@ -99,12 +99,14 @@ TEST(LearnColor, OneRangeIsEnoughWhereNothingElseHasTheColorsBetween) {
 }
 
 TEST(LearnColor, AColorThatEverythingHasIsLeftOut) {
-  const Ball ball(cv::Scalar(40, 120, 130), {40, 120, 130});
-  const auto learned = learnColor(ball.clicks, {ball.image});
+  const BgrColor olive{40, 120, 130};
+  const cv::Mat wall(120, 160, CV_8UC3, cv::Scalar(40, 120, 130));
+  const auto learned = learnColor({sampleOf(kRed), sampleOf(olive)}, {wall});
   ASSERT_TRUE(learned);
   EXPECT_TRUE(learned->others.empty());
   EXPECT_TRUE(takes(learned->range, kRed));
-  EXPECT_FALSE(takes(learned->range, {40, 120, 130}));
+  EXPECT_FALSE(takes(learned->range, olive));
+  EXPECT_TRUE(learned->assessment.sampleLeftOut);
 }
 
 TEST(ColorEvidence, OfSeveralColorsIsDividedTheSameFromWhatWasKnownBefore) {
