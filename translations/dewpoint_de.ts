@@ -1111,7 +1111,7 @@
         <translation>%1 % des Hintergrunds passen auch.</translation>
     </message>
     <message>
-        <source>One sample hardly matches what was learned: what is around has its color too, or it shows something else.</source>
+        <source>One sample hardly matches the learned color: much around it looks the same, or it shows something else.</source>
         <translation>Eine Probe passt kaum zum Gelernten: Die Umgebung hat ihre Farbe auch, oder sie zeigt etwas anderes.</translation>
     </message>
     <message>
@@ -3698,7 +3698,7 @@ bei %4, %5, %6</translation>
         <translation>Farbe %1</translation>
     </message>
     <message>
-        <source>Show this color of the target, to change its range by hand</source>
+        <source>Show this color, so that its range can be changed by hand</source>
         <translation>Diese Farbe des Ziels zeigen, um ihren Bereich von Hand zu ändern</translation>
     </message>
     <message>
@@ -3710,7 +3710,7 @@ bei %4, %5, %6</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Take this color away from the target, with the samples that show it</source>
+        <source>Remove this color from the target, and the samples that show it</source>
         <translation>Diese Farbe vom Ziel wegnehmen, samt den Proben, die sie zeigen</translation>
     </message>
 </context>

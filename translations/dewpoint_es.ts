@@ -1111,7 +1111,7 @@
         <translation>El %1 % del fondo también coincide.</translation>
     </message>
     <message>
-        <source>One sample hardly matches what was learned: what is around has its color too, or it shows something else.</source>
+        <source>One sample hardly matches the learned color: much around it looks the same, or it shows something else.</source>
         <translation>Una muestra apenas encaja con lo aprendido: lo que hay alrededor también tiene su color, o muestra otra cosa.</translation>
     </message>
     <message>
@@ -3698,7 +3698,7 @@ en %4, %5, %6</translation>
         <translation>Color %1</translation>
     </message>
     <message>
-        <source>Show this color of the target, to change its range by hand</source>
+        <source>Show this color, so that its range can be changed by hand</source>
         <translation>Mostrar este color del objetivo, para cambiar su rango a mano</translation>
     </message>
     <message>
@@ -3710,7 +3710,7 @@ en %4, %5, %6</translation>
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Take this color away from the target, with the samples that show it</source>
+        <source>Remove this color from the target, and the samples that show it</source>
         <translation>Quitar este color del objetivo, con las muestras que lo enseñan</translation>
     </message>
 </context>

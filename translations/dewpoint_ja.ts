@@ -1111,7 +1111,7 @@
         <translation>背景の %1 % も一致します。</translation>
     </message>
     <message>
-        <source>One sample hardly matches what was learned: what is around has its color too, or it shows something else.</source>
+        <source>One sample hardly matches the learned color: much around it looks the same, or it shows something else.</source>
         <translation>学習した色にほとんど合わない見本があります。周りにも同じ色があるか、別のものを示しています。</translation>
     </message>
     <message>
@@ -3697,7 +3697,7 @@ at %4, %5, %6</source>
         <translation>色 %1</translation>
     </message>
     <message>
-        <source>Show this color of the target, to change its range by hand</source>
+        <source>Show this color, so that its range can be changed by hand</source>
         <translation>ターゲットのこの色を表示し、範囲を手で変えられるようにする</translation>
     </message>
     <message>
@@ -3709,7 +3709,7 @@ at %4, %5, %6</source>
         <translation>取り除く</translation>
     </message>
     <message>
-        <source>Take this color away from the target, with the samples that show it</source>
+        <source>Remove this color from the target, and the samples that show it</source>
         <translation>この色を、それを示す見本とともにターゲットから外す</translation>
     </message>
 </context>

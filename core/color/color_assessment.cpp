@@ -173,7 +173,7 @@ ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evid
     return assessment;
   }
   if (assessment.missesTarget()) {
-    const RangeScore whole = scoreRange(fitRange(evidence.target, {}), {}, evidence.rest);
+    const RangeScore whole = scoreRange(evidence.typicalRanges, {}, evidence.rest);
     assessment.backgroundShareOfWhole =
         evidence.restWeight > 0.0 ? whole.rest / evidence.restWeight : 0.0;
   }

@@ -89,7 +89,7 @@ void ColorChoice::updateButtons() {
     buttons_[k]->setVisible(k < count);
     if (k < count) {
       buttons_[k]->setText(tr("Color %1").arg(k + 1));
-      buttons_[k]->setToolTip(tr("Show this color of the target, to change its range by hand"));
+      buttons_[k]->setToolTip(tr("Show this color, so that its range can be changed by hand"));
       buttons_[k]->setIcon(swatchOf(colorOf(colors_[k]), *this));
       buttons_[k]->setChecked(static_cast<int>(k) == chosen_);
     }
@@ -100,7 +100,7 @@ void ColorChoice::updateButtons() {
 void ColorChoice::retranslate() {
   setAccessibleName(tr("Colors of the target"));
   remove_->setText(tr("Remove"));
-  remove_->setToolTip(tr("Take this color away from the target, with the samples that show it"));
+  remove_->setToolTip(tr("Remove this color from the target, and the samples that show it"));
   updateButtons();
 }
 

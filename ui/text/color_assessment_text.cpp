@@ -105,8 +105,8 @@ QString colorAssessmentText(const ColorAssessment& assessment,
   }
   QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
   if (assessment.sampleLeftOut) {
-    sentences << ColorText::tr("One sample hardly matches what was learned: what is around has its "
-                               "color too, or it shows something else.");
+    sentences << ColorText::tr("One sample hardly matches the learned color: much around it looks "
+                               "the same, or it shows something else.");
   }
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();

@@ -78,8 +78,8 @@ std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
                     inPercent(*assessment.backgroundShareOfWhole)));
   }
   if (assessment.sampleLeftOut) {
-    sentences.emplace_back("One sample hardly matches what was learned: what is around has its "
-                           "color too, or it shows something else.");
+    sentences.emplace_back("One sample hardly matches the learned color: much around it looks the "
+                           "same, or it shows something else.");
   }
   for (const DistractorRegion& region : assessment.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;

@@ -168,8 +168,9 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
     fmt::print("{}\n", rangeSentence(range));
   }
   if (!lesson.color.others.empty()) {
-    fmt::print("The samples show {} colors: what lies in any of these ranges is the target's.\n",
-               lesson.color.ranges().size());
+    fmt::print(
+        "The samples show {} colors: what lies in any of their ranges counts as the target.\n",
+        lesson.color.ranges().size());
   }
   for (const std::string& text : assessmentSentences(lesson.color.assessment, cameras)) {
     fmt::print("{}\n", text);

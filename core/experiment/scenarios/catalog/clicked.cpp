@@ -20,6 +20,9 @@
 namespace dewpoint::experiment::scenarios {
 namespace {
 
+/// Of a disc's radius, where people click; chosen: nobody clicks on the rim itself.
+constexpr double kClickedWithin = 0.8;
+
 /// Where somebody clicks: a camera, and a point of the ball's disc as its camera sees it, in radii
 /// to the right and down.
 struct Click {
@@ -29,10 +32,9 @@ struct Click {
 
 /// Anywhere on the disc but its rim.
 Click drawClick(Draws& draws, std::size_t cameras) {
-  constexpr double kWithin = 0.8; // of the disc's radius; chosen: nobody clicks on the rim itself
   Click click;
   click.camera = static_cast<std::size_t>(draws.whole(0, static_cast<int>(cameras) - 1));
-  const double radius = kWithin * std::sqrt(draws.uniform(0.0, 1.0));
+  const double radius = kClickedWithin * std::sqrt(draws.uniform(0.0, 1.0));
   const double angle = draws.uniform(0.0, kFullTurn);
   click.aside = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   return click;
@@ -130,19 +132,18 @@ struct ShownColor {
   }
 };
 
-/// The colors of a ball at a time in a camera's image, within `kWithin` radii.
+/// The colors of a ball at a time in a camera's image, within `kClickedWithin` radii.
 std::vector<ShownColor> colorsShown(const Camera& camera, const simulation::StageBody& ball,
                                     double time) {
-  constexpr double kWithin = 0.8;
-  constexpr double kStep = 0.1;
+  constexpr double kStep = 0.1; // radii: some two hundred points are looked at
   const auto parts = ball.parts(time);
   const Eigen::Matrix3d axes = discAxes(camera, ball.path(time));
   std::vector<ShownColor> shown;
-  const int steps = static_cast<int>(std::lround(kWithin / kStep));
+  const int steps = static_cast<int>(std::lround(kClickedWithin / kStep));
   for (int i = -steps; i <= steps; ++i) {
     for (int j = -steps; j <= steps; ++j) {
       const Eigen::Vector2d aside(kStep * i, kStep * j);
-      if (aside.norm() > kWithin) {
+      if (aside.norm() > kClickedWithin) {
         continue;
       }
       const Eigen::Vector3d normal =
