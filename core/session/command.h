@@ -4,6 +4,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/world_box.h"
 #include "core/project/project.h"
+#include "core/session/playback_pace.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 
@@ -90,6 +91,10 @@ struct ShowShapes {
 struct SetThreads {
   int threads = 0;
 };
+/// How fast what plays goes on; it never changes the result.
+struct SetPace {
+  Pace pace;
+};
 /// A calibration board is shown to live cameras from now on, or no more: meanwhile no camera is
 /// taken for moved (CameraMotionWatch::setResting()).
 struct ShowBoard {
@@ -113,6 +118,6 @@ using Command =
                  command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
                  command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
                  command::ShowShapes, command::ShowBoard, command::SetPeople, command::SetThreads,
-                 command::SetVolumeOfInterest, command::SetCorrections>;
+                 command::SetVolumeOfInterest, command::SetCorrections, command::SetPace>;
 
 } // namespace dewpoint::session

@@ -70,19 +70,22 @@ bool RunDriver::takeFrame() {
   return true;
 }
 
-void RunDriver::iterateFrame() {
+void RunDriver::iterateFrame(FrameStep step) {
   // The frame shown first was already taken, but has had no iteration yet.
   const bool hasWaited = playback_.head() == Playback::Head::Taken;
   if (hasWaited) {
     recorder_.arriveNow();
   }
-  if (hasWaited || takeFrame()) {
-    if (const auto told = trackOneFrame(run(), observers_); !told) {
-      note(told.error());
+  if (hasWaited || playback_.head() == Playback::Head::Tracked || takeFrame()) {
+    const auto isDone = trackFrame(run(), observers_, step);
+    if (!isDone) {
+      note(isDone.error());
     }
     playback_.track(); // also without any target
     std::ranges::move(run().takeRefusals(), std::back_inserter(errors_));
-    record();
+    if (isDone.value_or(true)) {
+      record();
+    }
   }
   if (const auto again = playback_.reach(head())) {
     show(*again);
@@ -94,11 +97,11 @@ void RunDriver::record() {
   playback_.record();
 }
 
-void RunDriver::advance() {
+void RunDriver::advance(bool oneIteration) {
   if (playback_.viewed()) {
     showNext();
   } else {
-    iterateFrame();
+    iterateFrame(oneIteration ? FrameStep::OneIteration : FrameStep::WholeFrame);
   }
 }
 

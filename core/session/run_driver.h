@@ -14,6 +14,7 @@
 #include "core/session/session_inputs.h"
 #include "core/session/snapshot_builder.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -39,6 +40,10 @@ public:
   /// Of the input; there is one.
   double framesPerSecond() const { return source_->framesPerSecond(); }
   bool isLive() const { return source_->isLive(); }
+  /// Of the run.
+  std::int64_t iterations() const { return run().iterations(); }
+  /// Whether every target is held; also where there is none.
+  bool isHeld() const { return std::ranges::all_of(run().estimates(), tracking::isHeld); }
 
   // Playing.
   void play();
@@ -49,8 +54,9 @@ public:
   void stepIteration();
   /// False if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
-  /// What goes on by itself goes on: tracks a frame, or shows the next one of the past.
-  void advance();
+  /// What goes on by itself goes on: tracks a frame, or only the next iteration of it, or shows the
+  /// next frame of the past.
+  void advance(bool oneIteration = false);
 
   // Going back.
   void show(std::int64_t frame) { playback_.show(travel().nearest(frame), head()); }
@@ -102,7 +108,7 @@ private:
   Result<FrameSetPtr> nextFrames();
   /// Takes the next frame set; false at the end, on an error, or when nothing came (live).
   bool takeFrame();
-  void iterateFrame();
+  void iterateFrame(FrameStep step = FrameStep::WholeFrame);
   void showNext();
   void record();
 

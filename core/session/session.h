@@ -123,6 +123,7 @@ public:
   void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
   void setShapesWanted(bool wanted) { send(command::ShowShapes{wanted}); }
   void setFilterThreads(int threads) { send(command::SetThreads{threads}); }
+  void setPace(const Pace& pace) { send(command::SetPace{pace}); }
   void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }
   void setPeople(const std::vector<PersonCorrection>& people) { send(command::SetPeople{people}); }
   void setCorrections(const std::vector<PositionCorrection>& corrections) {

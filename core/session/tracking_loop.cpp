@@ -35,9 +35,7 @@ void TrackingLoop::run(const std::stop_token& stop) {
       addMaps(stop);
     }
     if (!stop.stop_requested() && playback().goesOn()) {
-      planNextFrame();
-      driver_.advance();
-      publish(usual());
+      goOn();
     }
   }
 }
@@ -47,15 +45,38 @@ std::optional<TrackingLoop::Clock::time_point> TrackingLoop::deadline() const {
   if (isIncomplete || (playback().goesOn() && playback().rerunning())) {
     return Clock::now();
   }
-  return playback().goesOn() ? std::optional(nextFrameDue_) : std::nullopt;
+  return playback().goesOn() ? std::optional(nextStepDue_) : std::nullopt;
 }
 
-void TrackingLoop::planNextFrame() {
-  const auto now = Clock::now();
-  const auto period = std::chrono::duration_cast<Clock::duration>(
-      std::chrono::duration<double>(1.0 / std::max(1.0, driver_.framesPerSecond())));
-  const bool atOnce = playback().rerunning() || (driver_.isLive() && !playback().viewed());
-  nextFrameDue_ = atOnce ? now : std::max(nextFrameDue_ + period, now);
+PlaybackPace::Situation TrackingLoop::situation() const {
+  const bool isReplaying = playback().viewed().has_value();
+  return {.framesPerSecond = driver_.framesPerSecond(),
+          .isHurried = playback().rerunning() || (driver_.isLive() && !isReplaying),
+          .isReplaying = isReplaying,
+          .iterations = driver_.iterations(),
+          .isHeld = driver_.isHeld()};
+}
+
+void TrackingLoop::planFirstStep() {
+  const PlaybackPace::Step step = pace_.next(situation());
+  nextStepDue_ = Clock::now();
+  if (step.isIteration) { // first it is seen what is known before it
+    nextStepDue_ += std::chrono::duration_cast<Clock::duration>(step.period);
+  }
+}
+
+void TrackingLoop::goOn() {
+  const auto begin = Clock::now();
+  driver_.advance(pace_.next(situation()).isIteration);
+  publish(usual());
+  const PlaybackPace::Situation now = situation();
+  const auto period = std::chrono::duration_cast<Clock::duration>(pace_.next(now).period);
+  nextStepDue_ = now.isHurried ? begin : std::max(nextStepDue_ + period, begin);
+}
+
+TrackingLoop::Publish TrackingLoop::usual() const {
+  const bool isFast = playback().goesOn() && pace_.pace().speed > 1.0 && !driver_.isLive();
+  return playback().rerunning() || isFast ? Publish::NowAndThen : Publish::Now;
 }
 
 void TrackingLoop::publish(Publish how) {
@@ -83,7 +104,7 @@ void TrackingLoop::carryOut(const Command& command) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::Play&) {
   driver_.play();
-  nextFrameDue_ = Clock::now();
+  planFirstStep();
   return Publish::Now;
 }
 
@@ -104,7 +125,7 @@ TrackingLoop::Publish TrackingLoop::handle(const command::StepIteration&) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::Restart& request) {
   driver_.restart(request.seed);
-  nextFrameDue_ = Clock::now();
+  planFirstStep();
   return Publish::Now;
 }
 
@@ -117,7 +138,7 @@ TrackingLoop::Publish TrackingLoop::handle(const command::Configure& request) {
 
 TrackingLoop::Publish TrackingLoop::handle(const command::SetMethod& request) {
   driver_.setMethod(request);
-  nextFrameDue_ = Clock::now();
+  planFirstStep();
   return Publish::Now;
 }
 
@@ -155,6 +176,12 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetCorrections& reques
 
 TrackingLoop::Publish TrackingLoop::handle(const command::SetThreads& request) {
   driver_.setThreads(request.threads);
+  return Publish::Now;
+}
+
+TrackingLoop::Publish TrackingLoop::handle(const command::SetPace& request) {
+  pace_.set(request.pace);
+  planFirstStep();
   return Publish::Now;
 }
 

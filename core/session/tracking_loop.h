@@ -3,6 +3,7 @@
 
 #include "core/session/command_queue.h"
 #include "core/session/frames/frame_tap.h"
+#include "core/session/playback_pace.h"
 #include "core/session/run_driver.h"
 #include "core/session/run_log.h"
 #include "core/session/snapshot_builder.h"
@@ -51,6 +52,7 @@ private:
   Publish handle(const command::SetVolumeOfInterest& request);
   Publish handle(const command::SetCorrections& request);
   Publish handle(const command::SetThreads& request);
+  Publish handle(const command::SetPace& request);
   Publish handle(const command::ShowMasks& request);
   Publish handle(const command::ShowMaps& request);
   Publish handle(const command::ShowShapes& request);
@@ -60,12 +62,17 @@ private:
   Publish handle(const command::Rerun& request);
 
   const Playback& playback() const { return driver_.playback(); }
+  PlaybackPace::Situation situation() const;
   /// When the thread has something to do again, unless a command comes; nothing: not by itself.
   std::optional<Clock::time_point> deadline() const;
-  /// A slow step must not be followed by a burst: the clock is moved on, frames are never skipped.
-  void planNextFrame();
-  /// As often as is of use: while past frames are tracked again, less often than every frame.
-  Publish usual() const { return playback().rerunning() ? Publish::NowAndThen : Publish::Now; }
+  /// Does the step that is due, and plans the one after it. A slow step must not be followed by a
+  /// burst: the clock is moved on, frames are never skipped.
+  void goOn();
+  /// Playing begins now, or goes on otherwise.
+  void planFirstStep();
+  /// As often as is of use: while past frames are tracked again, or frames are played faster than
+  /// in real time, less often than every frame.
+  Publish usual() const;
   void publish(Publish how);
   void addMaps(const std::stop_token& stop);
 
@@ -76,7 +83,8 @@ private:
   SnapshotBuilder builder_;
   RunDriver driver_;
   Clock::time_point published_;
-  Clock::time_point nextFrameDue_ = Clock::now();
+  PlaybackPace pace_;
+  Clock::time_point nextStepDue_ = Clock::now();
 };
 
 } // namespace dewpoint::session

@@ -40,5 +40,30 @@ TEST_P(ADriverThatGoesBackTwice, LosesNoFrame) {
 INSTANTIATE_TEST_SUITE_P(Orders, ADriverThatGoesBackTwice,
                          testing::Values(std::pair(8, 4), std::pair(4, 8), std::pair(4, 4)));
 
+/// A run of several iterations per frame over all frames of its input; its trajectory.
+Trajectory trackAll(bool iterationByIteration) {
+  FrameTapSlot tap;
+  RunLog log;
+  const TruthTable truth{Trajectory()};
+  SessionInputs inputs = drawnInputs("barrera", kFrames);
+  inputs.project.parameters.set("iterations_per_frame", 5);
+  RunDriver driver(std::move(inputs), tap, log, truth);
+  driver.start();
+  driver.play();
+  int steps = 0;
+  for (; driver.playback().goesOn() && steps < 1000; ++steps) {
+    // Also a frame that was begun one by one and is finished at once.
+    driver.advance(iterationByIteration && steps != 7);
+  }
+  EXPECT_EQ(steps > 2 * kFrames, iterationByIteration);
+  return log.trajectory();
+}
+
+TEST(RunDriver, TracksTheSameIterationByIteration) {
+  const Trajectory whole = trackAll(false);
+  ASSERT_EQ(whole.samples.size(), std::size_t{kFrames});
+  EXPECT_TRUE(sameBits(trackAll(true), whole));
+}
+
 } // namespace
 } // namespace dewpoint::tests

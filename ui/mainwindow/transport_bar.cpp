@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/transport_bar.h"
 
+#include "ui/mainwindow/speed_button.h"
 #include "ui/text/retranslation.h"
 #include "ui/workbench/workbench.h"
 
@@ -48,6 +49,7 @@ TransportBar::TransportBar(const Workbench& bench) {
     static_cast<QToolButton*>(widgetForAction(bench.action(id)))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
+  insertWidget(actions().at(1), new SpeedButton(bench)); // beside Play
   widgetForAction(bench.action("actionPlay"))
       ->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Pause")) + 40);
 }

@@ -55,6 +55,7 @@ void WindowMenus::make() {
        nullptr, "actionImportCalibration", "actionExportCalibration"});
   add(tr("&Run"), "menuRun",
       {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
+       "actionSlower", "actionFaster", "actionNormalSpeed", "actionSlowStart", nullptr,
        "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",
        "actionPreviousMark", "actionNextMark", "actionZoomToSpan", nullptr, "actionRestart",
        "actionRestartNewSeed", nullptr, "actionFilterThreads", "actionExperiments"});

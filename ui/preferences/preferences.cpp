@@ -17,6 +17,7 @@ constexpr QLatin1String kWindowGeometry("window/geometry");
 constexpr QLatin1String kRecentProjects("recentProjects");
 constexpr QLatin1String kLastFolder("lastFolder");
 constexpr QLatin1String kFilterThreads("filter/threads");
+constexpr QLatin1String kSlowUntilHeld("playback/slowUntilHeld");
 constexpr QLatin1String kShortcuts("shortcuts/");
 constexpr QLatin1String kPlotsShown("plots/shown");
 constexpr QLatin1String kPlotsOverTime("plots/overTime");
@@ -93,6 +94,14 @@ int Preferences::filterThreads() const {
 
 void Preferences::setFilterThreads(int threads) {
   write(kFilterThreads, std::max(0, threads));
+}
+
+bool Preferences::slowUntilHeld() const {
+  return read(kSlowUntilHeld, true).toBool();
+}
+
+void Preferences::setSlowUntilHeld(bool slow) {
+  write(kSlowUntilHeld, slow);
 }
 
 std::optional<QKeySequence> Preferences::shortcut(const QString& action) const {

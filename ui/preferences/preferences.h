@@ -56,6 +56,10 @@ public:
   int filterThreads() const;
   void setFilterThreads(int threads);
 
+  /// Whether a run is played iteration by iteration until every target is held (Pace).
+  bool slowUntilHeld() const;
+  void setSlowUntilHeld(bool slow);
+
   /// A shortcut that was chosen for an action (an empty one: none); nothing: as declared.
   std::optional<QKeySequence> shortcut(const QString& action) const;
   void setShortcut(const QString& action, const std::optional<QKeySequence>& shortcut);

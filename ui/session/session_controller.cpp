@@ -134,6 +134,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());
   connect(bridge_, &SessionBridge::snapshotChanged, this, &SessionController::publish);
+  bridge_->session().setPace(pace_);
   Q_EMIT runStarted();
   publish(bridge_->session().newest());
   if (playOnOpen_ && !waits) {
@@ -227,6 +228,17 @@ void SessionController::play() {
   if (bridge_ != nullptr) {
     bridge_->session().play();
   }
+}
+
+void SessionController::setPace(const Pace& pace) {
+  if (pace == pace_) {
+    return;
+  }
+  pace_ = pace;
+  if (bridge_ != nullptr) {
+    bridge_->session().setPace(pace_);
+  }
+  Q_EMIT paceChanged(pace_);
 }
 
 void SessionController::togglePlay() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/playback_pace.h"
 #include "ui/session/project_loader.h"
 
 #include <QObject>
@@ -57,6 +58,9 @@ public:
   /// Plays or pauses; at the end, plays from the beginning.
   void togglePlay();
   void play();
+  /// How fast this run and those to come are played.
+  void setPace(const Pace& pace);
+  const Pace& pace() const { return pace_; }
   /// From the beginning, with another seed or the same.
   void restart(bool newSeed);
   /// The filter of the run goes on with as many threads as the preferences say.
@@ -94,6 +98,7 @@ Q_SIGNALS:
   void iterationsLogged(const LoggedIterations& iterations);
   /// Something of the project cannot be used: the sentence why.
   void failed(const QString& sentence);
+  void paceChanged(const Pace& pace);
 
 private:
   /// How far one of the session's logs was read.
@@ -117,6 +122,7 @@ private:
   SessionBridge* bridge_ = nullptr;
   int starts_ = 0; ///< of runs, and closings: a start that was overtaken does not happen
   bool playOnOpen_ = true;
+  Pace pace_;
   TrackSnapshotPtr shown_;
   TrackSnapshotPtr filledFrom_; ///< what filled_ was made of
   TrackSnapshotPtr filled_;

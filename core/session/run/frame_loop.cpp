@@ -6,20 +6,27 @@
 
 namespace dewpoint::session {
 
-Status trackOneFrame(TrackingRun& run, FrameObservers observers) {
-  const int iterations = run.iterationsPerFrame();
-  for (int k = 0; k < iterations; ++k) {
+Result<bool> trackFrame(TrackingRun& run, FrameObservers observers, FrameStep step) {
+  for (int left = run.iterationsPerFrame() - run.frameIterations(); left > 0; --left) {
     const double microseconds = run.iterate();
     for (FrameObserver* const observer : observers) {
       observer->iterated(run, microseconds);
     }
+    if (step == FrameStep::OneIteration && left > 1) {
+      return false;
+    }
   }
   for (FrameObserver* const observer : observers) {
     if (const auto told = observer->tracked(run); !told) {
-      return told;
+      return tl::make_unexpected(told.error());
     }
   }
-  return {};
+  return true;
+}
+
+Status trackOneFrame(TrackingRun& run, FrameObservers observers) {
+  const auto isDone = trackFrame(run, observers);
+  return isDone ? Status() : tl::make_unexpected(isDone.error());
 }
 
 Status trackOneFrame(TrackingRun& run, FrameSetPtr frames, FrameObservers observers) {

@@ -25,8 +25,14 @@ public:
 };
 using FrameObservers = std::span<FrameObserver* const>;
 
-/// Makes all iterations of the frame that the run has begun, and calls the observers in their
-/// order; the first error that one of them returns.
+enum class FrameStep { WholeFrame, OneIteration };
+
+/// Makes the iterations that are left of the frame that the run has begun, or only the next one,
+/// and calls the observers in their order. Returns whether the frame is done, or the first error
+/// that one of them returns.
+Result<bool> trackFrame(TrackingRun& run, FrameObservers observers,
+                        FrameStep step = FrameStep::WholeFrame);
+/// The whole frame that the run has begun.
 Status trackOneFrame(TrackingRun& run, FrameObservers observers);
 /// Takes a frame set and begins it first.
 Status trackOneFrame(TrackingRun& run, FrameSetPtr frames, FrameObservers observers);
