@@ -94,6 +94,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
     recorded.rotateDegrees = camera.rotateDegrees;
     recorded.mirrored = camera.mirrored;
     recorded.delay = camera.delay;
+    recorded.times = camera.times;
     recorded.width = camera.camera.intrinsics.width;
     recorded.height = camera.camera.intrinsics.height;
     cameras.push_back(std::move(recorded));

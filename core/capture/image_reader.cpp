@@ -2,6 +2,7 @@
 #include "core/capture/image_reader.h"
 
 #include "core/capture/natural_order.h"
+#include "core/capture/numbered_files.h"
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -31,6 +32,7 @@ public:
       : files_(std::move(files)), field_(std::move(field)) {}
 
   std::int64_t frameCount() const override { return std::ssize(files_); }
+  std::vector<std::int64_t> places() const override { return numberedPlaces(files_); }
   std::string fileOf(std::int64_t frame) const override {
     return files_[static_cast<std::size_t>(frame)];
   }

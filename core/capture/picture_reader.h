@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace dewpoint::capture {
 
@@ -21,6 +22,9 @@ public:
   /// Picture number `frame`; an empty picture at an end that is no error. The pixels are the
   /// caller's own. Fast when the numbers rise one by one.
   virtual Result<cv::Mat> read(std::int64_t frame) = 0;
+  /// Where each picture stands among those that should be there, from 0 on, rising, when some are
+  /// missing; empty: none is.
+  virtual std::vector<std::int64_t> places() const { return {}; }
   /// The file that picture comes from, for errors.
   virtual std::string fileOf(std::int64_t frame) const = 0;
 };

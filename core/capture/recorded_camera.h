@@ -24,6 +24,9 @@ struct RecordedCamera {
   std::function<cv::Mat(std::int64_t)> generate; ///< a fresh CV_8UC3 picture of that frame number
   std::int64_t generatedFrames = 0;
   bool mirrored = false; ///< left to right, after the rotation
+  /// A table of when its pictures were taken (readCaptureTimes()); empty: evenly, at the rate of
+  /// the recording. All cameras have one or none.
+  std::string times;
   /// Seconds by which its pictures are late: picture k shows what was k / rate - delay seconds
   /// after the beginning.
   double delay = 0.0;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/recording.h"
 
+#include "core/capture/capture_schedule.h"
+#include "core/capture/capture_times.h"
 #include "core/capture/frame_source.h"
 #include "core/capture/generated_reader.h"
 #include "core/capture/image_reader.h"
+#include "core/capture/numbered_files.h"
 #include "core/capture/picture.h"
 #include "core/capture/picture_reader.h"
 #include "core/capture/video_reader.h"
@@ -25,9 +28,8 @@ struct Camera {
   PictureShape shape;
   std::string path;
   PictureReaderPtr reader;
-  cv::Mat first;          ///< frame 0, decoded when the recording was opened; handed out once
-  double delay = 0.0;     ///< seconds
-  std::int64_t ahead = 0; ///< its pictures are taken from so many farther on
+  cv::Mat first; ///< frame 0, decoded when the recording was opened; handed out once
+  CaptureSchedule::CameraPictures pictures;
 };
 
 Result<cv::Mat> readShaped(Camera& camera, std::int64_t frame) {
@@ -41,53 +43,53 @@ Result<cv::Mat> readShaped(Camera& camera, std::int64_t frame) {
   return shaped(*picture, camera.shape, camera.reader->fileOf(frame));
 }
 
+std::vector<CaptureSchedule::CameraPictures> picturesOf(const std::vector<Camera>& cameras) {
+  std::vector<CaptureSchedule::CameraPictures> pictures(cameras.size());
+  std::ranges::transform(cameras, pictures.begin(), &Camera::pictures);
+  return pictures;
+}
+
 class Recording final : public FrameSetSource {
 public:
   Recording(std::vector<Camera> cameras, double rate, std::vector<Error> notices)
-      : cameras_(std::move(cameras)), rate_(rate), notices_(std::move(notices)) {
-    count_ = frames(*std::ranges::min_element(cameras_, {}, frames));
-    for (Camera& camera : cameras_) {
-      camera.ahead = std::llround(camera.delay * rate_);
-    }
-  }
+      : cameras_(std::move(cameras)), schedule_(picturesOf(cameras_), rate), rate_(rate),
+        notices_(std::move(notices)) {}
 
-  static std::int64_t frames(const Camera& camera) { return camera.reader->frameCount(); }
-
-  std::optional<std::int64_t> frameCount() const override { return count_; }
+  std::optional<std::int64_t> frameCount() const override { return schedule_.frameCount(); }
   double framesPerSecond() const override { return rate_; }
   std::vector<Error> notices() const override { return notices_; }
 
   Result<FrameSetPtr> next() override {
-    if (next_ >= count_) {
+    if (next_ >= schedule_.frameCount()) {
       return FrameSetPtr();
     }
     auto set = std::make_shared<FrameSet>();
     set->index = next_;
     set->time = timeStamp(static_cast<double>(next_) / rate_);
-    for (Camera& camera : cameras_) {
-      const std::int64_t number = next_ + camera.ahead;
-      if (number < 0 || number >= frames(camera)) {
+    for (std::size_t k = 0; k < cameras_.size(); ++k) {
+      const auto scheduled = schedule_.pictureOf(k, next_);
+      if (!scheduled) {
         set->frames.push_back(nullptr);
         continue;
       }
-      auto picture = readShaped(camera, number);
+      auto picture = readShaped(cameras_[k], scheduled->number);
       if (!picture) {
         return tl::make_unexpected(picture.error());
       }
       if (picture->empty()) {
         return FrameSetPtr();
       }
-      const TimeStamp taken = timeStamp(static_cast<double>(number) / rate_ - camera.delay);
-      set->frames.push_back(std::make_shared<Frame>(Frame{number, taken, std::move(*picture)}));
+      set->frames.push_back(std::make_shared<Frame>(
+          Frame{scheduled->number, timeStamp(scheduled->time), std::move(*picture)}));
     }
     ++next_;
     return set;
   }
 
   Status seek(std::int64_t frame) override {
-    if (frame < 0 || frame > count_) {
+    if (frame < 0 || frame > schedule_.frameCount()) {
       return failure(ErrorCode::BadValue, "", "frame",
-                     fmt::format("{} is not between 0 and {}", frame, count_));
+                     fmt::format("{} is not between 0 and {}", frame, schedule_.frameCount()));
     }
     next_ = frame;
     return {};
@@ -95,9 +97,9 @@ public:
 
 private:
   std::vector<Camera> cameras_;
+  CaptureSchedule schedule_;
   double rate_;
   std::vector<Error> notices_;
-  std::int64_t count_ = 0;
   std::int64_t next_ = 0;
 };
 
@@ -114,13 +116,43 @@ Result<PictureReaderPtr> openReader(const RecordedCamera& camera) {
   return openGeneratedReader(camera, field);
 }
 
+/// What a table of times may call a camera: its name, or the number at the end of the name of its
+/// file or of its own.
+std::vector<std::string> idsOf(const RecordedCamera& camera) {
+  std::vector<std::string> ids{camera.name};
+  for (const std::string& name :
+       {std::filesystem::path(camera.path).stem().string(), camera.name}) {
+    if (const auto number = numberAtEnd(name)) {
+      ids.push_back(std::to_string(*number));
+    }
+  }
+  return ids;
+}
+
+Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraPictures& pictures) {
+  if (description.times.empty()) {
+    return {};
+  }
+  const std::string field = cameraField(description.name);
+  auto times = readCaptureTimes(description.times, idsOf(description), field);
+  if (!times) {
+    return tl::make_unexpected(times.error());
+  }
+  if (std::ssize(*times) != pictures.count) {
+    return failure(
+        ErrorCode::Mismatch, description.times, field,
+        fmt::format("it has {} times, but there are {} pictures", times->size(), pictures.count));
+  }
+  pictures.times = std::move(*times);
+  return {};
+}
+
 /// Opens one camera and decodes its first picture, so that what can be wrong is said at once.
 Result<Camera> openCamera(const RecordedCamera& description) {
   Camera camera;
   camera.shape = {description.name, description.rotateDegrees, description.width,
                   description.height, description.mirrored};
   camera.path = description.path;
-  camera.delay = description.delay;
   if (auto usable = checkShape(camera.shape, camera.path); !usable) {
     return tl::make_unexpected(usable.error());
   }
@@ -134,6 +166,11 @@ Result<Camera> openCamera(const RecordedCamera& description) {
     return tl::make_unexpected(first.error());
   }
   camera.first = std::move(*first);
+  camera.pictures = {camera.reader->frameCount(), description.delay, std::nullopt,
+                     camera.reader->places()};
+  if (auto timed = addTimes(description, camera.pictures); !timed) {
+    return tl::make_unexpected(timed.error());
+  }
   return camera;
 }
 
@@ -145,16 +182,19 @@ std::string nameOf(const Camera& camera) {
 
 /// Says which cameras differ when they do; `what` lists each with its own number.
 void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& notices) {
-  const auto [shortest, longest] = std::ranges::minmax_element(cameras, {}, Recording::frames);
-  if (Recording::frames(*shortest) != Recording::frames(*longest)) {
+  const auto lengthOf = [](const Camera& camera) {
+    return CaptureSchedule::lengthOf(camera.pictures);
+  };
+  const auto [shortest, longest] = std::ranges::minmax_element(cameras, {}, lengthOf);
+  // By their times cameras need not have as many pictures.
+  if (lengthOf(*shortest) != lengthOf(*longest) && !shortest->pictures.times) {
     std::string list;
     for (const Camera& camera : cameras) {
       list += fmt::format("{}{}: {} pictures", list.empty() ? "" : ", ", nameOf(camera),
-                          Recording::frames(camera));
+                          lengthOf(camera));
     }
-    notices.push_back(
-        {ErrorCode::Mismatch, shortest->path, cameraField(shortest->shape.camera),
-         fmt::format("{}; only the first {} are used", list, Recording::frames(*shortest))});
+    notices.push_back({ErrorCode::Mismatch, shortest->path, cameraField(shortest->shape.camera),
+                       fmt::format("{}; only the first {} are used", list, lengthOf(*shortest))});
   }
   const Camera* reference = nullptr;
   for (const Camera& camera : cameras) {
@@ -175,9 +215,35 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
   }
 }
 
+/// The name of the file after which a picture is missing.
+std::string firstFileBeforeGap(const Camera& camera) {
+  const auto& places = camera.pictures.places;
+  std::int64_t number = 0;
+  while (places[static_cast<std::size_t>(number)] == number) {
+    ++number;
+  }
+  return std::filesystem::path(camera.reader->fileOf(number - 1)).filename().string();
+}
+
+/// Says of which camera numbered pictures are missing.
+void noteGaps(const std::vector<Camera>& cameras, std::vector<Error>& notices) {
+  for (const Camera& camera : cameras) {
+    const std::int64_t gaps = CaptureSchedule::lengthOf(camera.pictures) - camera.pictures.count;
+    if (gaps > 0 && !camera.pictures.times) {
+      notices.push_back({ErrorCode::Mismatch, camera.path, cameraField(camera.shape.camera),
+                         fmt::format("{} pictures are missing by their numbers, the first after "
+                                     "{}; the camera has no image then",
+                                     gaps, firstFileBeforeGap(camera))});
+    }
+  }
+}
+
 double rateOf(const std::vector<Camera>& cameras, double requested) {
   if (requested > 0) {
     return requested;
+  }
+  if (const double byTimes = CaptureSchedule::rateOf(picturesOf(cameras)); byTimes > 0) {
+    return byTimes;
   }
   for (const Camera& camera : cameras) {
     if (camera.reader->framesPerSecond() > 0) {
@@ -206,8 +272,16 @@ Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<Recorded
     }
     opened.push_back(std::move(*camera));
   }
+  const auto hasTimes = [](const Camera& camera) { return camera.pictures.times.has_value(); };
+  if (std::ranges::any_of(opened, hasTimes)) {
+    if (const auto without = std::ranges::find_if_not(opened, hasTimes); without != opened.end()) {
+      return failure(ErrorCode::MissingKey, without->path, cameraField(without->shape.camera),
+                     "other cameras have a table of times, and this one has none");
+    }
+  }
   std::vector<Error> notices;
   noteDifferences(opened, notices);
+  noteGaps(opened, notices);
   const double rate = rateOf(opened, framesPerSecond);
   return std::make_unique<Recording>(std::move(opened), rate, std::move(notices));
 }

@@ -31,6 +31,9 @@ struct ProjectCamera {
   /// Absolute path of an image, a video or a folder of images that show the scene without any
   /// target, not yet rotated; empty: there is none.
   std::string emptyRoom = {};
+  /// Absolute path of a table that says when each of its images was taken (recordings); empty:
+  /// they were taken evenly.
+  std::string times = {};
   /// Seconds by which its images are late: what they show was so much before their time. Of
   /// recordings the image nearest in time is taken; methods that know of times use the rest.
   double delay = 0.0;

@@ -8,7 +8,8 @@ namespace {
 
 bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
   return a.camera.name == b.camera.name && a.source == b.source && a.location == b.location &&
-         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.delay == b.delay;
+         a.rotateDegrees == b.rotateDegrees && a.mirrored == b.mirrored && a.delay == b.delay &&
+         a.times == b.times;
 }
 
 bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {

@@ -82,6 +82,7 @@ void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) 
   }
   reader.boolean("mirror", camera.mirrored);
   reader.number("late_by", camera.delay, -kLatest, kLatest);
+  camera.times = readPath(reader, "times", folder).string();
 }
 
 bool hasSource(const toml::table& camera) {

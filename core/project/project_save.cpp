@@ -44,6 +44,9 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.delay != 0.0) {
     text += fmt::format("late_by = {}   # seconds that its images are late\n", camera.delay);
   }
+  if (!camera.times.empty()) {
+    text += "times = " + storedPath(camera.times, folder) + "   # when each image was taken\n";
+  }
   if (!camera.emptyRoom.empty()) {
     text += "empty_room = " + storedPath(camera.emptyRoom, folder) + "\n";
   }

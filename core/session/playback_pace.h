@@ -31,7 +31,7 @@ public:
   /// Iterations per second while they are played one by one.
   static constexpr double kSlowIterations = 5.0;
   /// How long the particles are shown as they are before the first iteration.
-  static constexpr Seconds kBeforeFirst{0.8};
+  static constexpr Seconds kBeforeFirst{1.5};
   /// After so many iterations of a run (five seconds) it plays on even if a target is not held: it
   /// may not be there yet.
   static constexpr std::int64_t kMostSlowIterations = 25;

@@ -19,6 +19,7 @@ video = "left.mkv"
 rotate = 90
 mirror = true
 late_by = 0.012
+times = "times.csv"
 [camera.calibration]
 size = [640, 480]
 matrix = [[500.0, 0, 319.5], [0, 510.0, 239.5], [0, 0, 1]]
@@ -75,6 +76,7 @@ TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   EXPECT_TRUE(project->points[1].clicks.empty());
   EXPECT_TRUE(project->cameras[0].mirrored);
   EXPECT_EQ(project->cameras[0].delay, 0.012);
+  EXPECT_EQ(std::filesystem::path(project->cameras[0].times).filename(), "times.csv");
 }
 
 constexpr const char* kVolume = "\n[volume_of_interest]\nmin = [-1, 0.5, 0]\nmax = [2, 3, 2.25]\n";
@@ -133,11 +135,13 @@ TEST(ProjectRoom, WithoutThemAFileIsAsBefore) {
   project->points.clear();
   project->cameras[0].mirrored = false;
   project->cameras[0].delay = 0.0;
+  project->cameras[0].times.clear();
   const std::string text = projectText(*project, {});
   EXPECT_EQ(text.find("[grid"), std::string::npos);
   EXPECT_EQ(text.find("[[point"), std::string::npos);
   EXPECT_EQ(text.find("mirror"), std::string::npos);
   EXPECT_EQ(text.find("late_by"), std::string::npos);
+  EXPECT_EQ(text.find("times"), std::string::npos);
 }
 
 TEST(ProjectRoom, NamesWhatIsWrong) {
@@ -169,6 +173,9 @@ TEST(ProjectRoom, ChangesAreToldApart) {
   EXPECT_TRUE(changesBetween(*project, other).sources);
   other = *project;
   other.cameras[0].delay = 0.0;
+  EXPECT_TRUE(changesBetween(*project, other).sources);
+  other = *project;
+  other.cameras[0].times.clear();
   EXPECT_TRUE(changesBetween(*project, other).sources);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
+#include "app/wiring/open_project.h"
 #include "core/project/project_save.h"
 #include "core/session/run/empty_rooms.h"
 #include "core/setup/footage.h"
@@ -24,6 +25,7 @@ struct NewOptions {
   bool connected = false;
   std::string calibration;
   std::vector<std::string> emptyRooms;
+  std::string times;
   bool force = false;
   NewProject project;
 };
@@ -120,6 +122,14 @@ int makeNew(NewOptions& options) {
   if (const auto added = addEmptyRooms(options.emptyRooms, made->project); !added) {
     return report(added.error());
   }
+  if (!options.times.empty()) {
+    for (ProjectCamera& camera : made->project.cameras) {
+      camera.times = std::filesystem::absolute(options.times).lexically_normal().string();
+    }
+    if (const auto opened = openInputs(made->project); !opened) { // what is wrong is said now
+      return report(opened.error());
+    }
+  }
   // A folder that is missing is made; if it cannot be, writing says why.
   std::error_code problem;
   std::filesystem::create_directories(std::filesystem::absolute(options.file).parent_path(),
@@ -158,6 +168,8 @@ void addNewCommand(CLI::App& app, int& exitCode) {
   command->add_option("--empty-room", options->emptyRooms,
                       "NAME=FILE: image, video or folder of images in which that camera shows the "
                       "scene without any target");
+  command->add_option("--times", options->times,
+                      "Table (CSV) of when each image of each camera was taken");
   command->add_option("--name", options->project.name, "Name of the project");
   command->add_option("--rate", options->project.framesPerSecond, "Images per second of folders")
       ->check(CLI::Range(0.1, 10000.0));

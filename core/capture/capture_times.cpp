@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_times.h"
+
+#include "core/base/text_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace dewpoint::capture {
+namespace {
+
+constexpr std::array kTimeColumns{"time", "timestamp", "frame_time", "t"};
+constexpr std::array<std::pair<std::string_view, double>, 5> kTimeUnits{
+    {{"", 1.0}, {"_s", 1.0}, {"_ms", 1e-3}, {"_us", 1e-6}, {"_ns", 1e-9}}};
+constexpr std::array kCameraColumns{"cam_id", "camera", "camera_id", "cam", "port", "device"};
+
+using Cells = std::vector<std::string_view>;
+
+std::string_view trimmedCell(std::string_view text) {
+  const auto isOuter = [](char c) {
+    return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '"';
+  };
+  while (!text.empty() && isOuter(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && isOuter(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+/// What separates the cells of a line: the first of these that is in it.
+char separatorOf(std::string_view line) {
+  for (const char separator : {',', ';', '\t', ' '}) {
+    if (line.find(separator) != std::string_view::npos) {
+      return separator;
+    }
+  }
+  return ',';
+}
+
+Cells cellsOf(std::string_view line) {
+  const char separator = separatorOf(line);
+  Cells cells;
+  while (true) {
+    const auto end = line.find(separator);
+    const std::string_view cell = trimmedCell(line.substr(0, end));
+    if (separator != ' ' || !cell.empty()) {
+      cells.push_back(cell);
+    }
+    if (end == std::string_view::npos) {
+      return cells;
+    }
+    line.remove_prefix(end + 1);
+  }
+}
+
+std::optional<double> numberIn(std::string_view cell) {
+  double value = 0.0;
+  const auto [stop, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  const bool isWhole = problem == std::errc() && stop == cell.data() + cell.size();
+  return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+struct Columns {
+  std::size_t time = 0;
+  double unit = 1.0; ///< seconds
+  std::optional<std::size_t> camera;
+};
+
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+/// Nothing: no column is one of times.
+std::optional<Columns> columnsOf(const Cells& heading) {
+  Columns columns;
+  bool isFound = false;
+  for (std::size_t k = 0; k < heading.size(); ++k) {
+    const std::string name = lowered(heading[k]);
+    for (const auto& [ending, unit] : kTimeUnits) {
+      const bool isTime = std::ranges::any_of(kTimeColumns, [&](const char* column) {
+        return name == fmt::format("{}{}", column, ending);
+      });
+      if (isTime && !isFound) {
+        isFound = true;
+        columns.time = k;
+        columns.unit = unit;
+      }
+    }
+    if (!columns.camera && std::ranges::find(kCameraColumns, name) != kCameraColumns.end()) {
+      columns.camera = k;
+    }
+  }
+  return isFound ? std::optional(columns) : std::nullopt;
+}
+
+struct TimeLine {
+  std::string_view camera;
+  double time = 0.0; ///< seconds
+};
+
+/// All lines of a table of times; fails by line.
+class TimeTable {
+public:
+  TimeTable(const std::string& file, const std::string& field) : file_(file), field_(field) {}
+
+  Status read(std::string_view text);
+  bool namesCameras() const { return columns_ && columns_->camera; }
+  const std::vector<TimeLine>& lines() const { return lines_; }
+
+private:
+  Status readLine(std::string_view line);
+
+  const std::string& file_;
+  const std::string& field_;
+  std::size_t number_ = 0;
+  std::optional<Columns> columns_;
+  std::vector<TimeLine> lines_;
+};
+
+Status TimeTable::read(std::string_view text) {
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    const std::string_view line = trimmedCell(text.substr(0, end));
+    ++number_;
+    if (!line.empty() && line.front() != '#') {
+      if (auto read = readLine(line); !read) {
+        return read;
+      }
+    }
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return {};
+}
+
+Status TimeTable::readLine(std::string_view line) {
+  const Cells cells = cellsOf(line);
+  if (!columns_) {
+    if (!numberIn(cells.back())) { // a heading
+      columns_ = columnsOf(cells);
+      return columns_ ? Status()
+                      : failure(ErrorCode::BadValue, file_, field_,
+                                "no column of it is called time_s, frame_time or timestamp");
+    }
+    columns_ = Columns{cells.size() - 1, 1.0, std::nullopt};
+  }
+  const std::size_t needed = std::max(columns_->time, columns_->camera.value_or(0));
+  const auto time = needed < cells.size() ? numberIn(cells[columns_->time]) : std::nullopt;
+  if (!time) {
+    return failure(ErrorCode::NotParsed, file_, field_,
+                   fmt::format("line {} has no time in column {}", number_, columns_->time + 1));
+  }
+  lines_.push_back(
+      {columns_->camera ? cells[*columns_->camera] : std::string_view(), *time * columns_->unit});
+  return {};
+}
+
+} // namespace
+
+Result<CaptureTimes> readCaptureTimes(const std::string& file, const std::vector<std::string>& ids,
+                                      const std::string& field) {
+  const auto text = readTextFile(file);
+  if (!text) {
+    Error error = text.error();
+    error.field = field;
+    return tl::make_unexpected(error);
+  }
+  TimeTable table(file, field);
+  if (auto read = table.read(*text); !read) {
+    return tl::make_unexpected(read.error());
+  }
+  CaptureTimes times;
+  const auto takeThoseOf = [&](std::string_view id) {
+    for (const TimeLine& line : table.lines()) {
+      if (line.camera == id) {
+        times.push_back(line.time);
+      }
+    }
+  };
+  if (table.namesCameras()) {
+    for (auto id = ids.begin(); id != ids.end() && times.empty(); ++id) {
+      takeThoseOf(*id);
+    }
+  } else {
+    takeThoseOf({});
+  }
+  if (times.empty()) {
+    return failure(ErrorCode::BadValue, file, field,
+                   table.namesCameras()
+                       ? fmt::format("it has no line of camera {}", fmt::join(ids, " or "))
+                       : "there is no time in it");
+  }
+  std::ranges::sort(times);
+  if (std::ranges::adjacent_find(times) != times.end()) {
+    return failure(
+        ErrorCode::BadValue, file, field,
+        fmt::format("two pictures have the time {} s", *std::ranges::adjacent_find(times)));
+  }
+  return times;
+}
+
+} // namespace dewpoint::capture
