@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace dewpoint::session {
 namespace {
@@ -113,6 +115,29 @@ CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                         [&](const AbsentEstimate&) { addPlace(its, target, overlay); }},
              target.estimate);
   return overlay;
+}
+
+double cloudRadius(const CameraOverlay& overlay) {
+  constexpr double kWithin = 0.9;
+  if (!overlay.estimate || overlay.particles.size() != overlay.weights.size()) {
+    return 0.0;
+  }
+  std::vector<std::pair<double, double>> apart; // distance and weight
+  double total = 0.0;
+  for (std::size_t i = 0; i < overlay.particles.size(); ++i) {
+    const double weight = overlay.weights[i];
+    apart.emplace_back((overlay.particles[i].cast<double>() - *overlay.estimate).norm(), weight);
+    total += weight;
+  }
+  std::ranges::sort(apart);
+  double within = 0.0;
+  for (const auto& [distance, weight] : apart) {
+    within += weight;
+    if (within >= kWithin * total) {
+      return distance;
+    }
+  }
+  return 0.0;
 }
 
 std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,

@@ -31,6 +31,11 @@ struct CameraOverlay {
   bool boxHidden = false;      ///< it is where the target is thought to be
 };
 
+/// The distance from the estimate, pixels, within which nine tenths of the weight of the particles
+/// lie: the size of what one sees as a cloud, however few light particles are far from it. 0
+/// without an estimate or particles.
+double cloudRadius(const CameraOverlay& overlay);
+
 /// A position that was considered for a target, as a circle in an image.
 struct ProposedOutline {
   Eigen::Vector2d center;

@@ -12,8 +12,8 @@
 namespace dewpoint::session {
 namespace {
 
-constexpr double kImageShare = 0.35; ///< of the brightness, where something else is shown
-constexpr double kTintShare = 0.65;
+constexpr double kTintShare = 0.25; ///< of the brightness, inside a mask
+constexpr double kEdgeShare = 0.4;  ///< of the brightness stays around the contour of a mask
 
 /// The color for a share of the way from the least to the most likely.
 cv::Vec4b heat(double share) {
@@ -40,11 +40,33 @@ cv::Mat tintedImage(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& ti
   cv::Mat color;
   cv::cvtColor(mask, color, cv::COLOR_GRAY2BGR);
   cv::LUT(color, tints, color);
-  cv::Mat result = image * kImageShare;
   cv::Mat bright;
-  cv::addWeighted(image, kImageShare, color, kTintShare, 0.0, bright);
+  cv::addWeighted(image, 1.0 - kTintShare, color, kTintShare, 0.0, bright);
+  cv::Mat result = image.clone();
   bright.copyTo(result, mask);
   return result;
+}
+
+void outlineMask(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints) {
+  cv::Mat fitted;
+  cv::resize(mask, fitted, view.size(), 0.0, 0.0, cv::INTER_NEAREST);
+  cv::Mat shrunk;
+  cv::Mat grown;
+  cv::erode(fitted, shrunk, cv::Mat());
+  cv::dilate(fitted, grown, cv::Mat());
+  const cv::Mat around = (grown != fitted) & (fitted == 0);
+  const cv::Mat dark = view * kEdgeShare;
+  dark.copyTo(view, around);
+  cv::Mat color;
+  cv::cvtColor(fitted, color, cv::COLOR_GRAY2BGR);
+  cv::LUT(color, tints, color);
+  color.copyTo(view, shrunk != fitted);
+}
+
+cv::Mat enlargedImage(const cv::Mat& image, const cv::Size& size) {
+  cv::Mat enlarged;
+  cv::resize(image, enlarged, size, 0.0, 0.0, cv::INTER_NEAREST);
+  return enlarged;
 }
 
 cv::Mat fittedImage(const cv::Mat& image, const cv::Size& size) {

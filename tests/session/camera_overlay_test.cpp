@@ -97,6 +97,21 @@ TEST(CameraOverlay, HasTheParticleOfHighestWeight) {
   EXPECT_FALSE(cameraOverlay(snapshot, 0, target).best);
 }
 
+TEST(CameraOverlay, LightParticlesFarAwayAreNotOfTheCloud) {
+  CameraOverlay overlay;
+  overlay.estimate = Eigen::Vector2d(100.0, 50.0);
+  for (int k = 0; k < 10; ++k) {
+    overlay.particles.emplace_back(100.0F + 0.1F * static_cast<float>(k), 50.0F);
+    overlay.weights.push_back(1.0F);
+  }
+  EXPECT_NEAR(cloudRadius(overlay), 0.8, 1e-5); // nine of ten
+  overlay.particles.emplace_back(100.0F, 300.0F);
+  overlay.weights.push_back(0.05F);
+  EXPECT_NEAR(cloudRadius(overlay), 0.9, 1e-5);
+  overlay.estimate.reset();
+  EXPECT_EQ(cloudRadius(overlay), 0.0);
+}
+
 TEST(CameraOverlay, EllipseIsThatOfASampledGaussian) {
   const auto snapshot = snapshotWithRig();
   TargetSnapshot target;

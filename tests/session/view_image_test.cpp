@@ -7,9 +7,9 @@
 namespace dewpoint::tests {
 namespace {
 
-// Two targets' pixels beside two that belong to nobody. Of (200, 100, 40) the view keeps 35 %: (70,
-// 35, 14); a tint of (20, 220, 120) adds 65 % of itself: (13, 143, 78).
-TEST(ViewImage, WhatHasNoTintStepsBack) {
+// Two targets' pixels beside two that belong to nobody, which stay as they are. Of (200, 100, 40) a
+// mask leaves 75 %: (150, 75, 30); a tint of (20, 220, 120) adds a quarter of itself: (5, 55, 30).
+TEST(ViewImage, AMaskTintsLightly) {
   const cv::Mat image(1, 4, CV_8UC3, cv::Scalar(200, 100, 40));
   cv::Mat mask(1, 4, CV_8UC1, cv::Scalar(0));
   mask.at<uchar>(1) = 255;
@@ -18,11 +18,31 @@ TEST(ViewImage, WhatHasNoTintStepsBack) {
   tints.at<cv::Vec3b>(255) = {20, 220, 120};
   tints.at<cv::Vec3b>(254) = {0, 0, 0};
   const cv::Mat shown = tintedImage(image, mask, tints);
-  EXPECT_EQ(shown.at<cv::Vec3b>(0), cv::Vec3b(70, 35, 14));
-  EXPECT_EQ(shown.at<cv::Vec3b>(1), cv::Vec3b(83, 178, 92));
-  EXPECT_EQ(shown.at<cv::Vec3b>(2), cv::Vec3b(70, 35, 14));
-  EXPECT_EQ(shown.at<cv::Vec3b>(3), cv::Vec3b(70, 35, 14));   // black adds nothing
+  EXPECT_EQ(shown.at<cv::Vec3b>(0), cv::Vec3b(200, 100, 40));
+  EXPECT_EQ(shown.at<cv::Vec3b>(1), cv::Vec3b(155, 130, 60));
+  EXPECT_EQ(shown.at<cv::Vec3b>(2), cv::Vec3b(200, 100, 40));
+  EXPECT_EQ(shown.at<cv::Vec3b>(3), cv::Vec3b(150, 75, 30));  // black adds nothing
   EXPECT_EQ(image.at<cv::Vec3b>(1), cv::Vec3b(200, 100, 40)); // it may be shared
+}
+
+TEST(ViewImage, AMaskHasAContour) {
+  cv::Mat mask(6, 6, CV_8UC1, cv::Scalar(0));
+  mask(cv::Rect(1, 1, 4, 4)).setTo(255);
+  cv::Mat tints(1, 256, CV_8UC3, cv::Scalar(20, 220, 120));
+  cv::Mat view(12, 12, CV_8UC3, cv::Scalar::all(100)); // twice as large
+  outlineMask(view, mask, tints);
+  EXPECT_EQ(view.at<cv::Vec3b>(6, 6), cv::Vec3b(100, 100, 100)); // inside
+  EXPECT_EQ(view.at<cv::Vec3b>(6, 2), cv::Vec3b(20, 220, 120));  // its border
+  EXPECT_EQ(view.at<cv::Vec3b>(6, 1), cv::Vec3b(40, 40, 40));    // and around it
+  EXPECT_EQ(view.at<cv::Vec3b>(6, 0), cv::Vec3b(100, 100, 100)); // outside
+}
+
+TEST(ViewImage, PixelsAreSquaresInAnEnlargedImage) {
+  cv::Mat image(1, 2, CV_8UC3, cv::Scalar::all(10));
+  image.at<cv::Vec3b>(0, 1) = {90, 80, 70};
+  const cv::Mat large = enlargedImage(image, {10, 5});
+  EXPECT_EQ(large.at<cv::Vec3b>(0, 4), cv::Vec3b(10, 10, 10));
+  EXPECT_EQ(large.at<cv::Vec3b>(4, 5), cv::Vec3b(90, 80, 70));
 }
 
 TEST(ViewImage, FitsAnImageIntoAView) {
