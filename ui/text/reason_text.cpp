@@ -49,6 +49,36 @@ QString cameraReasonText(const CameraReport& report) {
   return {};
 }
 
+QString cameraReasonHereText(const CameraReport& report) {
+  switch (report.status) {
+  case CameraStatus::Hidden:
+    return Reason::tr("hidden here");
+  case CameraStatus::OutOfView:
+    return Reason::tr("not in this picture");
+  case CameraStatus::None:
+  case CameraStatus::NoImage:
+  case CameraStatus::Covered:
+  case CameraStatus::Dark:
+  case CameraStatus::PartlyHidden:
+  case CameraStatus::Distractor:
+  case CameraStatus::NoColor:
+  case CameraStatus::Elsewhere:
+  case CameraStatus::Unclear:
+    break;
+  }
+  return cameraReasonText(report);
+}
+
+bool isBlind(const CameraReport& report) {
+  return report.status == CameraStatus::Hidden || report.status == CameraStatus::OutOfView ||
+         report.status == CameraStatus::Covered || report.status == CameraStatus::Dark ||
+         report.status == CameraStatus::NoColor;
+}
+
+QString cameraBlindText(const CameraReport& report) {
+  return QStringLiteral("◌ ") + cameraReasonHereText(report);
+}
+
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames) {
   QStringList parts;
   for (std::size_t k = 0; k < reports.size(); ++k) {

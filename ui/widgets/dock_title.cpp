@@ -56,9 +56,22 @@ void DockTitle::setState(HoldState state) {
 }
 
 void DockTitle::setReason(const QString& reason) {
+  showReason(reason, false);
+}
+
+void DockTitle::setReasonAlone(const QString& reason) {
+  showReason(reason, true);
+}
+
+void DockTitle::showReason(const QString& reason, bool alone) {
   if (reason_->text() != reason) {
     reason_->setText(reason);
     reason_->setToolTip(reason);
+  }
+  if (reasonAlone_ != alone) {
+    reasonAlone_ = alone;
+    state_->setVisible(!alone);
+    applyPalette();
   }
 }
 
@@ -95,6 +108,12 @@ void DockTitle::applyPalette() {
       state_->setPalette(colors);
     }
   }
+  QPalette colors; // of nothing in particular: that of the title
+  if (reasonAlone_) {
+    colors = palette();
+    colors.setColor(QPalette::WindowText, holdColor(HoldState::Hidden, palette()));
+  }
+  reason_->setPalette(colors);
 }
 
 } // namespace dewpoint::ui

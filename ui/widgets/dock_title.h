@@ -21,6 +21,8 @@ public:
   void setState(HoldState state);
   /// Why the state is what it is, in a few words; empty: nothing to say.
   void setReason(const QString& reason);
+  /// The same in place of the state, in the color of a target that is not seen.
+  void setReasonAlone(const QString& reason);
   /// Adds a widget (a small tool button) before the float button.
   void addTool(QWidget* tool);
 
@@ -34,6 +36,7 @@ protected:
 
 private:
   void applyPalette();
+  void showReason(const QString& reason, bool alone);
 
   QDockWidget* dock_;
   QLabel* name_;
@@ -42,6 +45,7 @@ private:
   QToolButton* float_;
   HoldState shown_ = HoldState::NoImages;
   bool stateful_ = false;
+  bool reasonAlone_ = false;
 };
 
 } // namespace dewpoint::ui

@@ -31,6 +31,17 @@ TEST(ReasonText, PixelsAreRoundedAndNeverZero) {
   EXPECT_EQ(text(CameraStatus::Elsewhere, 0.2), "its color is 1 px away");
 }
 
+TEST(ReasonText, AnImageSaysThatTheTargetIsHiddenInIt) {
+  EXPECT_EQ(cameraReasonHereText({CameraStatus::Hidden, 0.0}).toStdString(), "hidden here");
+  EXPECT_EQ(cameraReasonHereText({CameraStatus::OutOfView, 0.0}).toStdString(),
+            "not in this picture");
+  EXPECT_EQ(cameraReasonHereText({CameraStatus::Dark, 0.0}).toStdString(), "too dark");
+  EXPECT_EQ(cameraBlindText({CameraStatus::Hidden, 0.0}).toStdString(), "◌ hidden here");
+  EXPECT_TRUE(isBlind({CameraStatus::OutOfView, 0.0}));
+  EXPECT_FALSE(isBlind({CameraStatus::PartlyHidden, 0.0}));
+  EXPECT_FALSE(isBlind({CameraStatus::None, 0.0}));
+}
+
 TEST(ReasonText, OnlyCamerasInTroubleAreNamed) {
   const std::vector<CameraReport> reports{
       {CameraStatus::Hidden, 0.0}, {CameraStatus::None, 0.0}, {CameraStatus::Dark, 0.0}};
