@@ -209,6 +209,10 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Mark the particle of highest weight (MAP) of each target with "
                                     "a triangle, in all views"),
        nullptr, Qt::SHIFT | Qt::Key_E, true},
+      {"actionShowMagnifier", group, QT_TRANSLATE_NOOP("Actions", "Show magnifier"),
+       QT_TRANSLATE_NOOP("Actions", "Enlarge the particles of a target in a corner of the image "
+                                    "where they are too close together to be seen"),
+       nullptr, Qt::SHIFT | Qt::Key_I, true},
       {"actionShowVolumeOfInterest", group,
        QT_TRANSLATE_NOOP("Actions", "Show the volume of interest"),
        QT_TRANSLATE_NOOP("Actions", "Show the box in which targets are searched for, in the images "
@@ -218,6 +222,18 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Show the hull that holds 95 % of each person, and the density "
                                     "of each on the floor"),
        nullptr, Qt::Key_H, true},
+      {"actionZoomIn", group, QT_TRANSLATE_NOOP("Actions", "Zoom in"),
+       QT_TRANSLATE_NOOP("Actions", "Enlarge the camera image under the pointer, or that of the "
+                                    "selected camera (the wheel does the same)"),
+       nullptr, Qt::CTRL | Qt::Key_Plus},
+      {"actionZoomOut", group, QT_TRANSLATE_NOOP("Actions", "Zoom out"),
+       QT_TRANSLATE_NOOP("Actions", "Show more of the camera image under the pointer, or of that "
+                                    "of the selected camera"),
+       nullptr, Qt::CTRL | Qt::Key_Minus},
+      {"actionFitImage", group, QT_TRANSLATE_NOOP("Actions", "Fit image"),
+       QT_TRANSLATE_NOOP("Actions", "Show all of the camera image again (double click does the "
+                                    "same)"),
+       nullptr, Qt::CTRL | Qt::Key_0},
       {"actionLookFromAbove", group, QT_TRANSLATE_NOOP("Actions", "Look from above"),
        QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from above: the XY plane"), "above",
        Qt::Key_A},
@@ -270,7 +286,7 @@ std::vector<ActionDeclaration> plotActions() {
        Qt::SHIFT | Qt::Key_T, true},
       {"actionPlotAll", group, QT_TRANSLATE_NOOP("Actions", "Whole run"),
        QT_TRANSLATE_NOOP("Actions", "Plot the whole run again (double click does the same)"),
-       nullptr, Qt::CTRL | Qt::Key_0},
+       nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_0},
       {"actionPlotCopy", group, QT_TRANSLATE_NOOP("Actions", "Copy plots as CSV"),
        QT_TRANSLATE_NOOP("Actions", "Copy the numbers of the plots shown, as a table"), nullptr,
        Qt::CTRL | Qt::ALT | Qt::Key_C},
@@ -294,6 +310,7 @@ void declareWindowActions(ActionRegistry& registry) {
   }
   registry.action("actionShowVolumes")->setChecked(true);
   registry.action("actionShowVolumeOfInterest")->setChecked(true);
+  registry.action("actionShowMagnifier")->setChecked(true);
   auto* themes = new QActionGroup(&registry);
   for (const ActionId theme : std::initializer_list<ActionId>{
            "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {

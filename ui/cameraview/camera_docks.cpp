@@ -6,7 +6,9 @@
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/camera_view.h"
+#include "ui/cameraview/image_menu.h"
 #include "ui/cameraview/image_pick_tool.h"
+#include "ui/cameraview/image_zoom.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
@@ -18,12 +20,17 @@
 #include "ui/workbench/volume_layer.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QCursor>
 #include <QMainWindow>
+
+#include <algorithm>
 
 namespace dewpoint::ui {
 
 CameraDocks::CameraDocks(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), pick_(new ImagePickTool(bench.cameras, this)) {
+    : QObject(&bench.window), bench_(bench), pick_(new ImagePickTool(bench.cameras, this)),
+      menu_(new ImageMenu(bench)) {
   connect(pick_, &ImagePickTool::cameraChosen, &bench_.selection, &Selection::selectCamera);
   connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
   connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);
@@ -35,6 +42,7 @@ CameraDocks::CameraDocks(const Workbench& bench)
     explain();
   });
   connectActions();
+  connectZoom();
   connectVolume(bench_, this, [this](const std::optional<WorldBox>& volume) {
     volume_ = volume;
     for (CameraView* view : views_) {
@@ -74,6 +82,49 @@ void CameraDocks::connectActions() {
   });
 }
 
+void CameraDocks::connectZoom() {
+  bench_.needRun({"actionZoomIn", "actionZoomOut", "actionFitImage"});
+  bench_.needRun({"actionShowMagnifier"},
+                 [document = &bench_.document] { return document->presentation().searchesRoom; });
+  bench_.onToggled("actionShowMagnifier", this, [this](bool shown) {
+    for (CameraView* view : views_) {
+      view->setMagnifierShown(shown);
+    }
+  });
+  bench_.onTriggered("actionZoomIn", this, [this] { zoom(ImageZoom::kStep); });
+  bench_.onTriggered("actionZoomOut", this, [this] { zoom(1.0 / ImageZoom::kStep); });
+  bench_.onTriggered("actionFitImage", this, [this] {
+    if (CameraView* view = viewToZoom()) {
+      view->fitImage();
+    }
+  });
+}
+
+CameraView* CameraDocks::viewToZoom() const {
+  const QWidget* under = QApplication::widgetAt(QCursor::pos());
+  const auto pointed = std::ranges::find_if(views_, [under](const CameraView* view) {
+    return under != nullptr && (view == under || view->isAncestorOf(under));
+  });
+  if (pointed != views_.end()) {
+    return *pointed;
+  }
+  const int selected = bench_.selection.camera();
+  if (selected >= 0 && static_cast<std::size_t>(selected) < views_.size() &&
+      views_[static_cast<std::size_t>(selected)]->isVisible()) {
+    return views_[static_cast<std::size_t>(selected)];
+  }
+  const auto seen = std::ranges::find_if(views_, &CameraView::isVisible);
+  return seen != views_.end() ? *seen : nullptr;
+}
+
+void CameraDocks::zoom(double factor) {
+  if (CameraView* view = viewToZoom()) {
+    const QPointF pointer = view->mapFromGlobal(QPointF(QCursor::pos()));
+    const QRectF seen = view->shownArea();
+    view->zoomBy(factor, seen.contains(pointer) ? pointer : seen.center());
+  }
+}
+
 void CameraDocks::make() {
   bench_.docks.restoreMaximized();
   for (ViewDock* dock : docks_) {
@@ -84,6 +135,7 @@ void CameraDocks::make() {
   const bool mask = bench_.action("actionShowMask")->isChecked();
   const bool evidence = bench_.action("actionShowEvidence")->isChecked();
   const bool best = bench_.action("actionShowBest")->isChecked();
+  const bool magnifier = bench_.action("actionShowMagnifier")->isChecked();
   const auto& cameras = bench_.document.project().cameras;
   for (int camera = 0; camera < static_cast<int>(cameras.size()); ++camera) {
     auto* view = new CameraView(camera, &bench_.window);
@@ -99,9 +151,12 @@ void CameraDocks::make() {
     view->setMaskShown(mask);
     view->setEvidenceShown(evidence);
     view->setBestShown(best);
+    view->setMagnifierShown(magnifier);
     view->setVolume(volume_);
     view->setChosenTarget(bench_.selection.target());
     bench_.connectImageView(view);
+    connect(view, &CameraView::menuRequested, menu_,
+            [this, camera, view](const QPointF& position) { menu_->open(camera, view, position); });
     pick_->attach(camera, view);
     Q_EMIT viewMade(camera, view);
     docks_.push_back(dock);
@@ -135,12 +190,20 @@ void CameraDocks::explain() {
   }
   const TargetSnapshot* target = targetToExplain(*snapshot, bench_.selection.target());
   for (std::size_t k = 0; k < docks_.size(); ++k) {
+    const int camera = static_cast<int>(k);
+    DockTitle& title = docks_[k]->title();
     const bool known = target != nullptr && k < target->reasons.size() &&
                        isWorthSaying(target->estimate, target->reasons[k]);
-    const QString motion = cameraMotionText(cameraMotionOf(*snapshot, static_cast<int>(k)));
-    docks_[k]->title().setReason(!motion.isEmpty() ? motion
-                                 : known           ? cameraReasonText(target->reasons[k])
-                                                   : QString());
+    if (const CameraMotionReport* motion = cameraMotionOf(*snapshot, camera)) {
+      title.setReason(cameraMotionText(motion));
+    } else if (!known) {
+      title.setReason({});
+    } else if (isBlind(target->reasons[k]) && holdState(*snapshot, camera) == HoldState::Held) {
+      // The others hold it: here that word would be a riddle.
+      title.setReasonAlone(cameraBlindText(target->reasons[k]));
+    } else {
+      title.setReason(cameraReasonHereText(target->reasons[k]));
+    }
   }
 }
 

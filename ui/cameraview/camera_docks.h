@@ -12,6 +12,7 @@
 namespace dewpoint::ui {
 
 class CameraView;
+class ImageMenu;
 class ImagePickTool;
 class ViewDock;
 
@@ -24,6 +25,8 @@ public:
 
   /// The mouse and the keys in all the images.
   ImagePickTool& pick() const { return *pick_; }
+  /// The menu of all the images: features add what they offer.
+  ImageMenu& menu() const { return *menu_; }
 
   /// Docks for the cameras of the project, in place of those there are, and a fresh layout.
   void make();
@@ -34,10 +37,16 @@ Q_SIGNALS:
 
 private:
   void connectActions();
+  void connectZoom();
+  /// What the zoom actions are about: the view under the pointer, else that of the selected camera,
+  /// else the first one that is seen; null: there is none.
+  CameraView* viewToZoom() const;
+  void zoom(double factor);
   void explain();
 
   Workbench bench_;
   ImagePickTool* pick_;
+  ImageMenu* menu_;
   std::vector<ViewDock*> docks_;
   std::vector<CameraView*> views_;
   std::optional<WorldBox> volume_; ///< of interest, while it is shown

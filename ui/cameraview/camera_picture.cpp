@@ -32,12 +32,22 @@ const cv::Mat& colorsOfTargets() {
   return kTints;
 }
 
-cv::Mat masked(const cv::Mat& image, const PictureSource& source) {
-  if (source.mask.empty() || source.mask.size() != image.size()) {
-    return image;
+/// From so many device pixels on, a pixel of a zoomed image is drawn as a square.
+constexpr int kSquareFrom = 4;
+
+cv::Mat drawn(const PictureSource& source) {
+  const cv::Rect part(source.part.x(), source.part.y(), source.part.width(), source.part.height());
+  const cv::Size size(source.size.width(), source.size.height());
+  const bool isMasked = !source.mask.empty() && source.mask.size() == source.frame->image.size();
+  const cv::Mat tints = source.isOfMotion ? cv::Mat(1, 256, CV_8UC3, kMoving) : colorsOfTargets();
+  const cv::Mat image = source.frame->image(part);
+  const cv::Mat tinted = isMasked ? tintedImage(image, source.mask(part), tints) : image;
+  const bool squares = source.isZoomed && size.width >= kSquareFrom * part.width;
+  cv::Mat picture = squares ? enlargedImage(tinted, size) : fittedImage(tinted, size);
+  if (isMasked) {
+    outlineMask(picture, source.mask(part), tints);
   }
-  return tintedImage(image, source.mask,
-                     source.isOfMotion ? cv::Mat(1, 256, CV_8UC3, kMoving) : colorsOfTargets());
+  return picture;
 }
 
 /// The map of a camera; null where there is none.
@@ -57,15 +67,15 @@ QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
 
 bool PictureSource::operator==(const PictureSource& other) const {
   return camera == other.camera && frame == other.frame && mask.data == other.mask.data &&
-         isOfMotion == other.isOfMotion && size == other.size && maps == other.maps;
+         isOfMotion == other.isOfMotion && part == other.part && size == other.size &&
+         isZoomed == other.isZoomed && maps == other.maps;
 }
 
 CameraPicture drawPicture(const PictureSource& source) {
   CameraPicture picture{source, {}, {}, {}};
   const cv::Mat& image = source.frame->image;
   if (image.type() == CV_8UC3) {
-    picture.image =
-        toImage(fittedImage(masked(image, source), {source.size.width(), source.size.height()}));
+    picture.image = toImage(drawn(source));
   }
   if (source.maps) {
     for (const TargetSnapshot& target : source.maps->targets) {

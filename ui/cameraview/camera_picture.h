@@ -4,6 +4,7 @@
 #include "core/base/floors.h"
 
 #include <QImage>
+#include <QRect>
 #include <QSize>
 #include <opencv2/core/mat.hpp>
 
@@ -29,7 +30,9 @@ struct PictureSource {
   FramePtr frame;          ///< null: there is no picture
   cv::Mat mask;            ///< as TrackSnapshot::masks; of another size than the image: none
   bool isOfMotion = false; ///< the mask shows what moves, not targets
-  QSize size;              ///< device pixels
+  QRect part;              ///< of the image, what is drawn of it, pixels
+  QSize size;              ///< of that part, device pixels
+  bool isZoomed = false;   ///< pixels that are large enough are drawn as squares
   TrackSnapshotPtr maps;   ///< whose likelihood maps are drawn; null: none are
 
   bool operator==(const PictureSource& other) const;

@@ -5,12 +5,16 @@
 #include "core/session/run/snapshot.h"
 #include "ui/cameraview/camera_motion_marker.h"
 #include "ui/cameraview/evidence_painter.h"
+#include "ui/cameraview/image_navigation.h"
 #include "ui/cameraview/overlay_painter.h"
+#include "ui/cameraview/particle_ramp.h"
 #include "ui/cameraview/people_painter.h"
 #include "ui/cameraview/volume_painter.h"
+#include "ui/cameraview/zoom_label.h"
 #include "ui/text/camera_motion_text.h"
 #include "ui/text/reason_text.h"
 
+#include <QContextMenuEvent>
 #include <QPaintEvent>
 #include <QPainter>
 
@@ -45,11 +49,17 @@ QRect mapPlace(const TargetSnapshot& target, int camera) {
   return {area.x, area.y, area.width, area.height};
 }
 
+/// Several targets are told apart by their colors, of a single one the weights are.
+ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
+  return snapshot.targets.size() > 1 ? ParticleRamp::tinted(color) : ParticleRamp::heat();
+}
+
 } // namespace
 
 CameraView::CameraView(int camera, QWidget* parent) : QWidget(parent), camera_(camera) {
   setObjectName(QStringLiteral("cameraView%1").arg(camera));
   setAttribute(Qt::WA_OpaquePaintEvent);
+  new ImageNavigation(this);
 }
 
 void CameraView::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -73,6 +83,11 @@ void CameraView::setEvidenceShown(bool shown) {
 
 void CameraView::setBestShown(bool shown) {
   bestShown_ = shown;
+  update();
+}
+
+void CameraView::setMagnifierShown(bool shown) {
+  magnifierShown_ = shown;
   update();
 }
 
@@ -101,19 +116,78 @@ PictureSource CameraView::source() const {
   if (!frame || frame->image.empty()) {
     return {};
   }
+  const ZoomRoom room = roomFor(*frame);
   return {.camera = camera_,
           .frame = frame,
           .mask = maskShown_ ? maskOf(snapshot_, camera_) : cv::Mat(),
           .isOfMotion = snapshot_->masksShowMotion,
-          .size = fittedSize({frame->image.cols, frame->image.rows}),
+          .part = zoom_.part(room),
+          .size = zoom_.partSize(room),
+          .isZoomed = !zoom_.isFitted(room),
           .maps = evidenceShown_ ? snapshot_ : nullptr};
 }
 
-QSize CameraView::fittedSize(const QSize& image) const {
-  const QSizeF room = QSizeF(image).scaled(QSizeF(size()), Qt::KeepAspectRatio);
-  const double ratio = devicePixelRatioF();
-  return {std::max(1, static_cast<int>(std::lround(room.width() * ratio))),
-          std::max(1, static_cast<int>(std::lround(room.height() * ratio)))};
+ZoomRoom CameraView::roomFor(const Frame& frame) const {
+  return {{frame.image.cols, frame.image.rows}, size(), devicePixelRatioF()};
+}
+
+bool CameraView::place() {
+  const FramePtr frame = frameOf(snapshot_, camera_);
+  if (!frame || frame->image.empty()) {
+    return false;
+  }
+  placement_ = zoom_.placement(roomFor(*frame));
+  imageSize_ = {frame->image.cols, frame->image.rows};
+  return true;
+}
+
+void CameraView::placeAgain() {
+  place(); // a click before the next picture is meant where it looks to be
+  update();
+}
+
+bool CameraView::isZoomed() const {
+  const FramePtr frame = frameOf(snapshot_, camera_);
+  return frame && !frame->image.empty() && !zoom_.isFitted(roomFor(*frame));
+}
+
+void CameraView::zoomBy(double factor, const QPointF& position) {
+  if (place()) {
+    zoom_.zoomBy(factor, position, {imageSize_, size(), devicePixelRatioF()});
+    placeAgain();
+  }
+}
+
+void CameraView::panBy(const QPointF& way) {
+  if (place()) {
+    zoom_.panBy(way, {imageSize_, size(), devicePixelRatioF()});
+    placeAgain();
+  }
+}
+
+void CameraView::reveal(const QPointF& pixel) {
+  if (place()) {
+    zoom_.reveal(pixel, {imageSize_, size(), devicePixelRatioF()});
+    placeAgain();
+  }
+}
+
+void CameraView::fitImage() {
+  zoom_.fit();
+  placeAgain();
+}
+
+std::optional<QPointF> CameraView::pixelAt(const QPointF& position) const {
+  const QPointF pixel = placement_.pixelAt(position);
+  const bool inside = pixel.x() >= -0.5 && pixel.y() >= -0.5 &&
+                      pixel.x() < imageSize_.width() - 0.5 && pixel.y() < imageSize_.height() - 0.5;
+  return inside ? std::optional(pixel) : std::nullopt;
+}
+
+void CameraView::contextMenuEvent(QContextMenuEvent* event) {
+  const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+  const QRectF seen = imageSize_.isEmpty() ? QRectF(rect()) : shownArea();
+  askForMenu(byKey ? seen.center() : QPointF(event->pos()));
 }
 
 bool CameraView::isSeen() const {
@@ -194,31 +268,46 @@ void CameraView::paintEvent(QPaintEvent*) {
                          : tr("No images yet. Press play (Space), or open a project (Ctrl+O)."));
     return;
   }
-  const QSize image(frame->image.cols, frame->image.rows);
-  const double ratio = devicePixelRatioF();
-  const QSizeF shown = QSizeF(fittedSize(image)) / ratio;
-  const QPointF corner(std::round((width() - shown.width()) / 2.0 * ratio) / ratio,
-                       std::round((height() - shown.height()) / 2.0 * ratio) / ratio);
-  placement_ = {corner, shown.width() / image.width()};
-  imageSize_ = image;
+  place();
   if (!picture_.source.frame) {
     return; // the first one comes soon
   }
-  const QRectF picture(corner, shown);
-  painter.drawImage(picture, picture_.image);
-  painter.setClipRect(picture);
-  paintBelief(painter, picture);
+  painter.drawImage(pictureArea(), picture_.image);
+  painter.setClipRect(shownArea());
+  paintBelief(painter);
 }
 
-void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
+QRectF CameraView::pictureArea() const {
+  const double ratio = devicePixelRatioF();
+  const PictureSource& source = picture_.source;
+  const QPointF corner =
+      (placement_.corner + QPointF(source.part.topLeft()) * placement_.scale) * ratio;
+  // Without a fraction of a pixel, so that it is drawn one to one.
+  const QSizeF wanted = QSizeF(source.part.size()) * (placement_.scale * ratio);
+  const bool isThatSize = std::abs(wanted.width() - source.size.width()) < 1.0 &&
+                          std::abs(wanted.height() - source.size.height()) < 1.0;
+  return {QPointF(std::round(corner.x()), std::round(corner.y())) / ratio,
+          (isThatSize ? QSizeF(source.size) : wanted) / ratio};
+}
+
+CameraOverlay CameraView::overlayOf(std::size_t target) const {
+  CameraOverlay overlay = cameraOverlay(*shown_, camera_, shown_->targets[target]);
+  if (!bestShown_) {
+    overlay.best.reset();
+  }
+  return overlay;
+}
+
+void CameraView::paintBelief(QPainter& painter) {
+  const QRectF seen = shownArea();
   if (picture_.source.maps == shown_ && !picture_.motionMap.isNull()) {
     paintEvidence(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {}, placement_);
   }
   if (volume_ && shown_->rig && static_cast<std::size_t>(camera_) < shown_->rig->size()) {
     paintVolume(painter, (*shown_->rig)[static_cast<std::size_t>(camera_)], *volume_, placement_);
   }
-  paintPeople(painter, *shown_, camera_, placement_, picture, chosenTarget_);
-  paintPeopleTrouble(painter, *shown_, camera_, picture);
+  paintPeople(painter, *shown_, camera_, placement_, seen, chosenTarget_);
+  paintPeopleTrouble(painter, *shown_, camera_, seen);
   for (std::size_t i = 0; i < shown_->targets.size(); ++i) {
     if (isPaintedByPeople(shown_->targets[i])) {
       continue;
@@ -227,15 +316,38 @@ void CameraView::paintBelief(QPainter& painter, const QRectF& picture) const {
       paintEvidence(painter, mapPlace(shown_->targets[i], camera_), picture_.maps[i],
                     proposedOutlines(*shown_, camera_, shown_->targets[i]), placement_);
     }
-    CameraOverlay overlay = cameraOverlay(*shown_, camera_, shown_->targets[i]);
-    if (!bestShown_) {
-      overlay.best.reset();
-    }
-    paintOverlay(painter, overlay, placement_,
-                 targetColor(shown_->targets[i].target.name, static_cast<int>(i)));
+    const QColor color = targetColor(shown_->targets[i].target.name, static_cast<int>(i));
+    paintOverlay(painter, overlayOf(i), placement_, color, rampOf(*shown_, color));
   }
-  paintCameraMotionMarker(painter, picture, cameraMotionText(cameraMotionOf(*shown_, camera_)),
+  std::vector<QRectF> taken;
+  if (isZoomed()) {
+    taken.push_back(paintZoomLabel(painter, seen, placement_.scale));
+  }
+  paintInset(painter, taken);
+  paintCameraMotionMarker(painter, seen, cameraMotionText(cameraMotionOf(*shown_, camera_)),
                           palette());
+}
+
+void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken) {
+  const auto& targets = shown_->targets;
+  const std::size_t chosen =
+      chosenTarget_ >= 0 && static_cast<std::size_t>(chosenTarget_) < targets.size()
+          ? static_cast<std::size_t>(chosenTarget_)
+          : 0;
+  const cv::Mat& image = picture_.source.frame->image;
+  if (!magnifierShown_ || targets.empty() || isPaintedByPeople(targets[chosen]) ||
+      targets[chosen].status != TargetStatus::Held || image.type() != CV_8UC3) {
+    inset_.rest();
+    return;
+  }
+  const QColor color = targetColor(targets[chosen].target.name, static_cast<int>(chosen));
+  inset_.paint(painter, {.overlay = overlayOf(chosen),
+                         .image = image,
+                         .placement = placement_,
+                         .area = shownArea(),
+                         .color = color,
+                         .ramp = rampOf(*shown_, color),
+                         .taken = taken});
 }
 
 } // namespace dewpoint::ui

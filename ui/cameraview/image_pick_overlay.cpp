@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/image_pick_overlay.h"
 
+#include "core/session/run/snapshot.h"
 #include "ui/cameraview/camera_view.h"
-#include "ui/style/halo.h"
+#include "ui/cameraview/loupe.h"
+#include "ui/cameraview/pick_marks.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -18,14 +21,7 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr double kStepsAcross = 64.0; ///< of an arrow key, over the width of the image
-constexpr double kArm = 14.0;         ///< of the cross, widget pixels
-
-constexpr QColor kStrokeColor(0xf0, 0xe4, 0x42);
-
-void stroke(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style) {
-  withHalo(
-      painter, kStrokeColor, 1.4, [&] { painter.drawPolygon(outline); }, style, edgeHalo(170, 1.6));
-}
+constexpr double kLoupeBelow = 4.0;   ///< widget units per pixel: smaller ones are enlarged
 
 } // namespace
 
@@ -51,6 +47,10 @@ void ImagePickOverlay::setPicking(bool picking) {
   }
   update();
   setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
+  setMouseTracking(picking && magnifying_);
+  if (!picking) {
+    pointer_.reset();
+  }
 }
 
 void ImagePickOverlay::setGuides(std::vector<QPolygonF> lines, std::optional<QPointF> point) {
@@ -70,82 +70,93 @@ void ImagePickOverlay::setRegions(std::vector<Region> regions) {
   update();
 }
 
-QPointF ImagePickOverlay::pixelOf(QPointF position) const {
-  const ImagePlacement& placement = view_->placement();
-  // Centers of pixels lie at whole numbers.
-  return (position - placement.corner) / placement.scale - QPointF(0.5, 0.5);
-}
-
 QPointF ImagePickOverlay::nearestPixel(QPointF position) const {
   const QSize image = view_->imageSize();
-  const QPointF pixel = pixelOf(position);
+  const QPointF pixel = view_->placement().pixelAt(position);
   return {std::clamp(pixel.x(), -0.5, image.width() - 0.5),
           std::clamp(pixel.y(), -0.5, image.height() - 0.5)};
 }
 
-std::optional<QPointF> ImagePickOverlay::pixelAt(QPointF position) const {
-  const QSize image = view_->imageSize();
-  const QPointF pixel = pixelOf(position);
-  const bool inside = pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < image.width() - 0.5 &&
-                      pixel.y() < image.height() - 0.5;
-  return inside ? std::optional(pixel) : std::nullopt;
-}
-
-QPointF ImagePickOverlay::positionOf(QPointF pixel) const {
-  const ImagePlacement& placement = view_->placement();
-  return placement.corner + (pixel + QPointF(0.5, 0.5)) * placement.scale;
-}
-
 void ImagePickOverlay::mousePressEvent(QMouseEvent* event) {
   const bool sample = event->modifiers() & (Qt::ShiftModifier | Qt::AltModifier);
-  if (event->button() != Qt::LeftButton || !pixelAt(event->position())) {
+  const auto pixel = view_->pixelAt(event->position());
+  if (event->button() != Qt::LeftButton || !pixel) {
     return;
   }
   cross_.reset();
   Q_EMIT chosen();
   if (picking_ || sample) {
-    pressed_ = event->position();
+    pressed_ = Press{event->position(), *pixel};
     now_ = event->position();
     if (pointing_) {
       update();
-      Q_EMIT grabbed(*pixelAt(now_));
-      Q_EMIT pointed(*pixelAt(now_));
+      Q_EMIT grabbed(*pixel);
+      Q_EMIT pointed(*pixel);
     }
   } else {
-    Q_EMIT imageClicked(*pixelAt(event->position()));
+    panned_ = event->position();
+    Q_EMIT imageClicked(*pixel);
   }
 }
 
 void ImagePickOverlay::mouseMoveEvent(QMouseEvent* event) {
+  if (picking_ && magnifying_) {
+    pointer_ = event->position();
+    update();
+  }
   if (pressed_) {
     now_ = event->position();
     update();
     if (pointing_) {
       Q_EMIT pointed(nearestPixel(now_));
     }
+  } else if (panned_ && event->buttons().testFlag(Qt::LeftButton)) {
+    view_->panBy(event->position() - *std::exchange(panned_, event->position()));
   }
 }
 
 void ImagePickOverlay::mouseReleaseEvent(QMouseEvent* event) {
-  if (!pressed_) {
+  panned_.reset();
+  if (!pressed_ || event->button() != Qt::LeftButton) {
     return;
   }
-  const QPointF from = *std::exchange(pressed_, std::nullopt);
+  const Press from = *std::exchange(pressed_, std::nullopt);
   update();
-  const auto first = pixelAt(from);
-  if (!first) {
-    return;
-  }
   const QPointF last = nearestPixel(event->position()); // a box may be drawn beyond the edge
   if (pointing_) {
     Q_EMIT picked(QRectF(last, QSizeF(0.0, 0.0)), event->modifiers());
     endPointing();
     return;
   }
-  const bool isBox =
-      (event->position() - from).manhattanLength() >= 2 * QApplication::startDragDistance();
-  Q_EMIT picked(isBox ? QRectF(*first, last).normalized() : QRectF(*first, QSizeF(0.0, 0.0)),
+  const bool isBox = (event->position() - from.position).manhattanLength() >=
+                     2 * QApplication::startDragDistance();
+  Q_EMIT picked(isBox ? QRectF(from.pixel, last).normalized()
+                      : QRectF(from.pixel, QSizeF(0.0, 0.0)),
                 event->modifiers());
+}
+
+void ImagePickOverlay::mouseDoubleClickEvent(QMouseEvent* event) {
+  const bool isTool =
+      picking_ || event->modifiers() & (Qt::ShiftModifier | Qt::AltModifier); // two clicks of it
+  if (event->button() == Qt::LeftButton && !isTool && view_->isZoomed()) {
+    view_->fitImage();
+  } else {
+    mousePressEvent(event);
+  }
+}
+
+void ImagePickOverlay::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Keyboard && cross_) {
+    view_->askForMenu(view_->placement().positionOf(*cross_));
+  } else {
+    event->ignore(); // the view opens it
+  }
+}
+
+void ImagePickOverlay::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  pointer_.reset();
+  update();
 }
 
 void ImagePickOverlay::keyPressEvent(QKeyEvent* event) {
@@ -189,8 +200,13 @@ bool ImagePickOverlay::isForCross(const QKeyEvent& event) const {
 
 void ImagePickOverlay::moveCross(int key, bool fine) {
   const QSize image = view_->imageSize();
-  const QPointF middle((image.width() - 1) / 2.0, (image.height() - 1) / 2.0);
-  const double step = fine ? 1.0 : std::max(1.0, std::round(image.width() / kStepsAcross));
+  QPointF middle((image.width() - 1) / 2.0, (image.height() - 1) / 2.0);
+  double across = image.width();
+  if (view_->isZoomed()) { // what is seen is crossed in as many steps
+    middle = view_->placement().pixelAt(view_->shownArea().center());
+    across = view_->shownArea().width() / view_->placement().scale;
+  }
+  const double step = fine ? 1.0 : std::max(1.0, std::round(across / kStepsAcross));
   QPointF next = cross_.value_or(
       crossStart_.value_or(QPointF(std::floor(middle.x()), std::floor(middle.y()))));
   const bool moves = cross_.has_value();
@@ -204,6 +220,8 @@ void ImagePickOverlay::moveCross(int key, bool fine) {
   }
   cross_ = QPointF(std::clamp(next.x(), 0.0, image.width() - 1.0),
                    std::clamp(next.y(), 0.0, image.height() - 1.0));
+  pointer_.reset(); // the keys are in use now
+  view_->reveal(*cross_);
   update();
   if (pointing_ && moves) {
     Q_EMIT pointed(*cross_);
@@ -240,88 +258,65 @@ void ImagePickOverlay::setHint(const QString& hint) {
   }
 }
 
-void ImagePickOverlay::paintHint(QPainter& painter) const {
-  const QSizeF text = painter.fontMetrics().size(Qt::TextSingleLine, hint_);
-  const QSizeF pill(text.width() + 24.0, text.height() + 10.0);
-  const double bottom = std::min(positionOf(QPointF(0.0, view_->imageSize().height())).y(),
-                                 static_cast<double>(height()));
-  const QRectF place(QPointF((width() - pill.width()) / 2.0, bottom - pill.height() - 10.0), pill);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(0, 0, 0, 190));
-  painter.drawRoundedRect(place, pill.height() / 2.0, pill.height() / 2.0);
-  painter.setPen(Qt::white);
-  painter.drawText(place, Qt::AlignCenter, hint_);
-}
-
-void ImagePickOverlay::paintCross(QPainter& painter, QPointF position) const {
-  for (const QPointF arm : {QPointF(kArm, 0.0), QPointF(0.0, kArm)}) {
-    stroke(painter, QPolygonF({position - arm, position - 0.3 * arm}), Qt::SolidLine);
-    stroke(painter, QPolygonF({position + 0.3 * arm, position + arm}), Qt::SolidLine);
+void ImagePickOverlay::paintMagnified(QPainter& painter) const {
+  const FramePtr& frame = view_->shownFrame();
+  const ImagePlacement& placement = view_->placement();
+  if (!picking_ || !magnifying_ || !frame || frame->image.type() != CV_8UC3 ||
+      placement.scale >= kLoupeBelow) {
+    return;
   }
-}
-
-void ImagePickOverlay::paintGuides(QPainter& painter) const {
-  for (const QPolygonF& line : guideLines_) {
-    QPolygonF drawn;
-    for (const QPointF& pixel : line) {
-      drawn << positionOf(pixel);
-    }
-    withHalo(painter, kStrokeColor, 1.2, [&] { painter.drawPolyline(drawn); });
-  }
-  if (guidePoint_) {
-    paintCross(painter, positionOf(*guidePoint_));
-  }
-}
-
-void ImagePickOverlay::paintRegions(QPainter& painter) const {
-  for (const Region& region : regions_) {
-    QPolygonF outline;
-    for (const QPointF& pixel : region.outline) {
-      outline << positionOf(pixel);
-    }
-    stroke(painter, outline, Qt::SolidLine);
-    if (region.text.isEmpty()) {
-      continue;
-    }
-    const QRectF box = outline.boundingRect();
-    const QRectF text =
-        painter.fontMetrics().boundingRect(region.text).toRectF().adjusted(-4, -2, 4, 2);
-    QRectF label(box.topLeft() - QPointF(0.0, text.height() + 2.0), text.size());
-    label.moveLeft(std::clamp(label.left(), 0.0, std::max(0.0, width() - label.width())));
-    label.moveTop(std::max(0.0, label.top()));
-    painter.fillRect(label, QColor(0, 0, 0, 170));
-    painter.setPen(kStrokeColor);
-    painter.drawText(label, Qt::AlignCenter, region.text);
+  const std::optional<QPointF> at =
+      cross_ && !pointer_ ? std::optional(placement.positionOf(*cross_)) : pointer_;
+  const std::optional<QPointF> pixel = at ? view_->pixelAt(*at) : std::nullopt;
+  const QRectF place = pixel ? loupePlace(*at, size()) : QRectF();
+  if (!place.isEmpty()) {
+    paintLoupe(painter, place, frame->image, *pixel, *pixel);
   }
 }
 
 void ImagePickOverlay::paintEvent(QPaintEvent*) {
   const bool hints = picking_ && !hint_.isEmpty() && !view_->imageSize().isEmpty();
   const bool guides = !guideLines_.empty() || guidePoint_;
-  if (!pressed_ && !cross_ && regions_.empty() && !hints && !guides) {
+  if (!pressed_ && !cross_ && !pointer_ && regions_.empty() && !hints && !guides) {
     return;
   }
+  const ImagePlacement& placement = view_->placement();
+  const auto placed = [&](const QPolygonF& pixels) {
+    QPolygonF positions;
+    for (const QPointF& pixel : pixels) {
+      positions << placement.positionOf(pixel);
+    }
+    return positions;
+  };
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (guides) {
     painter.save();
-    painter.setClipRect(
-        QRectF(view_->placement().corner, QSizeF(view_->imageSize()) * view_->placement().scale));
-    paintGuides(painter);
+    painter.setClipRect(view_->shownArea());
+    for (const QPolygonF& line : guideLines_) {
+      paintPickGuide(painter, placed(line));
+    }
+    if (guidePoint_) {
+      paintPickCross(painter, placement.positionOf(*guidePoint_));
+    }
     painter.restore();
   }
   if (hints) {
-    paintHint(painter);
+    paintPickHint(painter, hint_, view_->shownArea());
   }
   if (pressed_ && pointing_) {
-    paintCross(painter, positionOf(nearestPixel(now_)));
+    paintPickCross(painter, placement.positionOf(nearestPixel(now_)));
   } else if (pressed_) {
-    stroke(painter, QPolygonF(QRectF(*pressed_, now_).normalized()), Qt::DashLine);
+    const QRectF box(placement.positionOf(pressed_->pixel), now_);
+    paintPickOutline(painter, QPolygonF(box.normalized()), Qt::DashLine);
   }
   if (cross_) {
-    paintCross(painter, positionOf(*cross_));
+    paintPickCross(painter, placement.positionOf(*cross_));
   }
-  paintRegions(painter);
+  for (const Region& region : regions_) {
+    paintPickRegion(painter, placed(region.outline), region.text, size());
+  }
+  paintMagnified(painter);
 }
 
 } // namespace dewpoint::ui

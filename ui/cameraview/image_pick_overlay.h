@@ -14,8 +14,9 @@ namespace dewpoint::ui {
 class CameraView;
 
 /// Lies over a camera view: lets the user point at objects in its image, and outlines regions of
-/// it. By keys: while it has the focus and picks, the arrows move a cross (Ctrl: one pixel at a
-/// time), Enter points there; with Shift or Alt as with a click.
+/// it. A drag that means no tool moves a zoomed image, a double click fits it. By keys: while it
+/// has the focus and picks, the arrows move a cross (Ctrl: one pixel at a time), Enter points
+/// there; with Shift or Alt as with a click.
 class ImagePickOverlay : public QWidget {
   Q_OBJECT
 public:
@@ -23,6 +24,8 @@ public:
 
   /// Whether a plain click picks; with Shift or Alt it always does.
   void setPicking(bool picking);
+  /// Whether a loupe shows what is under the pointer while it picks, where pixels are small.
+  void setMagnifying(bool magnifying) { magnifying_ = magnifying; }
   /// A drag moves a point instead of opening a box: grabbed(), pointed() on its way, and picked()
   /// where it is let go.
   void setPointing(bool pointing) { pointing_ = pointing; }
@@ -62,21 +65,19 @@ protected:
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   bool event(QEvent* event) override;
 
 private:
-  std::optional<QPointF> pixelAt(QPointF position) const;
-  QPointF pixelOf(QPointF position) const;
-  /// The position in the image that is nearest to a position.
+  /// The pixel of the image that is nearest to a position.
   QPointF nearestPixel(QPointF position) const;
-  QPointF positionOf(QPointF pixel) const;
-  void paintHint(QPainter& painter) const;
-  void paintCross(QPainter& painter, QPointF position) const;
-  void paintGuides(QPainter& painter) const;
-  void paintRegions(QPainter& painter) const;
+  /// A loupe beside the pointer or the cross, where pixels are small.
+  void paintMagnified(QPainter& painter) const;
   /// Nothing is pointed at any more.
   void endPointing();
   /// Whether the key moves the cross or points, when it is pressed here.
@@ -91,7 +92,14 @@ private:
   std::optional<QPointF> guidePoint_;
   std::vector<Region> regions_;
   QString hint_;
-  std::optional<QPointF> pressed_; ///< widget
+  bool magnifying_ = true;
+  struct Press {
+    QPointF position; ///< widget
+    QPointF pixel;    ///< what it is about, also when the image is zoomed meanwhile
+  };
+  std::optional<Press> pressed_;
+  std::optional<QPointF> panned_;  ///< widget; while a press means no tool
+  std::optional<QPointF> pointer_; ///< widget, while it picks
   std::optional<QPointF> cross_;   ///< pixel of the image; moved by keys
   QPointF now_;
 };

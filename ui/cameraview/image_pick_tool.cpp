@@ -40,6 +40,10 @@ void ImagePickTool::setPicking(bool picking, const QString& hint) {
   }
 }
 
+void ImagePickTool::pickAt(int camera, const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
+  Q_EMIT picked(camera, QRectF(pixel, QSizeF(0.0, 0.0)), modifiers);
+}
+
 void ImagePickTool::takeFocus() {
   if (!layers_.empty()) {
     layers_.front().second->setFocus(Qt::ShortcutFocusReason);

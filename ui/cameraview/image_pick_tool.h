@@ -24,6 +24,8 @@ public:
   void attach(int camera, CameraView* view);
   /// Whether a plain click picks, and what for, as is shown at the lower edge of the images.
   void setPicking(bool picking, const QString& hint);
+  /// Picks a pixel of a camera's image in place of a click there with these modifiers.
+  void pickAt(int camera, const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   /// Gives the first image the focus: the keys move its cross.
   void takeFocus();
   /// Outlines regions of a camera's image.

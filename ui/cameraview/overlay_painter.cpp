@@ -2,73 +2,21 @@
 #include "ui/cameraview/overlay_painter.h"
 
 #include "core/session/camera_overlay.h"
+#include "ui/cameraview/particle_painter.h"
 #include "ui/style/halo.h"
 
 #include <QPainter>
-#include <QPixmap>
 #include <QPolygonF>
 
-#include <algorithm>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 namespace dewpoint::ui {
 
 namespace {
 
-constexpr std::size_t kMostDots = 4000; ///< more are one cloud to the eye, and cost time
-constexpr double kDotDiameter = 3.2;    ///< widget units, without halo
-
-/// Pixel centers lie at integer image coordinates.
 QPointF placed(double column, double row, const ImagePlacement& placement) {
-  return placement.corner + QPointF(column + 0.5, row + 0.5) * placement.scale;
-}
-
-QPixmap dot(const QColor& color, double ratio) {
-  const double side = kDotDiameter + 3.0;
-  QPixmap pixmap(QSizeF(side * ratio, side * ratio).toSize());
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  const QPointF center(side / 2.0, side / 2.0);
-  painter.setBrush(QColor(0, 0, 0, 110));
-  painter.drawEllipse(center, kDotDiameter / 2.0 + 1.0, kDotDiameter / 2.0 + 1.0);
-  painter.setBrush(color);
-  painter.drawEllipse(center, kDotDiameter / 2.0, kDotDiameter / 2.0);
-  return pixmap;
-}
-
-void paintParticles(QPainter& painter, const CameraOverlay& overlay,
-                    const ImagePlacement& placement, const QColor& color) {
-  if (overlay.particles.empty()) {
-    return;
-  }
-  const double ratio = painter.device()->devicePixelRatioF();
-  const QPixmap stamp = dot(color, ratio);
-  const QRectF whole(QPointF(0, 0), QSizeF(stamp.size()));
-  const std::size_t stride = overlay.particles.size() / kMostDots + 1;
-  std::vector<QPainter::PixmapFragment> dots;
-  dots.reserve(overlay.particles.size() / stride + 1);
-  for (std::size_t i = 0; i < overlay.particles.size(); i += stride) {
-    const auto& at = overlay.particles[i];
-    const double weight = i < overlay.weights.size() ? std::clamp(overlay.weights[i], 0.F, 1.F) : 1;
-    dots.push_back(QPainter::PixmapFragment::create(
-        placed(static_cast<double>(at.x()), static_cast<double>(at.y()), placement), whole,
-        1.0 / ratio, 1.0 / ratio, 0.0, 0.25 + 0.65 * weight));
-  }
-  painter.drawPixmapFragments(dots.data(), static_cast<int>(dots.size()), stamp);
-}
-
-void paintEllipse(QPainter& painter, const ImageEllipse& ellipse, const ImagePlacement& placement) {
-  painter.save();
-  painter.translate(placed(ellipse.center.x(), ellipse.center.y(), placement));
-  painter.rotate(ellipse.angle * 180.0 / std::numbers::pi);
-  painter.drawEllipse(QPointF(0, 0), ellipse.semiMajor * placement.scale,
-                      ellipse.semiMinor * placement.scale);
-  painter.restore();
+  return placement.positionOf({column, row});
 }
 
 /// Dashed where the target is only thought to be.
@@ -86,12 +34,21 @@ void paintBox(QPainter& painter, const ImageBox& box, bool hidden, const ImagePl
 
 } // namespace
 
+void paintEllipse(QPainter& painter, const ImageEllipse& ellipse, const ImagePlacement& placement) {
+  painter.save();
+  painter.translate(placed(ellipse.center.x(), ellipse.center.y(), placement));
+  painter.rotate(ellipse.angle * 180.0 / std::numbers::pi);
+  painter.drawEllipse(QPointF(0, 0), ellipse.semiMajor * placement.scale,
+                      ellipse.semiMinor * placement.scale);
+  painter.restore();
+}
+
 void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
-                  const QColor& color) {
+                  const QColor& color, const ParticleRamp& ramp) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setOpacity(overlay.box ? 0.5 : 1.0); // what is in the box is to be seen
-  paintParticles(painter, overlay, placement, color);
+  paintParticles(painter, overlay, placement, ramp);
   painter.setOpacity(1.0);
   if (overlay.box) {
     paintBox(painter, *overlay.box, overlay.boxHidden, placement, color);

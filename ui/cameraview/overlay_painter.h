@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/floors.h"
+#include "ui/cameraview/image_placement.h"
+#include "ui/cameraview/particle_ramp.h"
 
 #include <QColor>
-#include <QPointF>
 
 class QPainter;
 
 namespace dewpoint::session {
 struct CameraOverlay;
+struct ImageEllipse;
 } // namespace dewpoint::session
 
 namespace dewpoint::ui {
 
-/// Where an image lies in its widget: its upper left corner, and widget units per image pixel.
-struct ImagePlacement {
-  QPointF corner;
-  double scale = 1.0;
-};
-
 /// Draws what one camera would see of a target: thin bright strokes with a dark halo, readable on
-/// any image.
+/// any image. `ramp` colors the particles by their weight.
 void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
-                  const QColor& color);
+                  const QColor& color, const ParticleRamp& ramp);
+
+/// Draws the outline of an ellipse with the painter's pen.
+void paintEllipse(QPainter& painter, const ImageEllipse& ellipse, const ImagePlacement& placement);
 
 } // namespace dewpoint::ui

@@ -60,7 +60,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
     const QColor color = targetColor(target.target.name, k);
     if (!target.shape) {
       const CameraOverlay overlay = cameraOverlay(snapshot, camera, target);
-      paintOverlay(painter, overlay, placement, color);
+      paintOverlay(painter, overlay, placement, color, ParticleRamp::tinted(color));
       if (overlay.estimate) {
         const QPointF middle(overlay.estimate->x() + 0.5, overlay.estimate->y() + 0.5);
         paintBadge(painter, person.estimate->identity,

@@ -2,8 +2,10 @@
 #include "ui/color/color_dock.h"
 
 #include "core/project/project.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "ui/actions/action_registry.h"
 #include "ui/cameraview/camera_docks.h"
+#include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/color_panel.h"
 #include "ui/document/document.h"
 #include "ui/panels/inspector_docks.h"
@@ -36,7 +38,32 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
           &QAction::setChecked);
   connect(panel_, &ColorPanel::learned, this, &ColorDock::learned);
   connect(targets_, &TargetPanel::targetChosen, panel_, &ColorPanel::setTarget);
+  cameras.menu().addSection([this, pick = &cameras.pick()](int camera, const QPointF& pixel) {
+    return menuEntries(*pick, camera, pixel);
+  });
   connectActions();
+}
+
+std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int camera,
+                                                   const QPointF& pixel) {
+  if (!bench_.session.isRunning() || bench_.document.methodFamily().findsTargets()) {
+    return {}; // such a method needs no color
+  }
+  const auto point = [&pick, camera, pixel](Qt::KeyboardModifiers modifiers) {
+    return [&pick, camera, pixel, modifiers] { pick.pickAt(camera, pixel, modifiers); };
+  };
+  if (panel_->takesBoxes()) {
+    return {{QStringLiteral("imageTakeBox"), tr("Take a box here"),
+             tr("Follow what is here, from a box around it"), true, point(Qt::NoModifier)}};
+  }
+  return {{QStringLiteral("imageLearnColor"), tr("Learn the color here"),
+           tr("The target has the color of what is here"), true, point(Qt::NoModifier)},
+          {QStringLiteral("imageAddSample"), tr("Add a sample here"),
+           tr("The target has the color of what is here, too (Shift and a click do the same)"),
+           panel_->hasTarget(), point(Qt::ShiftModifier)},
+          {QStringLiteral("imageExclude"), tr("This is not the target"),
+           tr("Exclude the color of what is here (Alt and a click do the same)"),
+           panel_->hasTarget(), point(Qt::AltModifier)}};
 }
 
 void ColorDock::connectActions() {

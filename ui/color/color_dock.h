@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/cameraview/image_menu.h"
 #include "ui/workbench/workbench.h"
+
+#include <vector>
 
 namespace dewpoint::ui {
 
 class CameraDocks;
 class ColorPanel;
+class ImagePickTool;
 class TargetPanel;
 class ViewDock;
 struct TargetDock;
@@ -24,6 +28,8 @@ public:
 private:
   void connectActions();
   void nameLearning();
+  /// What the menu of an image offers at a pixel of it.
+  std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
   void learned(int target, bool isNew);
 
   Workbench bench_;

@@ -186,9 +186,13 @@ void ColorPanel::setTarget(int target) {
   refresh();
 }
 
+bool ColorPanel::hasTarget() const {
+  return target_ >= 0 && target_ < static_cast<int>(document_.project().targets.size());
+}
+
 void ColorPanel::refresh() {
   const auto& targets = document_.project().targets;
-  const bool any = target_ >= 0 && target_ < static_cast<int>(targets.size());
+  const bool any = hasTarget();
   name_->setText(any               ? QString::fromStdString(targets[std::size_t(target_)].name)
                  : targets.empty() ? tr("No target yet")
                                    : tr("A new target"));
@@ -293,9 +297,8 @@ void ColorPanel::updateAssessment() {
     cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
   QString text = colorAssessmentText(assessment_, cameras);
-  const auto& targets = document_.project().targets;
-  if (target_ >= 0 && target_ < static_cast<int>(targets.size())) {
-    const double given = targets[static_cast<std::size_t>(target_)].radius;
+  if (hasTarget()) {
+    const double given = document_.project().targets[static_cast<std::size_t>(target_)].radius;
     const QString radius = isPart_ ? markedPartText(given) : clickRadiusText(given, shownRadius_);
     text += radius.isEmpty() ? QString() : QLatin1Char('\n') + radius;
   }

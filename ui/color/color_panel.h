@@ -47,6 +47,8 @@ public:
   /// Whether the panel can be seen: only then colors are assessed.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
+  /// Whether there is a target whose color is shown.
+  bool hasTarget() const;
   /// Whether a click gives the target a box instead of a color.
   bool takesBoxes() const;
 

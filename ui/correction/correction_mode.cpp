@@ -40,7 +40,18 @@ CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& camera
   connect(&bench_.selection, &Selection::targetSelected, tool_, &CorrectionTool::refresh);
   connect(&trajectory, &TrajectoryPanel::correctionRemovalWanted, this,
           [this](qint64 frame, int target) { remove(frame, target); });
+  cameras.menu().addSection(
+      [this](int camera, const QPointF& pixel) { return menuEntries(camera, pixel); });
   connectActions();
+}
+
+std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPointF& pixel) {
+  if (!bench_.session.isRunning() || !bench_.document.presentation().searchesRoom) {
+    return {};
+  }
+  return {{QStringLiteral("imageCorrect"), bench_.action("actionCorrectPosition")->text(),
+           tr("Say that the target is here in the frame shown: tracking goes on from there"),
+           tool_->canCorrect(), [this, camera, pixel] { tool_->correctAt(camera, pixel); }}};
 }
 
 void CorrectionMode::connectActions() {

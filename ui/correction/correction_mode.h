@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/cameraview/image_menu.h"
 #include "ui/workbench/workbench.h"
 
 #include <QObject>
 #include <QString>
 
 #include <cstdint>
+#include <vector>
 
 namespace dewpoint::project {
 struct PositionCorrection;
@@ -31,6 +33,8 @@ public:
 
 private:
   void connectActions();
+  /// What the menu of an image offers at a pixel of it.
+  std::vector<ImageMenuEntry> menuEntries(int camera, const QPointF& pixel);
   void end();
   void setActive(bool active);
   void keep(const PositionCorrection& correction);

@@ -183,12 +183,32 @@ void CorrectionTool::point(int camera, const QPointF& pixel) {
   showSight(click, position);
 }
 
+bool CorrectionTool::canCorrect() const {
+  return snapshot_ && snapshot_->frame >= 0 && !snapshot_->rerun && preferredTarget() >= 0;
+}
+
+void CorrectionTool::correctAt(int camera, const QPointF& pixel) {
+  const Drag drag{preferredTarget(), snapshot_};
+  if (!canCorrect() || cameraOf(drag.snapshot, camera) == nullptr) {
+    return;
+  }
+  if (bench_.session.isPlaying()) {
+    bench_.session.session()->pause();
+  }
+  bench_.selection.selectTarget(drag.target);
+  deliver(drag, camera, pixel);
+}
+
 void CorrectionTool::drop(int camera, const QPointF& pixel) {
   const Drag drag = held();
   if (!active_ || drag.target < 0 || cameraOf(drag.snapshot, camera) == nullptr ||
       drag.snapshot->frame < 0 || drag.snapshot->rerun) {
     return;
   }
+  deliver(drag, camera, pixel);
+}
+
+void CorrectionTool::deliver(const Drag& drag, int camera, const QPointF& pixel) {
   const auto correction = correctionOf(drag, camera, pixel);
   if (correction) {
     Q_EMIT corrected(*correction);

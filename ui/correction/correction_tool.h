@@ -35,6 +35,11 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Corrections or what is selected have changed.
   void refresh();
+  /// Says that the target is at a pixel of the image of a camera, in the frame shown, without any
+  /// drag: the target of preferredTarget(). A run that plays is paused.
+  void correctAt(int camera, const QPointF& pixel);
+  /// Whether that can be said now.
+  bool canCorrect() const;
   /// The target that a press beside all estimates is about; -1: nobody can tell.
   int preferredTarget() const;
 
@@ -59,6 +64,7 @@ private:
   void grab(const Layer& layer, const QPointF& pixel);
   void point(int camera, const QPointF& pixel);
   void drop(int camera, const QPointF& pixel);
+  void deliver(const Drag& drag, int camera, const QPointF& pixel);
   /// What is dragged, or would be by keys.
   Drag held() const;
   /// The target whose estimate is nearest to a pixel, if it is near.

@@ -77,8 +77,9 @@ void WindowMenus::makeProjectMenu() {
 void WindowMenus::makeViewMenu() {
   QMenu* view = add(tr("&View"), "menuView",
                     {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
-                     "actionShowBest", "actionShowVolumeOfInterest", "actionShowVolumes",
-                     "actionShowMap", nullptr, "actionLookFromAbove", "actionLookFromFront",
+                     "actionShowBest", "actionShowMagnifier", "actionShowVolumeOfInterest",
+                     "actionShowVolumes", "actionShowMap", nullptr, "actionZoomIn", "actionZoomOut",
+                     "actionFitImage", nullptr, "actionLookFromAbove", "actionLookFromFront",
                      "actionLookFree", nullptr, "actionResetLayout"});
   QMenu* views = view->addMenu(tr("Views"));
   views->setObjectName(QStringLiteral("menuViews"));

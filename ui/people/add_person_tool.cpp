@@ -18,6 +18,7 @@ AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& came
 void AddPersonTool::attach(int camera, CameraView* view) {
   auto* layer = new ImagePickOverlay(view);
   layer->setObjectName(view->objectName() + QStringLiteral("Person"));
+  layer->setMagnifying(false); // people are large
   layer->hide();
   layers_.push_back(layer);
   const auto name = [this, layer, camera] {

@@ -167,18 +167,98 @@ TEST_F(ShownCameraView, TheLikelihoodOfMotionIsDrawnOverTheWholeImage) {
   EXPECT_LT(middleOf(view_).lightness(), likely.lightness()); // dark blue
 }
 
-// The target's mask is 255 - 0; what has no mask steps back to 35 % of 200.
+// The mask of a target (255 - 0) is a light tint; what has no mask stays as bright as it is.
 TEST_F(ShownCameraView, AMaskTintsTheImage) {
   auto masked = std::make_shared<TrackSnapshot>(*showing({200, 200, 200}));
-  cv::Mat mask(60, 80, CV_8UC1, cv::Scalar(0));
-  masked->masks = {mask};
+  masked->masks = {cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))};
   view_.setSnapshot(masked);
   view_.setMaskShown(true);
   ASSERT_TRUE(isDrawn(view_));
-  EXPECT_EQ(middleOf(view_), QColor(70, 70, 70));
+  EXPECT_EQ(middleOf(view_), QColor(200, 200, 200));
+  auto all = std::make_shared<TrackSnapshot>(*masked);
+  all->masks = {cv::Mat(60, 80, CV_8UC1, cv::Scalar(255))};
+  view_.setSnapshot(all);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_NE(middleOf(view_), QColor(200, 200, 200));
+  EXPECT_GT(middleOf(view_).lightness(), 160);
   view_.setMaskShown(false);
   ASSERT_TRUE(isDrawn(view_));
   EXPECT_EQ(middleOf(view_), QColor(200, 200, 200));
+}
+
+// A pixel of another color, in the middle of what is seen, is a large square.
+TEST_F(ShownCameraView, ZoomedPixelsAreSquares) {
+  auto snapshot = std::make_shared<TrackSnapshot>(*showing({0, 200, 0}));
+  cv::Mat image = snapshot->frames->frames[0]->image.clone();
+  image.at<cv::Vec3b>(20, 30) = {0, 0, 200};
+  FrameSet set;
+  set.frames = {std::make_shared<const Frame>(Frame{0, timeStamp(0.0), image})};
+  snapshot->frames = std::make_shared<const FrameSet>(std::move(set));
+  view_.setSnapshot(snapshot);
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(middleOf(view_), QColor(0, 200, 0)); // it was painted
+  const QPointF at = view_.placement().positionOf({30.0, 20.0});
+  view_.zoomBy(8.0, at); // twice as large where it is fitted: 16
+  EXPECT_TRUE(view_.isZoomed());
+  ASSERT_TRUE(isDrawn(view_));
+  const QPointF middle = view_.placement().positionOf({30.0, 20.0});
+  EXPECT_LE((middle - at).manhattanLength(), 1.01);
+  const QImage picture = view_.grab().toImage();
+  for (const QPointF& inside : {QPointF(-7, -7), QPointF(7, -7), QPointF(7, 7), QPointF(0, 0)}) {
+    EXPECT_EQ(picture.pixelColor((middle + inside).toPoint()), QColor(200, 0, 0));
+  }
+  for (const QPointF& outside : {QPointF(-10, 0), QPointF(10, 0), QPointF(0, 10)}) {
+    EXPECT_EQ(picture.pixelColor((middle + outside).toPoint()), QColor(0, 200, 0));
+  }
+  view_.setSnapshot(showing({200, 0, 0})); // another frame
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_TRUE(view_.isZoomed());
+  view_.fitImage();
+  EXPECT_FALSE(view_.isZoomed());
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_EQ(view_.placement().corner, QPointF(0.0, 0.0));
+}
+
+/// The same with a target that is held in the middle of the image, `spread` meters wide.
+TrackSnapshotPtr holding(double spread) {
+  auto snapshot = std::make_shared<TrackSnapshot>(*showing({0, 120, 0}));
+  Camera camera; // looks along +Z from the origin
+  camera.intrinsics = {80, 60, 50.0, 50.0, 39.5, 29.5};
+  snapshot->rig = std::make_shared<const CameraRig>(CameraRig{camera});
+  SphereEstimate sphere;
+  sphere.particleCount = 3;
+  sphere.mean = {0.0, 0.0, 1.0};
+  sphere.covariance = spread * spread * Eigen::Matrix3d::Identity();
+  TargetSnapshot& target = snapshot->targets.emplace_back();
+  target.estimate = sphere;
+  target.status = TargetStatus::Held;
+  target.particles =
+      (Eigen::ArrayXXd(3, 3) << 0.0, 0.0, 1.0, spread, 0.0, 1.0, 0.0, spread, 1.0).finished();
+  target.weights = Eigen::ArrayXd::Constant(3, 1.0 / 3.0);
+  return snapshot;
+}
+
+TEST_F(ShownCameraView, ATightCloudIsEnlargedInACorner) {
+  view_.resize(400, 300); // five widget units per pixel
+  const auto changes = [this](const TrackSnapshotPtr& snapshot) {
+    view_.setSnapshot(snapshot);
+    EXPECT_TRUE(isDrawn(view_));
+    view_.setMagnifierShown(false);
+    const QImage without = view_.grab().toImage();
+    view_.setMagnifierShown(true);
+    return view_.grab().toImage() != without;
+  };
+  // Nine tenths of the weight reach as far as the outer two, 250 widget units for one meter.
+  EXPECT_TRUE(changes(holding(0.004)));
+  EXPECT_FALSE(changes(holding(0.05)));
+  auto lost = std::make_shared<TrackSnapshot>(*holding(0.004));
+  lost->targets[0].status = TargetStatus::Lost;
+  EXPECT_FALSE(changes(lost));
+  view_.setSnapshot(holding(0.004));
+  ASSERT_TRUE(isDrawn(view_));
+  view_.resize(160, 120); // no room
+  ASSERT_TRUE(isDrawn(view_));
+  EXPECT_FALSE(changes(holding(0.004)));
 }
 
 } // namespace

@@ -7,13 +7,12 @@
 #include "ui/calibration/manual_calibration.h"
 #include "ui/calibration/points/point_calibrator.h"
 #include "ui/cameraview/camera_view.h"
-#include "ui/style/image.h"
+#include "ui/cameraview/loupe.h"
 #include "ui/text/retranslation.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +24,6 @@ namespace {
 constexpr double kReachPx = 9.0; ///< of the widget: a crossing, pin or corner this near is meant
 constexpr double kDragPx = 3.0;
 constexpr double kSnapPx = 7.0; ///< of the image
-constexpr int kLargestMagnifier = 152;
-constexpr int kMagnification = 8;
 
 } // namespace
 
@@ -79,8 +76,7 @@ FramePtr GridLayer::frame() const {
 }
 
 Eigen::Vector2d GridLayer::pixelAt(QPointF position) const {
-  const ImagePlacement& placement = view_->placement();
-  const QPointF pixel = (position - placement.corner) / placement.scale - QPointF(0.5, 0.5);
+  const QPointF pixel = view_->placement().pixelAt(position);
   return {pixel.x(), pixel.y()};
 }
 
@@ -232,7 +228,8 @@ GridLayer::EdgeSource GridLayer::edgeSource() const {
     return {};
   }
   const QSizeF area = QSizeF(view_->imageSize()) * view_->placement().scale;
-  return {image, (area * devicePixelRatioF()).toSize()};
+  // A zoomed image has no more edges than its own pixels show.
+  return {image, (area * devicePixelRatioF()).toSize().boundedTo(view_->imageSize())};
 }
 
 bool GridLayer::isDrawn() const {
@@ -299,39 +296,13 @@ void GridLayer::drawMagnifier(QPainter& painter) {
   const Eigen::Vector2d pixel = pixelAt(*pointer_);
   const Eigen::Vector2d meant =
       clicked(*pointer_, exact_ ? Qt::AltModifier : Qt::KeyboardModifiers());
-  const int side = std::min({kLargestMagnifier, width() / 2, height() / 2});
-  const QImage picture = toImage(magnified(image->image, pixel, side, kMagnification));
-  // Beside the pointer, on the side where there is room.
-  constexpr double kBeside = 24.0;
-  QPointF corner = *pointer_ + QPointF(kBeside, kBeside);
-  if (corner.x() + side > width()) {
-    corner.setX(std::max(0.0, pointer_->x() - kBeside - side));
+  const QRectF place = loupePlace(*pointer_, size());
+  if (!place.isEmpty()) {
+    painter.save();
+    painter.setClipping(false);
+    paintLoupe(painter, place, image->image, {pixel.x(), pixel.y()}, {meant.x(), meant.y()});
+    painter.restore();
   }
-  if (corner.y() + side > height()) {
-    corner.setY(std::max(0.0, pointer_->y() - kBeside - side));
-  }
-  const QRectF area(corner, QSizeF(side, side));
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  QPainterPath circle;
-  circle.addEllipse(area);
-  painter.setClipPath(circle);
-  painter.drawImage(area, picture);
-  const Eigen::Vector2d offset = kMagnification * (meant - pixel);
-  const QPointF cross = area.center() + QPointF(offset.x(), offset.y());
-  painter.setPen(QPen(QColor(0, 0, 0, 170), 3.0));
-  painter.drawLine(cross - QPointF(9, 0), cross + QPointF(9, 0));
-  painter.drawLine(cross - QPointF(0, 9), cross + QPointF(0, 9));
-  painter.setPen(QPen(QColor("#f0e442"), 1.2));
-  painter.drawLine(cross - QPointF(9, 0), cross + QPointF(9, 0));
-  painter.drawLine(cross - QPointF(0, 9), cross + QPointF(0, 9));
-  painter.setClipping(false);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(QColor(0, 0, 0, 170), 4.0));
-  painter.drawEllipse(area);
-  painter.setPen(QPen(Qt::white, 1.5));
-  painter.drawEllipse(area);
-  painter.restore();
 }
 
 void GridLayer::drawLabel(QPainter& painter) {
@@ -340,7 +311,7 @@ void GridLayer::drawLabel(QPainter& painter) {
   }
   const QString text = tr("before");
   const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-8, -4, 8, 4);
-  const QRectF label(view_->placement().corner + QPointF(8.0, 8.0), box.size());
+  const QRectF label(view_->shownArea().topLeft() + QPointF(8.0, 8.0), box.size());
   painter.fillRect(label, QColor(0, 0, 0, 180));
   painter.setPen(QColor("#f0e442"));
   painter.drawText(label, Qt::AlignCenter, text);
@@ -352,7 +323,7 @@ void GridLayer::paintEvent(QPaintEvent*) {
   }
   QPainter painter(this);
   const ImagePlacement& placement = view_->placement();
-  painter.setClipRect(QRectF(placement.corner, QSizeF(view_->imageSize()) * placement.scale));
+  painter.setClipRect(view_->shownArea());
   drawEdges(painter);
   const Camera camera = hand_.shownCamera(camera_);
   paintGrid(painter, projectGrid(camera, hand_.grid()), placement, hand_.opacity());

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/cameraview/image_placement.h"
+#include "ui/cameraview/particle_ramp.h"
+
+class QPainter;
+
+namespace dewpoint::session {
+struct CameraOverlay;
+} // namespace dewpoint::session
+
+namespace dewpoint::ui {
+
+/// Draws the particles of a target as dots with a dark halo, in the color of their weight, the
+/// heaviest last; where there are few, heavier ones are larger.
+void paintParticles(QPainter& painter, const CameraOverlay& overlay,
+                    const ImagePlacement& placement, const ParticleRamp& ramp);
+
+} // namespace dewpoint::ui

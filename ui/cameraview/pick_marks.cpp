@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cameraview/pick_marks.h"
+
+#include "ui/style/halo.h"
+
+#include <QPainter>
+#include <QRectF>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr double kPickArm = 14.0; ///< of the cross, widget units
+
+constexpr QColor kPickColor(0xf0, 0xe4, 0x42);
+
+} // namespace
+
+void paintPickOutline(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style) {
+  withHalo(
+      painter, kPickColor, 1.4, [&] { painter.drawPolygon(outline); }, style, edgeHalo(170, 1.6));
+}
+
+void paintPickRegion(QPainter& painter, const QPolygonF& outline, const QString& text,
+                     const QSizeF& room) {
+  paintPickOutline(painter, outline, Qt::SolidLine);
+  if (text.isEmpty()) {
+    return;
+  }
+  const QRectF box = outline.boundingRect();
+  const QRectF words = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-4, -2, 4, 2);
+  QRectF label(box.topLeft() - QPointF(0.0, words.height() + 2.0), words.size());
+  label.moveLeft(std::clamp(label.left(), 0.0, std::max(0.0, room.width() - label.width())));
+  label.moveTop(std::max(0.0, label.top()));
+  painter.fillRect(label, QColor(0, 0, 0, 170));
+  painter.setPen(kPickColor);
+  painter.drawText(label, Qt::AlignCenter, text);
+}
+
+void paintPickCross(QPainter& painter, const QPointF& position) {
+  for (const QPointF arm : {QPointF(kPickArm, 0.0), QPointF(0.0, kPickArm)}) {
+    paintPickOutline(painter, QPolygonF({position - arm, position - 0.3 * arm}), Qt::SolidLine);
+    paintPickOutline(painter, QPolygonF({position + 0.3 * arm, position + arm}), Qt::SolidLine);
+  }
+}
+
+void paintPickGuide(QPainter& painter, const QPolygonF& line) {
+  withHalo(painter, kPickColor, 1.2, [&] { painter.drawPolyline(line); });
+}
+
+void paintPickHint(QPainter& painter, const QString& hint, const QRectF& area) {
+  const QSizeF text = painter.fontMetrics().size(Qt::TextSingleLine, hint);
+  const QSizeF pill(text.width() + 24.0, text.height() + 10.0);
+  const QRectF place(
+      QPointF(area.center().x() - pill.width() / 2.0, area.bottom() - pill.height() - 10.0), pill);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0, 0, 0, 190));
+  painter.drawRoundedRect(place, pill.height() / 2.0, pill.height() / 2.0);
+  painter.setPen(Qt::white);
+  painter.drawText(place, Qt::AlignCenter, hint);
+}
+
+} // namespace dewpoint::ui
