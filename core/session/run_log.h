@@ -22,7 +22,7 @@ public:
     std::vector<IterationRecord> records;
     bool restarted = false; ///< all that is known comes again: a new run, or one that went back
   };
-  /// About 30 MB with four cameras.
+  /// About 40 MB with four cameras.
   static constexpr std::size_t kMostRecords = 100000;
   RunLog();
   /// Forgets the run; what follows belongs to this project, as it is now, and is filtered by so

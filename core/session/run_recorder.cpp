@@ -78,15 +78,20 @@ std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const 
     if (const auto position = positionOf(estimate)) {
       record.spread = std::sqrt(position->covariance.trace());
       record.spreadPerAxis = position->covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+      record.position = position->mean;
     }
     const auto describe =
         Overloaded{[&](const SphereEstimate& sphere) {
                      const auto truth = truth_.at(run.targets()[k].name, record.frame);
                      record.error = truth ? (sphere.mean - *truth).norm() : record.error;
+                     record.truth = truth.value_or(record.truth);
                    },
                    [&](const BoxEstimate& box) {
                      record.similarity = box.similarity;
                      record.spread = box.spread;
+                     record.position.head<2>() = box.box.center();
+                     record.boxWidth = box.box.width;
+                     record.boxHeight = box.box.height;
                    },
                    [](const PersonEstimate&) {}, // nobody knows which of the true ones it is
                    [](const AbsentEstimate&) {}};

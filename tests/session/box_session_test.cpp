@@ -149,6 +149,11 @@ TEST_P(BoxSessionTest, WhatIsTakenAwayLeavesNothingInThePast) {
   std::size_t position = 0;
   for (const IterationRecord& record : session.logSince(generation, position).records) {
     EXPECT_FALSE(record.target == 0 && record.frame < 4); // nothing is plotted
+    const ImageBox box =
+        ImageBox::around(record.position.head<2>(), record.boxWidth, record.boxHeight);
+    EXPECT_LT((box.center() - MovingPatch{}.box(static_cast<int>(record.frame)).center()).norm(),
+              3.0 * kTolerance); // its position is that of the box
+    EXPECT_GT(box.area(), 0.0);
   }
   session.showFrame(8);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 8; }));

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace dewpoint::tests {
 namespace {
 
@@ -32,6 +34,9 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   // The spread is the root of the trace of the covariance.
   EXPECT_NEAR(record.spreadPerAxis.norm(), record.spread, 1e-9);
   EXPECT_TRUE(record.held);
+  EXPECT_EQ(record.position, std::get<SphereEstimate>(session.newest()->targets[0].estimate).mean);
+  EXPECT_FALSE(record.truth.allFinite()); // nobody knows it
+  EXPECT_TRUE(std::isnan(record.boxWidth));
   ASSERT_EQ(record.cameras.size(), 2U);
   for (const CameraEvidence& camera : record.cameras) {
     // The start lies on the disc, whose image is larger than the window: all 25 pixels match, so
@@ -50,6 +55,26 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   EXPECT_TRUE(piece.restarted);
   EXPECT_EQ(piece.records.size(), 1U);
   EXPECT_FALSE(session.logSince(generation, position).restarted);
+}
+
+TEST(Session, TheLogHasTheTruthWhereItIsKnown) {
+  auto with = inputs();
+  TrajectorySample truth;
+  truth.target = "ball";
+  truth.frame = 0;
+  truth.position = test::kBall;
+  with.truth.samples = {truth};
+  Session session(std::move(with));
+  session.stepFrame();
+  session.stepFrame(); // frame 1 has no truth
+  ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
+  std::uint64_t generation = 0;
+  std::size_t position = 0;
+  const auto records = session.logSince(generation, position).records;
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[0].truth, test::kBall);
+  EXPECT_EQ(records[0].error, (records[0].position - test::kBall).norm());
+  EXPECT_FALSE(records[1].truth.allFinite());
 }
 
 TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {

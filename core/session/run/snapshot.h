@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -139,6 +140,13 @@ struct IterationRecord {
   std::vector<CameraEvidence> cameras = {};
   /// Of a box (BoxEstimate::similarity); then the spread is in pixels.
   std::optional<double> similarity = std::nullopt;
+  /// Mean x y z in the world, meters; of a box the center in its image, pixels, and nothing along
+  /// z. Not a number where it is not known.
+  Eigen::Vector3d position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// Where the target truly is, meters; not a number where that is not known.
+  Eigen::Vector3d truth = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  double boxWidth = std::numeric_limits<double>::quiet_NaN();  ///< of a box, pixels
+  double boxHeight = std::numeric_limits<double>::quiet_NaN(); ///< of a box, pixels
 };
 
 } // namespace dewpoint::session
