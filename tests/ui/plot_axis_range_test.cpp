@@ -18,6 +18,7 @@ private Q_SLOTS:
   void aPartAtTheEndGoesAlong();
   void aPartInThePastStays();
   void anotherAxisShowsAll();
+  void aRunThatWentBackBeforeThePartIsSeenWhole();
 
 private:
   using Range = PlotAxisRange::Range;
@@ -79,6 +80,18 @@ void PlotAxisRangeTest::anotherAxisShowsAll() {
   QVERIFY(!range_.showsAll());
   QVERIFY(range_.setAxis(PlotAxis::Time));
   QCOMPARE(range_.shown(&series_), Range(0.0, 10.0)); // seconds
+}
+
+void PlotAxisRangeTest::aRunThatWentBackBeforeThePartIsSeenWhole() {
+  run(200);
+  range_.show(&series_, 120.0, 160.0);
+  series_.removeFrom(140); // the part still begins within the run
+  QCOMPARE(range_.advance(&series_), Range(120.0, 160.0));
+  series_.removeFrom(100);
+  QCOMPARE(range_.advance(&series_), Range(0.0, 99.0));
+  QVERIFY(range_.showsAll());
+  run(200); // and from then on it grows with the run
+  QCOMPARE(range_.advance(&series_), Range(0.0, 200.0));
 }
 
 } // namespace dewpoint::tests

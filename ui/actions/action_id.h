@@ -79,6 +79,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionThemeSystem",
     "actionThemeLight",
     "actionThemeDark",
+    "actionPlotPosition",
     "actionPlotSpread",
     "actionPlotSampleSize",
     "actionPlotLikelihood",

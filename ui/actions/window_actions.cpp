@@ -261,26 +261,30 @@ std::vector<ActionDeclaration> viewActions() {
 std::vector<ActionDeclaration> plotActions() {
   const char* group = QT_TRANSLATE_NOOP("Actions", "Plots");
   return {
+      {"actionPlotPosition", group, QT_TRANSLATE_NOOP("Actions", "Plot position"),
+       QT_TRANSLATE_NOOP("Actions", "Position along x, y and z with a band of two standard "
+                                    "deviations, and the truth where it is known"),
+       nullptr, Qt::CTRL | Qt::Key_1, true},
       {"actionPlotSpread", group, QT_TRANSLATE_NOOP("Actions", "Plot spread"),
        QT_TRANSLATE_NOOP("Actions", "Standard deviation of the particles along x, y and z"),
-       nullptr, Qt::CTRL | Qt::Key_1, true},
+       nullptr, Qt::CTRL | Qt::Key_2, true},
       {"actionPlotSampleSize", group, QT_TRANSLATE_NOOP("Actions", "Plot effective sample size"),
        QT_TRANSLATE_NOOP("Actions", "How many particles the weighted ones are worth, and how many "
                                     "there are"),
-       nullptr, Qt::CTRL | Qt::Key_2, true},
+       nullptr, Qt::CTRL | Qt::Key_3, true},
       {"actionPlotLikelihood", group, QT_TRANSLATE_NOOP("Actions", "Plot likelihood"),
        QT_TRANSLATE_NOOP("Actions", "What each camera says of the estimate: its log likelihood"),
-       nullptr, Qt::CTRL | Qt::Key_3, true},
+       nullptr, Qt::CTRL | Qt::Key_4, true},
       {"actionPlotExistence", group, QT_TRANSLATE_NOOP("Actions", "Plot existence"),
        QT_TRANSLATE_NOOP("Actions", "Probability that the target is at the estimate, by all "
                                     "cameras and by each alone"),
-       nullptr, Qt::CTRL | Qt::Key_4, true},
+       nullptr, Qt::CTRL | Qt::Key_5, true},
       {"actionPlotError", group, QT_TRANSLATE_NOOP("Actions", "Plot error"),
        QT_TRANSLATE_NOOP("Actions", "Distance of the estimate from the truth, where it is known"),
-       nullptr, Qt::CTRL | Qt::Key_5, true},
+       nullptr, Qt::CTRL | Qt::Key_6, true},
       {"actionPlotDuration", group, QT_TRANSLATE_NOOP("Actions", "Plot time per step"),
        QT_TRANSLATE_NOOP("Actions", "Microseconds that each filter iteration took, per target"),
-       nullptr, Qt::CTRL | Qt::Key_6, true},
+       nullptr, Qt::CTRL | Qt::Key_7, true},
       {"actionPlotOverTime", group, QT_TRANSLATE_NOOP("Actions", "Over time"),
        QT_TRANSLATE_NOOP("Actions", "Plot over seconds instead of filter iterations"), nullptr,
        Qt::SHIFT | Qt::Key_T, true},

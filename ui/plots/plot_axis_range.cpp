@@ -15,7 +15,7 @@ bool PlotAxisRange::setAxis(PlotAxis axis) {
 }
 
 PlotAxisRange::Range PlotAxisRange::whole(const PlotSeries* series) const {
-  const double least = axis_ == PlotAxis::Time ? 2.0 : 60.0; // a beginning run grows into it
+  const double least = axis_ == PlotAxis::Time ? 2.0 : leastIterations_;
   if (series == nullptr || series->size() == 0) {
     return {0.0, least};
   }
@@ -33,6 +33,11 @@ PlotAxisRange::Range PlotAxisRange::shown(const PlotSeries* series) const {
 }
 
 PlotAxisRange::Range PlotAxisRange::advance(const PlotSeries* series) {
+  const bool isBefore = series != nullptr && series->size() > 0 && part_ &&
+                        series->key(series->size() - 1, axis_) < part_->first;
+  if (isBefore) {
+    showAll();
+  }
   const Range now = shown(series);
   if (part_) {
     part_ = now;

@@ -6,12 +6,25 @@
 
 namespace dewpoint::ui {
 
+namespace {
+
+bool isTruthKnown(const PlotSeries& series, const CurveDeclaration& curve) {
+  return curve.truth && *curve.truth < series.columns() && series.isKnown(*curve.truth);
+}
+
+} // namespace
+
 std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
                     PlotAxis axis, const std::pair<double, double>& range) {
   std::string text = "iteration,frame,time_s";
   for (const auto& row : rows) {
     for (const CurveDeclaration& curve : row->declaration().curves) {
       text.append(",").append(curve.csvName.toStdString());
+    }
+    for (const CurveDeclaration& curve : row->declaration().curves) {
+      if (isTruthKnown(series, curve)) {
+        text.append(",").append(curve.truthCsvName.toStdString());
+      }
     }
   }
   text += '\n';
@@ -27,6 +40,11 @@ std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const Plo
       const bool inMm = row->declaration().quantity == PlotQuantity::Length;
       for (const CurveDeclaration& curve : row->declaration().curves) {
         line.put(series.value(index, curve.column) * (inMm ? 1000.0 : 1.0));
+      }
+      for (const CurveDeclaration& curve : row->declaration().curves) {
+        if (isTruthKnown(series, curve)) {
+          line.put(series.value(index, *curve.truth) * (inMm ? 1000.0 : 1.0));
+        }
       }
     }
   }

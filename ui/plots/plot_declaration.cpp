@@ -34,6 +34,7 @@ QString quantityText(PlotQuantity quantity, double value) {
   case PlotQuantity::Duration:
     return durationText(value);
   case PlotQuantity::Pixels:
+  case PlotQuantity::PixelPosition:
     return pixelText(value);
   case PlotQuantity::LogLikelihood:
     return number(1);
@@ -43,6 +44,34 @@ QString quantityText(PlotQuantity quantity, double value) {
     break;
   }
   return number(0);
+}
+
+QString drawnNumberText(PlotQuantity quantity, double value) {
+  switch (quantity) {
+  case PlotQuantity::Length:
+    return lengthNumber(value, LengthScale::Millimeters, 1, NumberForm::Table);
+  case PlotQuantity::Position:
+    return lengthNumber(value, LengthScale::Meters, 3, NumberForm::Table);
+  case PlotQuantity::Speed:
+  case PlotQuantity::Probability:
+    return tableText(value, 2);
+  case PlotQuantity::LogLikelihood:
+  case PlotQuantity::Pixels:
+  case PlotQuantity::PixelPosition:
+    return tableText(value, 1);
+  case PlotQuantity::Duration:
+  case PlotQuantity::Count:
+    break;
+  }
+  return tableText(value, 0);
+}
+
+QString titleWithUnit(const PlotDeclaration& plot) {
+  const QString unit = axisUnit(plot.quantity);
+  return unit.isEmpty() ? plot.title
+                        : QCoreApplication::translate("PlotQuantity", "%1 (%2)",
+                                                      "title of a plot, unit of its axis")
+                              .arg(plot.title, unit);
 }
 
 QString axisUnit(PlotQuantity quantity) {
@@ -56,6 +85,7 @@ QString axisUnit(PlotQuantity quantity) {
   case PlotQuantity::Duration:
     return QStringLiteral("µs");
   case PlotQuantity::Pixels:
+  case PlotQuantity::PixelPosition:
     return QStringLiteral("px");
   case PlotQuantity::LogLikelihood:
   case PlotQuantity::Probability:

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace dewpoint::ui {
@@ -21,6 +22,7 @@ enum class PlotQuantity {
   LogLikelihood, ///< natural logarithm
   Probability,   ///< 0 to 1
   Pixels,        ///< of an image, from 0
+  PixelPosition, ///< in an image, pixels
 };
 
 struct CurveDeclaration {
@@ -28,6 +30,11 @@ struct CurveDeclaration {
   QString csvName;        ///< column of a table, with its unit: "spread_x_mm"
   std::size_t column = 0; ///< of the PlotSeries
   int color = 0;          ///< see curveColor()
+  /// Column of its standard deviation: a band of two of them lies about the curve.
+  std::optional<std::size_t> deviation = std::nullopt;
+  /// Column of what it truly is: a thin dashed line.
+  std::optional<std::size_t> truth = std::nullopt;
+  QString truthCsvName = {}; ///< column of a table: "true_x_m"
 };
 
 /// One plot of a stack.
@@ -40,8 +47,12 @@ struct PlotDeclaration {
 
 /// A value with its unit, in the precision that makes sense; "–" when it is not a number.
 QString quantityText(PlotQuantity quantity, double value);
-/// The unit of the axis in a figure; may be empty.
+/// The number alone in the unit of the axis, with decimals that stay the same while it changes.
+QString drawnNumberText(PlotQuantity quantity, double value);
+/// The unit of the axis; may be empty.
 QString axisUnit(PlotQuantity quantity);
+/// "Spread (mm)"
+QString titleWithUnit(const PlotDeclaration& plot);
 /// Number on the axis and in tables, for a value as it is stored.
 double drawnValue(PlotQuantity quantity, double value);
 

@@ -3,18 +3,21 @@
 
 #include "ui/plots/plot_cursor.h"
 #include "ui/plots/plot_row.h"
-#include "ui/plots/plot_stack.h"
 
 #include <QBuffer>
 #include <QSaveFile>
 #include <QSvgGenerator>
 
+#include <algorithm>
+
 namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kSvgResolution = 96; ///< pixels per inch, as the web counts them
-constexpr double kPngScale = 2.0;  ///< pixels per point of the window
+constexpr int kSvgResolution = 96;    ///< pixels per inch, as the web counts them
+constexpr double kPngScale = 2.0;     ///< pixels per point of the window
+constexpr int kFigureAxisHeight = 36; ///< of numbers and name of the shared axis
+constexpr int kFigureRowHeight = 96;  ///< at least, however low the plots are in the window
 
 } // namespace
 
@@ -31,20 +34,16 @@ PlotFigure::~PlotFigure() {
 void PlotFigure::paintFor(bool figure) {
   // On paper there is time for smooth lines and need for the name of the axis.
   for (const auto& row : rows_) {
-    for (QCPGraph* graph : row->xAxis()->graphs()) {
-      QPen pen = graph->pen();
-      pen.setWidthF(figure ? 1.4 : 0.0);
-      graph->setPen(pen);
-      graph->setAntialiased(figure);
-    }
+    row->drawForFigure(figure);
     row->yAxis()->setLabel(figure ? axisUnit(row->declaration().quantity) : QString());
-    const bool last = row == rows_.back();
-    if (last) {
+    if (row == rows_.back()) {
+      row->xAxis()->setTickLabels(figure);
       row->xAxis()->setLabel(!figure                   ? QString()
                              : axis_ == PlotAxis::Time ? tr("time, s")
                                                        : tr("filter iteration"));
-      row->rect()->setMargins(
-          QMargins(0, 4, 4, figure ? 2 * PlotStack::kTickHeight : PlotStack::kTickHeight));
+      QMargins margins = row->rect()->margins();
+      margins.setBottom(margins.bottom() + (figure ? kFigureAxisHeight : -kFigureAxisHeight));
+      row->rect()->setMargins(margins);
     }
   }
   cursor_.setVisible(!figure || cursor_.selectedRange.has_value() ||
@@ -53,8 +52,11 @@ void PlotFigure::paintFor(bool figure) {
 
 PlotPicture PlotFigure::draw(bool asDrawing) {
   PlotPicture picture;
+  const int rows = static_cast<int>(rows_.size());
+  const QSize size(plot_.width(),
+                   std::max(plot_.height(), rows * kFigureRowHeight) + kFigureAxisHeight);
   if (!asDrawing) {
-    picture.pixels = plot_.toPixmap(plot_.width(), plot_.height(), kPngScale).toImage();
+    picture.pixels = plot_.toPixmap(size.width(), size.height(), kPngScale).toImage();
     return picture;
   }
   QBuffer buffer(&picture.drawing);
@@ -62,14 +64,14 @@ PlotPicture PlotFigure::draw(bool asDrawing) {
   QSvgGenerator generator;
   generator.setOutputDevice(&buffer);
   generator.setResolution(kSvgResolution);
-  generator.setSize(plot_.size());
-  generator.setViewBox(QRect(QPoint(), plot_.size()));
+  generator.setSize(size);
+  generator.setViewBox(QRect(QPoint(), size));
   generator.setTitle(tr("Dewpoint plots"));
   QCPPainter painter;
   if (painter.begin(&generator)) {
     painter.setMode(QCPPainter::pmVectorized);
-    painter.fillRect(plot_.rect(), plot_.palette().color(QPalette::Base));
-    plot_.toPainter(&painter, plot_.width(), plot_.height());
+    painter.fillRect(QRect(QPoint(), size), plot_.palette().color(QPalette::Base));
+    plot_.toPainter(&painter, size.width(), size.height());
     painter.end();
   }
   return picture;

@@ -4,6 +4,7 @@
 #include "core/session/run/snapshot.h"
 #include "ui/actions/action_registry.h"
 #include "ui/document/method_presentation.h"
+#include "ui/plots/frame_convergence.h"
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
@@ -18,7 +19,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QScrollArea>
 #include <QToolButton>
 
 #include <array>
@@ -32,7 +32,8 @@ struct Choice {
   ActionId action;
   const char* plot;
 };
-constexpr std::array<Choice, 6> kChoices{{{"actionPlotSpread", "spread"},
+constexpr std::array<Choice, 7> kChoices{{{"actionPlotPosition", "position"},
+                                          {"actionPlotSpread", "spread"},
                                           {"actionPlotSampleSize", "sampleSize"},
                                           {"actionPlotLikelihood", "likelihood"},
                                           {"actionPlotExistence", "existence"},
@@ -40,29 +41,26 @@ constexpr std::array<Choice, 6> kChoices{{{"actionPlotSpread", "spread"},
                                           {"actionPlotDuration", "duration"}}};
 
 QStringList chosenPlots() {
-  return Preferences().shownPlots().value_or(
-      QStringList{QStringLiteral("spread"), QStringLiteral("sampleSize"),
-                  QStringLiteral("likelihood"), QStringLiteral("error")});
+  return Preferences().shownPlots().value_or(QStringList{
+      QStringLiteral("position"), QStringLiteral("spread"), QStringLiteral("sampleSize"),
+      QStringLiteral("likelihood"), QStringLiteral("error")});
 }
 
 } // namespace
 
 PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* parent)
-    : QWidget(parent), actions_(actions), selection_(selection), stack_(new PlotStack(this)) {
+    : QWidget(parent), actions_(actions), selection_(selection), stack_(new PlotStack(this)),
+      convergence_(new FrameConvergence(this)) {
   setObjectName(QStringLiteral("plotPanel"));
   stack_->setObjectName(QStringLiteral("plotStack"));
-  auto* scroll = new QScrollArea(this);
-  scroll->setObjectName(QStringLiteral("plotScroll"));
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(stack_);
-  auto* layout = new QVBoxLayout(this);
+  auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  layout->setSpacing(1);
+  layout->addWidget(stack_, 1);
+  layout->addWidget(convergence_);
   onRetranslate(this, [this] {
     useCameras();
+    stack_->setEmptyText(tr("Plots appear when tracking runs."));
     stack_->setAccessibleName(tr("Plots of the run"));
     stack_->focusProxy()->setAccessibleName(tr("Plots of the run"));
   });
@@ -128,8 +126,16 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   auto* row = new QHBoxLayout(tools);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
+  targetName_ = new QLabel(tools);
+  targetName_->setObjectName(QStringLiteral("plotTarget"));
+  row->addWidget(targetName_);
+  onRetranslate(targetName_, [this] {
+    targetName_->setToolTip(
+        tr("The target whose numbers are plotted: the one selected in Target, or the first."));
+  });
   auto* place = new QLabel(tools);
   place->setObjectName(QStringLiteral("plotPlace"));
+  place->setForegroundRole(QPalette::PlaceholderText);
   row->addWidget(place);
   connect(stack_, &PlotStack::cursorMoved, place, [this, place] {
     place->setText(stack_->cursorText());
@@ -193,7 +199,14 @@ void PlotPanel::clear() {
   }
   stack_->setCurrentFrame(std::nullopt);
   stack_->setHovered(std::nullopt);
+  convergence_->showFrame(seriesOf(target_), std::nullopt);
   stack_->refresh();
+}
+
+void PlotPanel::updateTargetName() {
+  if (targetName_ != nullptr) {
+    targetName_->setText(targets_.value(target_));
+  }
 }
 
 void PlotPanel::useCameras() {
@@ -201,10 +214,16 @@ void PlotPanel::useCameras() {
 }
 
 void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  targets_.clear();
   if (!snapshot) {
+    updateTargetName();
     clear();
     return;
   }
+  for (const TargetSnapshot& target : snapshot->targets) {
+    targets_.append(QString::fromStdString(target.target.name));
+  }
+  updateTargetName();
   const QStringList cameras = snapshot->rig ? cameraNames(*snapshot->rig) : QStringList();
   const bool showsBoxes = presentationOf(*snapshot).showsBoxes;
   if (cameras != cameras_ || !camerasKnown_ || showsBoxes != showsBoxes_) {
@@ -214,6 +233,7 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     for (const auto& series : series_) {
       series->reset(runPlotColumns(static_cast<int>(cameras_.size())));
     }
+    convergence_->setBoxes(showsBoxes);
     useCameras();
   }
 }
@@ -224,12 +244,15 @@ void PlotPanel::showCurrentFrame() {
   const std::int64_t frame = selection_.currentFrame();
   const bool past = series.size() > 0 && frame < series.row(series.size() - 1).frame;
   stack_->setCurrentFrame(past ? std::optional(frame) : std::nullopt);
+  convergence_->showFrame(series, past ? std::optional(frame) : std::nullopt);
 }
 
 void PlotPanel::setTarget(int target) {
   if (target >= 0 && target != target_) {
     target_ = target;
     stack_->setSeries(&seriesOf(target));
+    updateTargetName();
+    showCurrentFrame();
   }
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 class QAction;
+class QLabel;
 class QMenu;
 
 namespace dewpoint::session {
@@ -21,13 +22,15 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 class ActionRegistry;
+class FrameConvergence;
 class PlotStack;
 class Selection;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// The plots of a run: spread per axis, effective sample size, likelihood and existence per camera,
-/// error against truth and time per step of one target, over iterations or time. Which are shown is
-/// the user's choice and remembered.
+/// The plots of a run: position and spread per axis, effective sample size, likelihood and
+/// existence per camera, error against truth and time per step of one target, over iterations or
+/// time; beside them the convergence within the frame shown. Which are shown is the user's choice
+/// and remembered.
 class PlotPanel : public QWidget {
   Q_OBJECT
 public:
@@ -44,6 +47,7 @@ public:
   /// Whose numbers are shown, from 0.
   void setTarget(int target);
   int shownIterations() const;
+  FrameConvergence& convergence() { return *convergence_; }
   PlotStack& stack() { return *stack_; }
 
   /// Buttons and the position of the cursor, for the title of the dock.
@@ -63,12 +67,16 @@ private:
   void useCameras();
   void askSave();
   void showCurrentFrame();
+  void updateTargetName();
   PlotSeries& seriesOf(int target);
 
   ActionRegistry& actions_;
   Selection& selection_;
   PlotStack* stack_;
+  FrameConvergence* convergence_;
+  QLabel* targetName_ = nullptr; ///< in the title of the dock
   QStringList cameras_;
+  QStringList targets_;
   bool camerasKnown_ = false;
   bool showsBoxes_ = false; ///< curves of boxes in images, else of positions
   std::vector<std::unique_ptr<PlotSeries>> series_; ///< per target

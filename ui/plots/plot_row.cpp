@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_row.h"
 
+#include "ui/plots/plot_tickers.h"
+#include "ui/style/tabular_font.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,66 +12,20 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kRowGap = 4;      ///< pixels between plots
-constexpr int kMostColumns = 3; ///< of a readout
-constexpr int kColumnGap = 12;
-
-/// Ticks at powers of ten only, at most three of them: a row is low.
-class DecadeTicker : public QCPAxisTicker {
-protected:
-  int getSubTickCount(double) override { return 0; }
-  QVector<double> createTickVector(double, const QCPRange& range) override {
-    const int first = static_cast<int>(std::ceil(std::log10(range.lower)));
-    const int last = static_cast<int>(std::floor(std::log10(range.upper)));
-    const int step = std::max(1, (last - first + 2) / 3);
-    QVector<double> ticks;
-    for (int decade = first; decade <= last; decade += step) {
-      ticks << std::pow(10.0, decade);
-    }
-    return ticks;
-  }
-};
-
-/// Labels with the decimals that the step between them has: 2.5, 5.0, 7.5.
-class StepTicker : public QCPAxisTicker {
-public:
-  void setWhole(bool whole) { whole_ = whole; }
-
-protected:
-  double getTickStep(const QCPRange& range) override {
-    const double step = QCPAxisTicker::getTickStep(range);
-    if (!whole_ || step == std::round(step)) {
-      return step;
-    }
-    return step < 1.0 ? 1.0 : 2.0 * step; // 2.5
-  }
-  QVector<double> createTickVector(double step, const QCPRange& range) override {
-    step_ = step;
-    return QCPAxisTicker::createTickVector(step, range);
-  }
-  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    constexpr double kLong = 1e5; // those and the tiniest are written with a power of ten
-    constexpr int kMostDecimals = 4;
-    const int decimals = decimalsOf(step_);
-    if (std::abs(tick) >= kLong || decimals > kMostDecimals) {
-      return QCPAxisTicker::getTickLabel(tick, locale, format, precision);
-    }
-    return locale.toString(std::abs(tick) < 1e-6 * step_ ? 0.0 : tick, 'f', decimals);
-  }
-
-private:
-  static int decimalsOf(double step) {
-    int decimals = 0;
-    for (double scaled = step; std::abs(scaled - std::round(scaled)) > 1e-6 && decimals < 9;
-         scaled *= 10.0) {
-      ++decimals;
-    }
-    return decimals;
-  }
-
-  bool whole_ = false;
-  double step_ = 1.0;
-};
+constexpr int kRowGap = 4;          ///< pixels above and below a plot
+constexpr int kLeastRect = 20;      ///< height of the axes
+constexpr int kTickRoom = 22;       ///< pixels of the y axis for each number on it
+constexpr int kCaptionLines = 2;    ///< of a title
+constexpr double kDeviations = 2.0; ///< of a band, to either side
+constexpr int kBandAlpha = 52;
+constexpr double kCurveWidth = 1.2;
+constexpr double kFigureWidth = 1.4;
+constexpr double kTruthWidth = 1.0;
+constexpr int kTruthAlpha = 150;
+constexpr double kDotSize = 4.5;
+/// Smooth lines of more points would take too long while a run goes on.
+constexpr qsizetype kMostSmoothPoints = 400;
+constexpr double kPositionShare = 1.4; ///< of the height: it has most curves, and is looked at most
 
 /// The next round number (1, 2, 5 times a power of ten) at or above a positive one.
 double roundedUp(double value) {
@@ -81,98 +38,82 @@ double roundedUp(double value) {
   return 10.0 * decade;
 }
 
+/// Finer than that nothing is enlarged: what differs by less says nothing.
+double finestRange(PlotQuantity quantity) {
+  switch (quantity) {
+  case PlotQuantity::Position:
+    return 1e-3;
+  case PlotQuantity::PixelPosition:
+    return 10.0;
+  default:
+    return 1.0;
+  }
+}
+
+bool isPosition(PlotQuantity quantity) {
+  return quantity == PlotQuantity::Position || quantity == PlotQuantity::PixelPosition;
+}
+
 } // namespace
 
-PlotReadout::PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration)
-    : QCPLayoutElement(plot), declaration_(declaration) {
-  setLayer(QStringLiteral("cursor"));
-}
+PlotRow::Extremes::Extremes()
+    : least(std::numeric_limits<double>::infinity()),
+      most(-std::numeric_limits<double>::infinity()) {}
 
-int PlotReadout::widthFor(const std::vector<const PlotDeclaration*>& plots) {
-  constexpr int kNarrow = 136; // one column of names and values
-  constexpr int kWide = 264;   // several
-  const bool narrow =
-      std::ranges::all_of(plots, [](const auto* plot) { return plot->curves.size() <= 1; });
-  return narrow ? kNarrow : kWide;
-}
-
-int PlotReadout::heightFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font) {
-  std::size_t lines = 4; // a curve needs some height to be read
-  for (const PlotDeclaration* plot : plots) {
-    lines = std::max(lines, 1 + (plot->curves.size() + kMostColumns - 1) / kMostColumns);
-  }
-  return static_cast<int>(lines) * QFontMetrics(font).height() + kRowGap;
-}
-
-void PlotReadout::setWidth(int width) {
-  setMinimumSize(width, 0);
-  setMaximumSize(width, QWIDGETSIZE_MAX);
-}
-
-QString PlotReadout::asText() const {
-  QStringList parts;
-  for (std::size_t curve = 0; curve < declaration_.curves.size(); ++curve) {
-    const double value =
-        curve < values_.size() ? values_[curve] : std::numeric_limits<double>::quiet_NaN();
-    parts << QStringLiteral("%1 %2").arg(declaration_.curves[curve].name,
-                                         quantityText(declaration_.quantity, value));
-  }
-  return parts.join(QStringLiteral(", "));
-}
-
-void PlotReadout::draw(QCPPainter* painter) {
-  const QPalette& palette = mParentPlot->palette();
-  const QColor text = palette.color(QPalette::WindowText);
-  QFont font = mParentPlot->font();
-  font.setPointSizeF(font.pointSizeF() * 0.92);
-  const QFontMetrics metrics(font);
-  const int line = metrics.height();
-  QFont bold = font;
-  bold.setWeight(QFont::DemiBold);
-  painter->setFont(bold);
-  painter->setPen(text);
-  QRect area = rect().adjusted(8, 0, -4, 0);
-  painter->drawText(area.left(), area.top() + metrics.ascent(), declaration_.title);
-  painter->setFont(font);
-  // Entries flow down, then into further columns.
-  const auto count = static_cast<int>(declaration_.curves.size());
-  const int fitting = std::max(1, (area.height() - line) / line);
-  const int columns = std::clamp((count + fitting - 1) / fitting, 1, kMostColumns);
-  const int perColumn = (count + columns - 1) / columns;
-  const int width = (area.width() - kColumnGap * (columns - 1)) / columns;
-  for (int entry = 0; entry < count; ++entry) {
-    const CurveDeclaration& curve = declaration_.curves[static_cast<std::size_t>(entry)];
-    const auto index = static_cast<std::size_t>(entry);
-    const double value =
-        index < values_.size() ? values_[index] : std::numeric_limits<double>::quiet_NaN();
-    const QRect box(area.left() + entry / perColumn * (width + kColumnGap),
-                    area.top() + (1 + entry % perColumn) * line, width, line);
-    const QColor color = curveColor(curve.color, text);
-    painter->fillRect(QRect(box.left(), box.center().y() - 1, 10, 3), color);
-    painter->setPen(text);
-    const QString number = quantityText(declaration_.quantity, value);
-    const int room = width - 14 - metrics.horizontalAdvance(number) - 6;
-    painter->drawText(box.adjusted(14, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                      metrics.elidedText(curve.name, Qt::ElideRight, room));
-    painter->drawText(box, Qt::AlignRight | Qt::AlignVCenter, number);
-  }
+void PlotRow::Extremes::add(const Extremes& other) {
+  least = std::min(least, other.least);
+  most = std::max(most, other.most);
+  points += other.points;
 }
 
 PlotRow::PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layoutRow,
                  QCPMarginGroup* margins)
-    : plot_(plot), declaration_(&declaration), rect_(new QCPAxisRect(plot)),
-      readout_(new PlotReadout(plot, declaration)) {
-  plot->plotLayout()->addElement(layoutRow, 0, rect_);
-  plot->plotLayout()->addElement(layoutRow, 1, readout_);
+    : plot_(plot), declaration_(&declaration), caption_(new PlotCaption(plot, declaration)),
+      rect_(new QCPAxisRect(plot)), readout_(new PlotReadout(plot, declaration)) {
+  plot->plotLayout()->addElement(layoutRow, 0, caption_);
+  plot->plotLayout()->addElement(layoutRow, 1, rect_);
+  plot->plotLayout()->addElement(layoutRow, 2, readout_);
+  plot->plotLayout()->setRowStretchFactor(layoutRow, heightShare());
   rect_->setMarginGroup(QCP::msLeft, margins);
-  rect_->setMinimumMargins(QMargins(0, kRowGap, 0, kRowGap));
+  rect_->setAutoMargins(QCP::msLeft); // no row needs room for the numbers of the shared axis
+  rect_->setMargins(QMargins(0, kRowGap, kRowGap, kRowGap));
+  rect_->setMinimumSize(kLeastRect, kLeastRect);
+  for (QCPLayoutElement* beside :
+       {static_cast<QCPLayoutElement*>(caption_), static_cast<QCPLayoutElement*>(readout_)}) {
+    beside->setMargins(QMargins(0, kRowGap / 2, 0, 0));
+  }
   prepareAxes();
-  for (const CurveDeclaration& curve : declaration.curves) {
-    auto* graph = plot->addGraph(xAxis(), yAxis());
-    graph->setName(curve.name);
-    graph->setAdaptiveSampling(false); // done already
-    graph->setAntialiased(false);
-    graphs_.push_back(graph);
+  addGraphs();
+}
+
+QCPGraph* PlotRow::addGraph(const QString& name) {
+  auto* graph = plot_->addGraph(xAxis(), yAxis());
+  graph->setName(name);
+  graph->setAdaptiveSampling(false); // done already
+  graph->setAntialiased(false);
+  return graph;
+}
+
+void PlotRow::addGraphs() {
+  drawn_.resize(declaration_->curves.size());
+  // Bands lie below all lines, and the truth below the curves.
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    const CurveDeclaration& curve = declaration_->curves[k];
+    if (curve.deviation) {
+      drawn_[k].bandLower = addGraph(curve.name);
+      drawn_[k].bandUpper = addGraph(curve.name);
+      drawn_[k].bandLower->setPen(Qt::NoPen);
+      drawn_[k].bandUpper->setPen(Qt::NoPen);
+      drawn_[k].bandUpper->setChannelFillGraph(drawn_[k].bandLower);
+    }
+  }
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    if (declaration_->curves[k].truth) {
+      drawn_[k].truth = addGraph(declaration_->curves[k].name);
+    }
+  }
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    drawn_[k].curve = addGraph(declaration_->curves[k].name);
   }
 }
 
@@ -188,8 +129,7 @@ void PlotRow::prepareAxes() {
     y->setTicker(QSharedPointer<DecadeTicker>::create());
     y->setRange(1.0, 1000.0);
   } else {
-    y->setTicker(QSharedPointer<StepTicker>::create());
-    y->ticker()->setTickCount(2);
+    y->setTicker(QSharedPointer<ValueTicker>::create());
   }
   QCPAxis* x = xAxis();
   x->setTicker(QSharedPointer<StepTicker>::create());
@@ -197,6 +137,7 @@ void PlotRow::prepareAxes() {
   x->setNumberPrecision(5);
   x->setSubTicks(false);
   x->setTickLength(0, 3);
+  x->setTickLabels(false); // below all plots, but for a figure
   x->ticker()->setTickStepStrategy(QCPAxisTicker::tssReadability);
   for (const auto side : {QCPAxis::atRight, QCPAxis::atTop}) {
     if (rect_->axisCount(side) > 0) {
@@ -205,36 +146,95 @@ void PlotRow::prepareAxes() {
   }
 }
 
-void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
-  static_cast<StepTicker&>(*xAxis()->ticker()).setWhole(axis != PlotAxis::Time);
-  const QCPRange range = xAxis()->range();
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (std::size_t curve = 0; curve < graphs_.size(); ++curve) {
-    const std::size_t column = declaration_->curves[curve].column;
-    PlotSeries::Line line =
-        column < series.columns()
-            ? series.line(column, axis, range.lower, range.upper, std::max(50, rect_->width()))
-            : PlotSeries::Line{};
-    QVector<QCPGraphData> points(static_cast<qsizetype>(line.keys.size()));
-    for (qsizetype i = 0; i < points.size(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const double value = drawnValue(declaration_->quantity, line.values[at]);
-      points[i] = {line.keys[at], std::isnan(line.values[at]) ? line.values[at] : value};
-      if (std::isfinite(line.values[at])) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-      }
-    }
-    graphs_[curve]->data()->set(points, true);
-  }
-  if (least <= most) {
-    fit(least, most);
+int PlotRow::leastHeight(const QFont& font) const {
+  const int line = PlotReadout::lineHeight(font);
+  const int lines = std::max(kCaptionLines, PlotReadout::linesOf(*declaration_));
+  return static_cast<int>(std::lround(heightShare() * (kCaptionLines * line + 2 * kRowGap))) +
+         std::max(0, lines - kCaptionLines) * line;
+}
+
+double PlotRow::heightShare() const {
+  return isPosition(declaration_->quantity) && declaration_->curves.size() > 1 ? kPositionShare
+                                                                               : 1.0;
+}
+
+void PlotRow::setMostTicks() {
+  const int most = std::max(2, rect_->height() / kTickRoom);
+  if (declaration_->quantity == PlotQuantity::Length) {
+    static_cast<DecadeTicker&>(*yAxis()->ticker()).setMost(most);
+  } else {
+    static_cast<ValueTicker&>(*yAxis()->ticker()).setMost(most);
   }
 }
 
-void PlotRow::fit(double least, double most) {
-  switch (declaration_->quantity) {
+PlotRow::Extremes PlotRow::draw(QCPGraph* graph, const PlotSeries& series, PlotAxis axis,
+                                std::size_t column,
+                                const std::optional<PlotSeries::Offset>& offset) const {
+  Extremes extremes;
+  const QCPRange range = xAxis()->range();
+  const bool known = column < series.columns() && (!offset || offset->column < series.columns());
+  const PlotSeries::Line line = known ? series.line(column, axis, range.lower, range.upper,
+                                                    std::max(50, rect_->width()), offset)
+                                      : PlotSeries::Line{};
+  QVector<QCPGraphData> points(static_cast<qsizetype>(line.keys.size()));
+  for (qsizetype i = 0; i < points.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double value = drawnValue(declaration_->quantity, line.values[at]);
+    points[i] = {line.keys[at], std::isnan(line.values[at]) ? line.values[at] : value};
+    if (std::isfinite(line.values[at])) {
+      extremes.least = std::min(extremes.least, value);
+      extremes.most = std::max(extremes.most, value);
+      ++extremes.points;
+    }
+  }
+  const bool smooth = points.size() <= kMostSmoothPoints;
+  graph->setAntialiased(smooth);
+  graph->setAntialiasedFill(smooth);
+  if (QPen pen = graph->pen(); pen.style() == Qt::SolidLine) {
+    pen.setWidthF(smooth ? kCurveWidth : 0.0);
+    graph->setPen(pen);
+  }
+  graph->data()->set(points, true);
+  return extremes;
+}
+
+void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
+  static_cast<StepTicker&>(*xAxis()->ticker()).setWhole(axis != PlotAxis::Time);
+  Extremes values;
+  Extremes bands;
+  bool truthKnown = false;
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    const CurveDeclaration& curve = declaration_->curves[k];
+    const Drawn& drawn = drawn_[k];
+    const Extremes its = draw(drawn.curve, series, axis, curve.column);
+    const bool few = its.points > 0 && its.points <= kMostDots;
+    const QColor color = drawn.curve->pen().color();
+    drawn.curve->setScatterStyle(
+        few ? QCPScatterStyle(QCPScatterStyle::ssDisc, color, color, kDotSize) : QCPScatterStyle());
+    values.add(its);
+    if (curve.deviation) {
+      bands.add(draw(drawn.bandLower, series, axis, curve.column,
+                     PlotSeries::Offset{*curve.deviation, -kDeviations}));
+      bands.add(draw(drawn.bandUpper, series, axis, curve.column,
+                     PlotSeries::Offset{*curve.deviation, kDeviations}));
+    }
+    if (curve.truth) {
+      values.add(draw(drawn.truth, series, axis, *curve.truth));
+      truthKnown = truthKnown || (*curve.truth < series.columns() && series.isKnown(*curve.truth));
+    }
+  }
+  readout_->setTruthKnown(truthKnown);
+  setMostTicks();
+  if (values.any()) {
+    fit(values, bands);
+  }
+}
+
+void PlotRow::fit(const Extremes& values, const Extremes& bands) {
+  const PlotQuantity quantity = declaration_->quantity;
+  double least = values.least;
+  double most = values.most;
+  switch (quantity) {
   case PlotQuantity::Length:
     // Whole decades, and room for their numbers: the axis stays put while the curve moves.
     yAxis()->setRange(0.6 * std::pow(10.0, std::floor(std::log10(least))),
@@ -252,12 +252,16 @@ void PlotRow::fit(double least, double most) {
     break;
   }
   case PlotQuantity::Position:
+  case PlotQuantity::PixelPosition:
   case PlotQuantity::LogLikelihood: {
-    // Finer than a millimeter, or a difference in probability that says nothing, is not enlarged.
-    const double finest = declaration_->quantity == PlotQuantity::Position ? 1e-3 : 1.0;
-    const double step = roundedUp(std::max(most - least, finest)) / 5.0;
+    const double size = std::max(most - least, finestRange(quantity));
+    if (bands.any()) { // a wide band must not flatten the curves
+      least = std::min(least, std::max(bands.least, least - 0.5 * size));
+      most = std::max(most, std::min(bands.most, most + 0.5 * size));
+    }
+    const double step = roundedUp(std::max(most - least, finestRange(quantity))) / 5.0;
     yAxis()->setRange((std::floor(least / step) - 0.2) * step,
-                      (std::floor(most / step) + 1.0) * step);
+                      (std::floor(most / step) + 1.2) * step);
     break;
   }
   }
@@ -278,6 +282,7 @@ void PlotRow::applyPalette(const QPalette& palette, const QFont& font) {
   const QColor grid = palette.color(QPalette::Mid);
   QFont small = font;
   small.setPointSizeF(font.pointSizeF() * 0.9);
+  small = tabularFont(small);
   for (QCPAxis* axis : {xAxis(), yAxis()}) {
     axis->setBasePen(QPen(grid));
     axis->setTickPen(QPen(grid));
@@ -289,17 +294,46 @@ void PlotRow::applyPalette(const QPalette& palette, const QFont& font) {
     axis->grid()->setZeroLinePen(Qt::NoPen);
     axis->grid()->setAntialiased(false);
   }
-  for (std::size_t curve = 0; curve < graphs_.size(); ++curve) {
-    graphs_[curve]->setPen(QPen(curveColor(declaration_->curves[curve].color, text), 0.0));
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    const QColor color = curveColor(declaration_->curves[k].color, text);
+    drawn_[k].curve->setPen(QPen(color, kCurveWidth));
+    if (drawn_[k].bandUpper != nullptr) {
+      QColor faint = color;
+      faint.setAlpha(kBandAlpha);
+      drawn_[k].bandUpper->setBrush(faint);
+    }
+    if (drawn_[k].truth != nullptr) {
+      QColor quiet = text;
+      quiet.setAlpha(kTruthAlpha);
+      drawn_[k].truth->setPen(QPen(quiet, kTruthWidth, Qt::DashLine));
+    }
+  }
+}
+
+void PlotRow::drawForFigure(bool figure) {
+  for (const Drawn& drawn : drawn_) {
+    QPen pen = drawn.curve->pen();
+    pen.setWidthF(figure ? kFigureWidth : kCurveWidth);
+    drawn.curve->setPen(pen);
+    for (QCPGraph* graph : {drawn.curve, drawn.bandLower, drawn.bandUpper, drawn.truth}) {
+      if (graph != nullptr) {
+        graph->setAntialiased(true);
+      }
+    }
   }
 }
 
 int PlotRow::pointCount() const {
   int count = 0;
-  for (const QCPGraph* graph : graphs_) {
+  for (const QCPGraph* graph : rect_->graphs()) {
     count += graph->dataCount();
   }
   return count;
+}
+
+bool PlotRow::hasDots() const {
+  return std::ranges::any_of(
+      drawn_, [](const Drawn& drawn) { return !drawn.curve->scatterStyle().isNone(); });
 }
 
 } // namespace dewpoint::ui

@@ -136,7 +136,7 @@ std::optional<std::size_t> PlotSeries::atFrame(std::int64_t frame) const {
 }
 
 PlotSeries::Line PlotSeries::line(std::size_t column, PlotAxis axis, double lower, double upper,
-                                  int pixels) const {
+                                  int pixels, const std::optional<Offset>& offset) const {
   Line line;
   auto [first, last] = within(axis, lower, upper);
   first -= first > 0 ? 1 : 0;
@@ -151,7 +151,8 @@ PlotSeries::Line PlotSeries::line(std::size_t column, PlotAxis axis, double lowe
       continue;
     }
     const double place = key(index, axis);
-    const double drawn = value(index, column);
+    const double drawn =
+        value(index, column) + (offset ? offset->factor * value(index, offset->column) : 0.0);
     const double its = all ? place : std::floor((place - lower) / width);
     if (its != part || !std::isfinite(drawn)) {
       extremes.writeTo(line);

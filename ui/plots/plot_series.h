@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::ui {
@@ -56,9 +57,15 @@ public:
   std::pair<std::size_t, std::size_t> within(PlotAxis axis, double lower, double upper) const;
   /// Over time only a frame's last iteration is drawn.
   bool isDrawn(std::size_t index, PlotAxis axis) const;
+  /// Added to a curve's values: so many times another column.
+  struct Offset {
+    std::size_t column = 0;
+    double factor = 0.0;
+  };
   /// The column within [lower, upper] and one row beyond, in at most about two points for each of
   /// `pixels` parts: the least and the greatest value of each.
-  Line line(std::size_t column, PlotAxis axis, double lower, double upper, int pixels) const;
+  Line line(std::size_t column, PlotAxis axis, double lower, double upper, int pixels,
+            const std::optional<Offset>& offset = std::nullopt) const;
 
 private:
   void thin();

@@ -6,6 +6,7 @@
 #include "ui/plots/plot_figure.h"
 #include "ui/plots/plot_pointer.h"
 #include "ui/plots/plot_row.h"
+#include "ui/plots/plot_scroll.h"
 #include "ui/text/quantity_text.h"
 
 #include <QEvent>
@@ -20,12 +21,16 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kLeastIntervalMs = 120;
+constexpr double kEndMargin = 0.005; ///< at either end of the axis, of its length
+constexpr int kTopRoom = 4;          ///< above the first plot, pixels
+constexpr int kBareMargin = 12;      ///< right of curves that nothing stands beside, pixels
 /// Drawing may take this share of the time: with less than 2 ms for each of 30 snapshots a second.
 constexpr double kDrawingShare = 0.05;
 
 } // namespace
 
-PlotStack::PlotStack(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+PlotStack::PlotStack(QWidget* parent)
+    : QWidget(parent), plot_(new QCustomPlot(this)), scroll_(new PlotScroll(plot_, this)) {
   plot_->setObjectName(QStringLiteral("plotCanvas"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMouseTracking(true);
@@ -33,7 +38,7 @@ PlotStack::PlotStack(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
   plot_->setPlottingHint(QCP::phFastPolylines);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  layout->addWidget(scroll_);
   setFocusProxy(plot_);
   plot_->plotLayout()->clear();
   plot_->addLayer(QStringLiteral("cursor"), plot_->layer(QStringLiteral("overlay")));
@@ -48,7 +53,18 @@ PlotStack::PlotStack(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(t
 
 PlotStack::~PlotStack() = default;
 
+void PlotStack::setEmptyText(const QString& sentence) {
+  scroll_->setEmptyText(sentence);
+}
+
+void PlotStack::setBare(bool bare) {
+  bare_ = bare;
+  scroll_->setNamed(!bare);
+  rebuild();
+}
+
 void PlotStack::setPlots(std::vector<PlotDeclaration> plots) {
+  scroll_->setAxis(nullptr, axis());
   rows_.clear(); // they point into the old ones
   plot_->clearGraphs();
   plot_->plotLayout()->clear();
@@ -83,6 +99,7 @@ std::vector<const PlotDeclaration*> PlotStack::wantedPlots() const {
 }
 
 void PlotStack::rebuild() {
+  scroll_->setAxis(nullptr, axis());
   rows_.clear();
   cursor_->rects.clear();
   plot_->clearGraphs();
@@ -97,20 +114,28 @@ void PlotStack::rebuild() {
         std::make_unique<PlotRow>(plot_, *plot, static_cast<int>(rows_.size()), margins));
     cursor_->rects.push_back(rows_.back()->rect());
   }
-  for (const auto& row : rows_) {
-    const bool last = row == rows_.back();
-    row->xAxis()->setTickLabels(last);
-    row->rect()->setMarginGroup(QCP::msLeft, margins);
-    // Only the lowest needs room for the numbers of the shared axis.
-    row->rect()->setAutoMargins(QCP::msLeft);
-    row->rect()->setMargins(QMargins(0, 4, 4, last ? kTickHeight : 4));
-    row->readout()->setWidth(PlotReadout::widthFor(wanted));
-    row->readout()->setMargins(QMargins(0, 2, 0, 0));
-  }
-  plot_->setMinimumHeight(PlotReadout::heightFor(wanted, font()) * static_cast<int>(rows_.size()) +
-                          kTickHeight);
+  placeRows(wanted);
+  scroll_->setAxis(rows_.empty() ? nullptr : rows_.front()->xAxis(), axis());
   applyPalette();
   draw();
+}
+
+void PlotStack::placeRows(const std::vector<const PlotDeclaration*>& wanted) {
+  const int captionWidth = bare_ ? 0 : PlotCaption::widthFor(wanted, font());
+  const int readoutWidth = bare_ ? kBareMargin : PlotReadout::widthFor(wanted, font());
+  int height = 0;
+  for (const auto& row : rows_) {
+    row->caption()->setWidth(captionWidth);
+    row->readout()->setWidth(readoutWidth);
+    height += row->leastHeight(font());
+  }
+  if (!rows_.empty()) { // a number at the upper end of an axis is not cut off
+    QMargins margins = rows_.front()->rect()->margins();
+    margins.setTop(margins.top() + kTopRoom);
+    rows_.front()->rect()->setMargins(margins);
+    height += kTopRoom;
+  }
+  plot_->setMinimumHeight(height);
 }
 
 std::pair<double, double> PlotStack::shownRange() const {
@@ -127,6 +152,7 @@ void PlotStack::refresh() {
 }
 
 void PlotStack::draw() {
+  scroll_->showEmpty(series_ == nullptr || series_->size() == 0);
   if (!isVisible() || series_ == nullptr) {
     return;
   }
@@ -140,8 +166,9 @@ void PlotStack::draw() {
   QElapsedTimer took;
   took.start();
   const auto [lower, upper] = range_.advance(series_);
+  const double margin = kEndMargin * (upper - lower); // the first dot is seen in full
   for (const auto& row : rows_) {
-    row->xAxis()->setRange(lower, upper);
+    row->xAxis()->setRange(lower - margin, upper + margin);
     row->fill(*series_, axis());
   }
   drawCursor();
@@ -185,6 +212,7 @@ void PlotStack::drawCursor() {
 
 void PlotStack::setAxis(PlotAxis axis) {
   if (range_.setAxis(axis)) {
+    scroll_->setAxis(rows_.empty() ? nullptr : rows_.front()->xAxis(), axis);
     draw();
   }
 }
@@ -284,6 +312,22 @@ QStringList PlotStack::visiblePlots() const {
     ids << row->declaration().id;
   }
   return ids;
+}
+
+QStringList PlotStack::plotsInSight() const {
+  const QRect sight = scroll_->sight();
+  QStringList ids;
+  for (const auto& row : rows_) {
+    const QRect its = row->rect()->rect();
+    if (its.top() >= sight.top() && its.bottom() <= sight.bottom()) {
+      ids << row->declaration().id;
+    }
+  }
+  return ids;
+}
+
+bool PlotStack::hasDots() const {
+  return std::ranges::any_of(rows_, [](const auto& row) { return row->hasDots(); });
 }
 
 void PlotStack::changeEvent(QEvent* event) {

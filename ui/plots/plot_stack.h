@@ -21,16 +21,16 @@ namespace dewpoint::ui {
 
 class PlotCursor;
 class PlotRow;
+class PlotScroll;
 struct PlotPicture;
 
-/// Plots one above the other that share the axis of iterations or time, a cursor and a range. Draws
-/// new data a few times per second at most, however often refresh() is called; unless a part of the
-/// axis is chosen, the whole run is shown.
+/// Plots one above the other that share the axis of iterations or time, a cursor and a range. In
+/// little room they are scrolled, above the numbers of the axis; without data there is a sentence.
+/// Draws new data a few times per second at most, however often refresh() is called; unless a part
+/// of the axis is chosen, the whole run is shown.
 class PlotStack : public QWidget {
   Q_OBJECT
 public:
-  static constexpr int kTickHeight = 18; ///< of the numbers along the shared axis
-
   explicit PlotStack(QWidget* parent = nullptr);
   ~PlotStack() override;
 
@@ -42,6 +42,12 @@ public:
   void setSeries(const PlotSeries* series);
   /// The series has changed: draws it soon.
   void refresh();
+  /// The sentence shown as long as there are no data.
+  void setEmptyText(const QString& sentence);
+  /// Curves and axes alone, for a stack whose surroundings say what it shows.
+  void setBare(bool bare);
+  /// A run of fewer iterations than that grows into the axis.
+  void setLeastIterations(int least) { range_.setLeastIterations(least); }
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return range_.axis(); }
 
@@ -83,6 +89,10 @@ public:
   /// Points of the curves as they are drawn.
   int drawnPoints() const;
   QStringList visiblePlots() const;
+  /// Those of them whose plots are seen in full, without scrolling.
+  QStringList plotsInSight() const;
+  /// Whether dots are drawn on any curve.
+  bool hasDots() const;
 
   QSize sizeHint() const override { return {700, 240}; }
 
@@ -103,6 +113,7 @@ protected:
 private:
   friend class PlotPointer;
   void rebuild();
+  void placeRows(const std::vector<const PlotDeclaration*>& wanted);
   void draw();
   void drawCursor();
   void applyPalette();
@@ -113,7 +124,9 @@ private:
   double keyAt(int x) const;
 
   QCustomPlot* plot_;
+  PlotScroll* scroll_;
   PlotCursor* cursor_;
+  bool bare_ = false;
   std::vector<PlotDeclaration> plots_;
   QStringList shown_;
   std::vector<std::unique_ptr<PlotRow>> rows_;

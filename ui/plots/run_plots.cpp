@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
 #include <limits>
 
 namespace dewpoint::ui {
@@ -13,6 +14,14 @@ namespace {
 
 /// Columns of the series, then two for each camera.
 enum RunColumn : std::size_t {
+  kPositionX,
+  kPositionY,
+  kPositionZ,
+  kTruthX,
+  kTruthY,
+  kTruthZ,
+  kBoxWidth,
+  kBoxHeight,
   kSpreadX,
   kSpreadY,
   kSpreadZ,
@@ -36,6 +45,24 @@ QString plainName(const QString& name) {
     plain += letter.isLetterOrNumber() ? letter : QLatin1Char('_');
   }
   return plain;
+}
+
+PlotDeclaration positionPlot() {
+  const auto curve = [](int axis, const char* name) {
+    const auto number = static_cast<std::size_t>(axis);
+    const QLatin1String letter(name);
+    return CurveDeclaration{letter,
+                            QStringLiteral("%1_m").arg(letter),
+                            kPositionX + number,
+                            axis,
+                            kSpreadX + number,
+                            kTruthX + number,
+                            QStringLiteral("true_%1_m").arg(letter)};
+  };
+  return {QStringLiteral("position"),
+          RunPlots::tr("Position"),
+          PlotQuantity::Position,
+          {curve(0, "x"), curve(1, "y"), curve(2, "z")}};
 }
 
 PlotDeclaration sampleSizePlot() {
@@ -74,6 +101,7 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
     existence.push_back(std::move(curve));
   }
   return {
+      positionPlot(),
       {QStringLiteral("spread"),
        RunPlots::tr("Spread"),
        PlotQuantity::Length,
@@ -95,6 +123,13 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
 
 std::vector<PlotDeclaration> boxRunPlots() {
   return {
+      {QStringLiteral("position"),
+       RunPlots::tr("Position"),
+       PlotQuantity::PixelPosition,
+       {{QStringLiteral("x"), QStringLiteral("center_x_px"), kPositionX, 0},
+        {QStringLiteral("y"), QStringLiteral("center_y_px"), kPositionY, 1},
+        {RunPlots::tr("width"), QStringLiteral("width_px"), kBoxWidth, 2},
+        {RunPlots::tr("height"), QStringLiteral("height_px"), kBoxHeight, 3}}},
       {QStringLiteral("spread"),
        RunPlots::tr("Spread"),
        PlotQuantity::Pixels,
@@ -112,11 +147,23 @@ std::size_t runPlotColumns(int cameraCount) {
   return kFirstCamera + kPerCamera * static_cast<std::size_t>(cameraCount);
 }
 
+double spreadOf(const PlotSeries& series, std::size_t row, bool ofBoxes) {
+  return ofBoxes ? series.value(row, kSpreadX)
+                 : std::hypot(series.value(row, kSpreadX), series.value(row, kSpreadY),
+                              series.value(row, kSpreadZ));
+}
+
 void appendTo(PlotSeries& series, const IterationRecord& record) {
   std::vector<float> values(series.columns(), std::numeric_limits<float>::quiet_NaN());
   const auto put = [&values](std::size_t column, double value) {
     values[column] = static_cast<float>(value);
   };
+  for (int axis = 0; axis < 3; ++axis) {
+    put(kPositionX + static_cast<std::size_t>(axis), record.position[axis]);
+    put(kTruthX + static_cast<std::size_t>(axis), record.truth[axis]);
+  }
+  put(kBoxWidth, record.boxWidth);
+  put(kBoxHeight, record.boxHeight);
   put(kSpreadX, record.similarity ? record.spread : record.spreadPerAxis.x());
   put(kSpreadY, record.spreadPerAxis.y());
   put(kSpreadZ, record.spreadPerAxis.z());

@@ -252,6 +252,7 @@ void SessionController::togglePlay() {
     return;
   }
   if (state == PlayState::Ended) {
+    Q_EMIT restarting();
     session.restart();
   }
   session.play();
@@ -261,6 +262,7 @@ void SessionController::restart(bool newSeed) {
   if (bridge_ == nullptr) {
     return;
   }
+  Q_EMIT restarting();
   if (newSeed) {
     // 31 bits: short enough to be read out and typed.
     bridge_->session().restart(QRandomGenerator::global()->generate() >> 1U);

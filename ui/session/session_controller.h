@@ -86,6 +86,8 @@ Q_SIGNALS:
   void runStarted();
   /// The run has begun to play, or waits for the user.
   void opened(const OpenRequest& request);
+  /// The run begins again from the beginning: nothing of what it was is shown any more.
+  void restarting();
   /// The session is gone; snapshotChanged() with null follows.
   void runEnded();
   /// The user closed the project.

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <qcustomplot.h>
+
+namespace dewpoint::ui {
+
+/// Ticks at powers of ten only, at most so many of them, the lowest and the highest first.
+class DecadeTicker : public QCPAxisTicker {
+public:
+  void setMost(int most) { most_ = most; }
+
+protected:
+  int getSubTickCount(double) override { return 0; }
+  QVector<double> createTickVector(double, const QCPRange& range) override;
+
+private:
+  int most_ = 2;
+};
+
+/// Labels with the decimals that the step between them has: 2.5, 5.0, 7.5.
+class StepTicker : public QCPAxisTicker {
+public:
+  void setWhole(bool whole) { whole_ = whole; }
+
+protected:
+  double getTickStep(const QCPRange& range) override;
+  QVector<double> createTickVector(double step, const QCPRange& range) override;
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override;
+
+  double step_ = 1.0; ///< of the ticks made last
+
+private:
+  bool whole_ = false;
+};
+
+/// For low plots: at least two ticks in any range, at most so many, at multiples of 1, 2 or 5 times
+/// a power of ten.
+class ValueTicker : public StepTicker {
+public:
+  void setMost(int most) { most_ = most; }
+
+protected:
+  int getSubTickCount(double) override { return 0; }
+  QVector<double> createTickVector(double step, const QCPRange& range) override;
+
+private:
+  int most_ = 2;
+};
+
+} // namespace dewpoint::ui
