@@ -7,6 +7,7 @@
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
 #include "ui/trajectory/gap_list.h"
+#include "ui/trajectory/table_head.h"
 #include "ui/trajectory/trajectory_panel.h"
 
 #include <QApplication>
@@ -49,6 +50,8 @@ private Q_SLOTS:
   void speedHeightAndGaps();
   void chosenGapIsTheRange();
   void tableFollowsAndGoesBack();
+  void rowOfTheFrameShownIsMarkedAndInSight();
+  void whoScrollsOrSelectsIsLeftAlone();
   void longRunsAreBounded();
   void drawingKeepsTheExtremes();
   void timeShowsTheLastIterationOfAFrame();
@@ -56,6 +59,12 @@ private Q_SLOTS:
 
 private:
   void follow(const std::vector<TrajectorySample>& samples);
+  bool isInSight(int row) {
+    return table().viewport()->rect().contains(table().visualRect(table().model()->index(row, 0)));
+  }
+  std::pair<int, int> markedRows() {
+    return static_cast<TableHead*>(table().itemDelegate())->rows();
+  }
   QTableView& table() { return *panel_->findChild<QTableView*>(QStringLiteral("trajectoryTable")); }
 
   std::unique_ptr<QWidget> window_;
@@ -153,6 +162,55 @@ void TrajectoryPanelTest::tableFollowsAndGoesBack() {
   QCOMPARE(panel_->findChild<GapList*>()->rowCount(), 0);
 }
 
+void TrajectoryPanelTest::rowOfTheFrameShownIsMarkedAndInSight() {
+  follow(circle(200));
+  selection_.setCurrentFrame(199, 6.6, false);
+  QCOMPARE(markedRows(), std::pair(199, 200));
+  QVERIFY(isInSight(199));
+  const QImage before = table().grab().toImage();
+  for (const int frame : {100, 101, 20, 150}) {
+    selection_.setCurrentFrame(frame, frame / 30.0, true);
+    QCOMPARE(markedRows(), std::pair(frame, frame + 1));
+    QVERIFY(isInSight(frame));
+  }
+  // It is a color of its own.
+  const QRect cell = table().visualRect(table().model()->index(150, 0));
+  const QImage with = table().viewport()->grab(cell).toImage();
+  selection_.setCurrentFrame(151, 5.0, true);
+  QVERIFY(with != table().viewport()->grab(cell).toImage());
+  // A frame that the table does not have yet: the end is in sight, and nothing is marked.
+  selection_.setCurrentFrame(204, 6.8, false);
+  QCOMPARE(markedRows().second - markedRows().first, 0);
+  QVERIFY(isInSight(199));
+  samples_ = circle(210);
+  panel_->refresh();
+  QVERIFY(waitFor([&] { return table().model()->rowCount() == 210; }));
+  QCOMPARE(markedRows(), std::pair(204, 205));
+  QVERIFY(isInSight(204));
+}
+
+void TrajectoryPanelTest::whoScrollsOrSelectsIsLeftAlone() {
+  follow(circle(200));
+  auto* bar = table().verticalScrollBar();
+  QVERIFY(waitFor([&] { return bar->maximum() > 150; }));
+  selection_.setCurrentFrame(150, 5.0, true);
+  bar->setValue(10); // as a wheel does
+  selection_.setCurrentFrame(151, 5.0, true);
+  QCOMPARE(bar->value(), 10);
+  QCOMPARE(markedRows(), std::pair(151, 152)); // marked all the same
+  selection_.requestFrame(90);                 // who goes somewhere wants to see it
+  selection_.setCurrentFrame(90, 3.0, true);
+  QVERIFY(isInSight(90));
+  bar->setValue(10);
+  bar->setValue(88); // scrolled back to where it is
+  selection_.setCurrentFrame(120, 4.0, true);
+  QVERIFY(isInSight(120));
+  selection_.selectRange(SelectedRange{40, 49});
+  const int there = bar->value();
+  selection_.setCurrentFrame(180, 6.0, true);
+  QCOMPARE(bar->value(), there);
+}
+
 void TrajectoryPanelTest::longRunsAreBounded() {
   PlotSeries series;
   series.reset(1);
@@ -212,6 +270,8 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
     record.frame = i;
     record.time = static_cast<double>(i) / 30.0;
     record.spreadPerAxis = Eigen::Vector3d(0.01, 0.02, 0.03) * (1.5 + wave);
+    record.position = Eigen::Vector3d(0.5, 0.1 * wave, 0.2);
+    record.truth = Eigen::Vector3d(0.5, 0.0, 0.2);
     record.effectiveSampleSize = 100.0 + 50.0 * wave;
     record.particleCount = 200;
     record.error = 0.02 * (1.1 + wave);
@@ -230,6 +290,14 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
   stack.showAll();
   stack.showAll();
   qInfo("40,000 iterations, %d points: %.1f ms per drawing", stack.drawnPoints(),
+        stack.lastDrawingMs());
+  // A short run is drawn more smoothly.
+  stack.setShown({QStringLiteral("position"), QStringLiteral("spread"),
+                  QStringLiteral("sampleSize"), QStringLiteral("likelihood")});
+  series.removeFrom(700);
+  stack.showAll();
+  stack.showAll();
+  qInfo("700 iterations, %d points: %.1f ms per drawing", stack.drawnPoints(),
         stack.lastDrawingMs());
 }
 

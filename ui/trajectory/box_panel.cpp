@@ -5,10 +5,10 @@
 #include "ui/selection/selection.h"
 #include "ui/text/retranslation.h"
 #include "ui/trajectory/box_model.h"
+#include "ui/trajectory/table_head.h"
 
 #include <QHeaderView>
 #include <QLabel>
-#include <QScrollBar>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -43,6 +43,12 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setHighlightSections(false);
+  head_ = new TableHead(table_, selection, [this](qint64 frame) {
+    const auto& samples = model_->samples();
+    const auto [first, last] = std::ranges::equal_range(samples, frame, {}, &BoxSample::frame);
+    return std::pair(static_cast<int>(first - samples.begin()),
+                     static_cast<int>(last - samples.begin()));
+  });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -91,14 +97,10 @@ void BoxPanel::fetch() {
     return;
   }
   const Session::BoxesPiece piece = source_(generation_, position_);
-  const QScrollBar* bar = table_->verticalScrollBar();
-  const bool atEnd = bar->value() == bar->maximum();
   if (piece.restarted || !piece.samples.empty()) {
     model_->replaceFrom(piece.first, piece.samples);
   }
-  if (atEnd) {
-    table_->scrollToBottom();
-  }
+  head_->refresh();
   updateSummary();
 }
 

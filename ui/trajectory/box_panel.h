@@ -19,8 +19,9 @@ namespace dewpoint::ui {
 
 class BoxModel;
 class Selection;
+class TableHead;
 
-/// The boxes of a run whose method follows boxes in images: a table that follows it.
+/// The boxes of a run whose method follows boxes in images: a table that follows the frame shown.
 class BoxPanel : public QWidget {
   Q_OBJECT
 public:
@@ -51,6 +52,7 @@ private:
 
   BoxModel* model_;
   QTableView* table_;
+  TableHead* head_ = nullptr;
   QLabel* summary_;
   Source source_;
   std::uint64_t generation_ = 0;

@@ -9,6 +9,7 @@
 #include "ui/text/retranslation.h"
 #include "ui/trajectory/box_panel.h"
 #include "ui/trajectory/gap_list.h"
+#include "ui/trajectory/table_head.h"
 #include "ui/trajectory/trajectory_model.h"
 
 #include <QAction>
@@ -17,7 +18,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
-#include <QScrollBar>
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QTableView>
@@ -96,14 +96,8 @@ void TrajectoryPanel::makeTable() {
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setHighlightSections(false);
-  // Who scrolls away from the end wants to look there. More rows and less room scroll nothing.
-  QScrollBar* bar = table_->verticalScrollBar();
-  connect(bar, &QScrollBar::valueChanged, this,
-          [this, bar](int value) { following_ = value == bar->maximum(); });
-  connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int end) {
-    if (following_ && !selection_.selectedRange()) {
-      bar->setValue(end);
-    }
+  head_ = new TableHead(table_, selection_, [this](qint64 frame) {
+    return model_->rowsOf(SelectedRange{frame, frame});
   });
   onRetranslate(table_, [this] {
     table_->setAccessibleName(tr("Trajectory"));
@@ -131,6 +125,7 @@ void TrajectoryPanel::makePlots() {
   plots_->setShown({QStringLiteral("speed"), QStringLiteral("height")});
   onRetranslate(plots_, [this] {
     plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
+    plots_->setEmptyText(tr("Speed and height appear when tracking runs."));
     plots_->setPlots({{QStringLiteral("speed"),
                        tr("Speed"),
                        PlotQuantity::Speed,
@@ -230,9 +225,7 @@ void TrajectoryPanel::fetch() {
   choosing_ = choosing;
   gaps_->setGaps(model_->log().gaps());
   showCurrentFrame();
-  if (following_ && !selection_.selectedRange()) {
-    table_->scrollToBottom();
-  }
+  head_->refresh();
   updateSummary();
   lastRefreshMs_ = static_cast<double>(took.nsecsElapsed()) * 1e-6;
   sinceRefresh_.restart();

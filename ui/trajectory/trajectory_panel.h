@@ -30,11 +30,12 @@ class ActionRegistry;
 class BoxPanel;
 class GapList;
 class PlotStack;
+class TableHead;
 class TrajectoryModel;
 
-/// The trajectory of the run: a table that follows it, speed and height over time, and the gaps. A
-/// range selected in any of them is selected in all. Of a run that follows boxes in images: its
-/// boxes.
+/// The trajectory of the run: a table that follows the frame shown, speed and height over time, and
+/// the gaps. A range selected in any of them is selected in all. Of a run that follows boxes in
+/// images: its boxes.
 class TrajectoryPanel : public QWidget {
   Q_OBJECT
 public:
@@ -95,6 +96,7 @@ private:
   Selection& selection_;
   TrajectoryModel* model_;
   QTableView* table_;
+  TableHead* head_ = nullptr;
   GapList* gaps_;
   QLabel* summary_;
   PlotStack* plots_;
@@ -105,7 +107,6 @@ private:
   Source source_;
   std::uint64_t generation_ = 0;
   std::size_t position_ = 0;
-  bool following_ = true; ///< the table shows the newest rows
   bool choosing_ = false; ///< rows are being selected, but not by the user
   QTimer timer_;
   QElapsedTimer sinceRefresh_;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/trajectory/table_head.h"
+
+#include "ui/selection/selection.h"
+#include "ui/style/tabular_font.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QTableView>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+namespace {
+constexpr float kMarkStrength = 0.25F; ///< of the color of what is selected
+} // namespace
+
+TableHead::TableHead(QTableView* table, Selection& selection, RowsOf rowsOf)
+    : QStyledItemDelegate(table), table_(table), selection_(selection), rowsOf_(std::move(rowsOf)) {
+  table->setItemDelegate(this);
+  table->setVerticalScrollMode(QAbstractItemView::ScrollPerItem); // positions are rows
+  const QScrollBar* bar = table->verticalScrollBar();
+  connect(bar, &QScrollBar::valueChanged, this, &TableHead::scrolled);
+  connect(bar, &QScrollBar::rangeChanged, this, &TableHead::follow); // more rows, or less room
+  connect(&selection, &Selection::currentFrameChanged, this, &TableHead::refresh);
+  const auto followAgain = [this] { following_ = true; };
+  connect(&selection, &Selection::frameRequested, this, followAgain);
+  connect(&selection, &Selection::liveFrameRequested, this, followAgain);
+}
+
+void TableHead::refresh() {
+  const qint64 frame = selection_.currentFrame();
+  const auto rows = frame < 0 ? std::pair(0, 0) : rowsOf_(frame);
+  if (rows != rows_) {
+    rows_ = rows;
+    table_->viewport()->update();
+  }
+  follow();
+}
+
+int TableHead::wantedRow() const {
+  const int end = table_->model()->rowCount() - 1;
+  if (selection_.currentFrame() < 0) {
+    return end;
+  }
+  const auto [first, last] = rowsOf_(selection_.currentFrame());
+  return std::min(std::max(first, last - 1), end);
+}
+
+int TableHead::rowsInSight() const {
+  const int height = std::max(1, table_->verticalHeader()->defaultSectionSize());
+  return std::max(1, table_->viewport()->height() / height);
+}
+
+bool TableHead::isInSight(int row) const {
+  const QScrollBar* bar = table_->verticalScrollBar();
+  const bool isEnd = bar->value() == bar->maximum() && row == table_->model()->rowCount() - 1;
+  return isEnd || (row >= bar->value() && row < bar->value() + rowsInSight());
+}
+
+void TableHead::follow() {
+  const int row = wantedRow();
+  if (!following_ || moving_ || row < 0 || selection_.selectedRange()) {
+    return;
+  }
+  QScrollBar* bar = table_->verticalScrollBar();
+  moving_ = true;
+  if (row == table_->model()->rowCount() - 1) {
+    bar->setValue(bar->maximum());
+  } else if (!isInSight(row)) {
+    bar->setValue(row - rowsInSight() / 2);
+  }
+  moving_ = false;
+}
+
+void TableHead::scrolled() {
+  if (!moving_) {
+    const int row = wantedRow();
+    following_ = row < 0 || isInSight(row);
+  }
+}
+
+void TableHead::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
+  QStyledItemDelegate::initStyleOption(option, index);
+  option->font = tabularFont(option->font);
+  if (index.row() >= rows_.first && index.row() < rows_.second) {
+    QColor mark = option->palette.color(QPalette::Highlight);
+    mark.setAlphaF(kMarkStrength);
+    option->backgroundBrush = mark;
+  }
+}
+
+} // namespace dewpoint::ui
