@@ -5,6 +5,7 @@
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/timeline/correction_marks.h"
+#include "ui/timeline/timeline_ribbon.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -21,87 +22,6 @@ namespace {
 
 constexpr double kGap = 3.0;
 constexpr int kMostRowsWanted = 5;
-constexpr double kLeastShare = 0.25; ///< of a ribbon's height, so that a small existence is seen
-
-/// What stands behind a ribbon's color, so that it is not color alone that tells.
-Qt::BrushStyle patternOf(TargetStatus status) {
-  using enum TargetStatus;
-  return status == Held        ? Qt::SolidPattern
-         : status == Lost      ? Qt::DiagCrossPattern
-         : status == Ambiguous ? Qt::Dense4Pattern
-                               : Qt::BDiagPattern;
-}
-
-/// A stretch of one status; where several frames fall on one pixel, the worst is drawn.
-struct Stretch {
-  double begin = 0.0;
-  double end = 0.0;
-  TargetStatus status = TargetStatus::Held;
-  double existenceProbability = 1.0;
-};
-
-std::ptrdiff_t badness(TargetStatus status) {
-  using enum TargetStatus;
-  static constexpr std::array kFromTheBest{Gone, Held, Ambiguous, Searching, Lost};
-  return std::ranges::find(kFromTheBest, status) - kFromTheBest.begin();
-}
-
-std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale& scale,
-                                 std::size_t target) {
-  std::vector<Stretch> stretches;
-  const auto& records = model.records;
-  for (std::size_t k = 0; k < records.size(); ++k) {
-    const qint64 next = model.endOf(k);
-    if (static_cast<double>(next) < scale.begin() ||
-        static_cast<double>(records[k].frame) > scale.end() ||
-        target >= records[k].targets.size()) {
-      continue;
-    }
-    const FrameRecord::Entry& entry = records[k].targets[target];
-    const Stretch now{scale.x(static_cast<double>(records[k].frame)),
-                      scale.x(static_cast<double>(next)), entry.status,
-                      static_cast<double>(entry.existenceProbability)};
-    Stretch* last = stretches.empty() ? nullptr : &stretches.back();
-    const bool same = last != nullptr && last->status == now.status &&
-                      std::abs(last->existenceProbability - now.existenceProbability) < 0.02 &&
-                      now.begin - last->end < 0.5;
-    const bool narrow = last != nullptr && last->end - last->begin < 1.0;
-    if (same) {
-      last->end = now.end;
-    } else if (narrow) {
-      last->end = now.end;
-      last->existenceProbability = std::min(last->existenceProbability, now.existenceProbability);
-      last->status = badness(now.status) > badness(last->status) ? now.status : last->status;
-    } else {
-      stretches.push_back(now);
-    }
-  }
-  return stretches;
-}
-
-void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
-                 const QRectF& row, std::size_t target, const QPalette& palette) {
-  painter.fillRect(row, palette.color(QPalette::Base));
-  for (const Stretch& stretch : stretchesOf(model, scale, target)) {
-    if (stretch.status == TargetStatus::Gone) {
-      continue;
-    }
-    const QColor color = holdColor(holdState(stretch.status), palette);
-    const bool held = stretch.status == TargetStatus::Held;
-    const double share = held ? std::max(kLeastShare, stretch.existenceProbability) : 1.0;
-    const double begin = std::max(row.left(), stretch.begin);
-    const double end = std::min(row.right(), stretch.end);
-    const QRectF bar(begin, row.bottom() - share * row.height(), std::max(1.0, end - begin),
-                     share * row.height());
-    if (!held) {
-      QColor ground = color;
-      ground.setAlphaF(0.18F);
-      painter.fillRect(bar, ground);
-      painter.fillRect(QRectF(bar.left(), row.top(), bar.width(), 1.5), color);
-    }
-    painter.fillRect(bar, QBrush(color, patternOf(stretch.status)));
-  }
-}
 
 void paintDropouts(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const QRectF& row, std::size_t camera, const QPalette& palette) {
@@ -372,6 +292,9 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
   paintAxis(painter, model, scale, rows, palette);
   for (int k = 0; k < model.targets.size(); ++k) {
     paintRibbon(painter, model, scale, rows.ribbon(k), static_cast<std::size_t>(k), palette);
+  }
+  if (model.targets.isEmpty() || model.records.empty()) {
+    paintNothingTracked(painter, rows.ribbons, palette);
   }
   int row = 0;
   for (int k = 0; k < model.cameras.size(); ++k) {

@@ -31,9 +31,9 @@ struct TimelineRows {
   QRectF camera(int row) const;
 };
 
-/// Draws a timeline: ribbons (held: full; searching: hatched; lost: crossed), drop-outs, markers,
-/// the range, the play head, and a thin line where the pointer is (`hovered`, a frame; negative:
-/// none).
+/// Draws a timeline: ribbons (held: a thin line; ambiguous: dotted; searching: hatched; lost:
+/// crossed), drop-outs, markers, the range, the play head, and a thin line where the pointer is
+/// (`hovered`, a frame; negative: none).
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,
                    const QPalette& palette);
