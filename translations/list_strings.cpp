@@ -43,9 +43,12 @@ void addErrors(Marked& marked) {
 }
 
 void addMethods(Marked& marked) {
-  for (const auto& method : dewpoint::tracking::methodNames()) {
-    marked.emplace("Method", dewpoint::tracking::methodSentence(method));
-    for (const auto& declaration : dewpoint::tracking::methodParameters(method)) {
+  for (const auto& method : dewpoint::tracking::methods()) {
+    marked.emplace("Method", method.text.title);
+    marked.emplace("Method", method.text.sentence);
+    marked.emplace("Method", dewpoint::tracking::headingOf(method));
+    for (const auto& declaration : method.parameters()) {
+      marked.emplace("ParameterGroup", dewpoint::tracking::parameterGroupTitle(declaration.group));
       marked.emplace("Parameter", declaration.label);
       marked.emplace("Parameter", declaration.sentence);
       if (!declaration.unit.empty()) {

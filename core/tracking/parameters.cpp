@@ -34,6 +34,37 @@ Error unknownKey(std::span<const ParameterDeclaration> declarations, std::string
 
 } // namespace
 
+std::string_view parameterGroupTitle(ParameterGroup group) {
+  switch (group) {
+  case ParameterGroup::Essential:
+    return "Essential";
+  case ParameterGroup::Motion:
+    return "Motion";
+  case ParameterGroup::Measurement:
+    return "Measurement";
+  case ParameterGroup::Area:
+    return "Area and people";
+  case ParameterGroup::Start:
+    return "Search and start";
+  case ParameterGroup::Expert:
+    break;
+  }
+  return "Expert";
+}
+
+void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> keys,
+                std::vector<ParameterDeclaration>& declarations) {
+  for (const std::string_view key : keys) {
+    const auto found = std::ranges::find(declarations, key, &ParameterDeclaration::key);
+    assert(found != declarations.end());
+    found->group = group;
+  }
+}
+
+bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration) {
+  return !declaration.bound.empty() && values.at(declaration.key) > values.at(declaration.bound);
+}
+
 ParameterValues::ParameterValues(std::span<const ParameterDeclaration> declarations)
     : declarations_(declarations) {
   for (const auto& declaration : declarations) {
@@ -93,6 +124,11 @@ void ParameterValues::giveAll() {
   for (const auto& declaration : declarations_) {
     give(declaration.key);
   }
+}
+
+void ParameterValues::leaveToCameras() {
+  given_.clear();
+  suggest({});
 }
 
 void ParameterValues::suggest(const ByKey& values) {

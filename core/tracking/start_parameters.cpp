@@ -25,7 +25,8 @@ ParameterDeclaration startCoordinate(const std::string& axis, double defaultValu
           defaultValue,
           "World " + axis + " of the place where all particles start.",
           false,
-          true};
+          true,
+          ParameterGroup::Start};
 }
 
 ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue) {
@@ -42,7 +43,8 @@ ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue)
               "them all at the same " +
               axis + ".",
           false,
-          true};
+          true,
+          ParameterGroup::Start};
 }
 
 bool isAnyStartGiven(const ParameterValues& parameters) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,6 +44,46 @@ TEST(Parameters, EveryDeclarationIsSound) {
     }
   }
   EXPECT_TRUE(methodParameters("nothing").empty());
+}
+
+TEST(Parameters, AFewOfEachMethodComeFirst) {
+  for (const Method& method : methods()) {
+    const auto declarations = method.parameters();
+    const auto first =
+        std::ranges::count(declarations, ParameterGroup::Essential, &ParameterDeclaration::group);
+    EXPECT_GE(first, 1) << method.name;
+    EXPECT_LE(first, 3) << method.name;
+    for (const ParameterDeclaration& declaration : declarations) {
+      EXPECT_FALSE(parameterGroupTitle(declaration.group).empty()) << declaration.key;
+      EXPECT_TRUE(declaration.bound.empty() || std::ranges::count(declarations, declaration.bound,
+                                                                  &ParameterDeclaration::key) == 1)
+          << declaration.key;
+    }
+  }
+}
+
+TEST(Parameters, AValueAboveItsBoundIsNoticed) {
+  const auto declarations = methodParameters("dewpoint");
+  const auto fewest =
+      std::ranges::find(declarations, "fewest_particles", &ParameterDeclaration::key);
+  ASSERT_NE(fewest, declarations.end());
+  ParameterValues values(declarations);
+  EXPECT_FALSE(exceedsBound(values, *fewest));
+  ASSERT_TRUE(values.set("particles", 100.0));
+  EXPECT_FALSE(exceedsBound(values, *fewest)); // as many
+  ASSERT_TRUE(values.set("particles", 50.0));
+  EXPECT_TRUE(exceedsBound(values, *fewest));
+  EXPECT_FALSE(exceedsBound(values, declarations.front())); // has no bound
+}
+
+TEST(Parameters, WhatWasGivenCanBeLeftToTheCamerasAgain) {
+  ParameterValues values = barrera();
+  ASSERT_TRUE(values.set("start_x", 3.0));
+  ASSERT_TRUE(values.set("particles", 300.0));
+  values.leaveToCameras();
+  EXPECT_FALSE(values.isGiven("start_x"));
+  EXPECT_EQ(values.at("start_x"), barrera().at("start_x"));
+  EXPECT_EQ(values.at("particles"), 300.0);
 }
 
 TEST(Parameters, EveryMethodBelongsToAFamily) {

@@ -17,6 +17,7 @@ std::vector<ParameterDeclaration> declare() {
               "How far off a measured position is taken to be along each axis: larger trusts the "
               "particles more, smaller the measurement.",
               true});
+  putInGroup(ParameterGroup::Expert, {"iterations_per_frame"}, all);
   return all;
 }
 

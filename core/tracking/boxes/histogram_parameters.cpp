@@ -7,7 +7,7 @@ namespace dewpoint::tracking {
 namespace {
 
 std::vector<ParameterDeclaration> declare() {
-  return {
+  std::vector<ParameterDeclaration> all{
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 100000.0, 10.0, 300.0,
        "How many particles the filter uses: more follow more surely and cost more time.", true},
       {"position_sigma", ParameterKind::Real, "Position sigma", "sizes", 0.01, 5.0, 0.01, 0.12,
@@ -40,6 +40,10 @@ std::vector<ParameterDeclaration> declare() {
        "found.",
        false},
   };
+  putInGroup(ParameterGroup::Motion, {"scale_sigma", "aspect_sigma", "jump_share", "jump_reach"},
+             all);
+  putInGroup(ParameterGroup::Measurement, {"sharpness", "hidden_below"}, all);
+  return all;
 }
 
 } // namespace

@@ -21,6 +21,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace dewpoint::tracking {
 namespace {
@@ -55,9 +56,14 @@ std::int64_t firstBox(const std::vector<Target>& targets, std::int64_t frame) {
   return frame;
 }
 
-constexpr MethodFamily kSpheres{.describe = colorText, .lack = lackOfTargets};
+constexpr MethodFamily kSpheres{
+    .heading = "Anything colored, in 3D", .describe = colorText, .lack = lackOfTargets};
+/// Positions where the rays of several cameras meet.
+constexpr MethodFamily kTriangulated{
+    .heading = kSpheres.heading, .fewestCameras = 2, .describe = colorText, .lack = lackOfTargets};
 constexpr MethodFamily kBoxes{
     .targets = TargetsFrom::Box,
+    .heading = "A box in one video",
     .needsCalibration = false,
     .tables = RunTables::Boxes,
     .hasBestParticle = false,
@@ -68,6 +74,8 @@ constexpr MethodFamily kBoxes{
     .beginFor = firstBox};
 constexpr MethodFamily kPeople{
     .targets = TargetsFrom::Images,
+    .heading = "People in a room",
+    .fewestCameras = 2,
     .tables = RunTables::People,
     .hasBestParticle = false,
     .masksMotion = true,
@@ -104,36 +112,57 @@ Made makeMohedano(const ParameterValues& parameters, const CameraRig& rig,
 
 /// The one place that knows all methods.
 constexpr Method kMethods[] = {
-    {"dewpoint", kSpheres,
-     "The surest and most accurate: for all that moves, any number of cameras and targets.",
-     dewpointParameters, makeTogether<DewpointTracker>, true, true, true},
-    {"barrera", kSpheres,
-     "The color particle filter of Barrera et al. (2005): for teaching and comparison.",
-     barreraParameters, makeIndependent<BarreraTracker>},
-    {"dynamics", kSpheres,
-     "The filter over triangulated positions of Barrera et al. (2005), section III-C: to study "
-     "how a particle filter moves.",
-     dynamicsParameters, makeIndependent<DynamicsTracker>},
-    {"histogram", kBoxes,
-     "Follows a box in one camera's images by the colors of its parts: finds it again after it "
-     "was hidden, and follows its size.",
-     histogramParameters, makeBoxes<HistogramTracker>},
-    {"sugandi", kBoxes,
-     "The color histogram filter of Sugandi et al. (2009), for a box in one camera's images: "
-     "for teaching and comparison.",
-     sugandiParameters, makeBoxes<SugandiTracker>},
-    {"people", kPeople,
-     "Several people who walk, meet and wear similar clothes: places on the floor, told apart "
-     "by what each of them covers in the images.",
-     peopleParameters, makePeople<PeopleParticleTracker>},
-    {"mohedano-msc", kPeople,
-     "Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, "
-     "MS+C): keeps them apart when their clothes differ.",
-     mohedanoMscParameters, makeMohedano<true>},
-    {"mohedano-ms", kPeople,
-     "Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than "
-     "MS+C, but confuses people who come close.",
-     mohedanoMsParameters, makeMohedano<false>},
+    {"dewpoint",
+     kSpheres,
+     {"Balls, hands, anything colored",
+      "The most accurate: decides by itself between a ball and any other shape."},
+     dewpointParameters,
+     makeTogether<DewpointTracker>,
+     true,
+     true,
+     true},
+    {"barrera",
+     kSpheres,
+     {"A plain particle filter on color", "For teaching: shows how a particle filter works.",
+      "Barrera et al. 2005"},
+     barreraParameters,
+     makeIndependent<BarreraTracker>},
+    {"dynamics",
+     kTriangulated,
+     {"A particle filter on positions", "For teaching: shows how particles follow measurements.",
+      "Barrera et al. 2005, III-C"},
+     dynamicsParameters,
+     makeIndependent<DynamicsTracker>},
+    {"histogram",
+     kBoxes,
+     {"Anything you draw a box around",
+      "Follows its colors and its size, and finds it again after it was hidden."},
+     histogramParameters,
+     makeBoxes<HistogramTracker>},
+    {"sugandi",
+     kBoxes,
+     {"A particle filter on color histograms", "For teaching: follows a box in one video.",
+      "Sugandi et al. 2009"},
+     sugandiParameters,
+     makeBoxes<SugandiTracker>},
+    {"people",
+     kPeople,
+     {"People who walk and meet",
+      "Positions on the floor of several people, also in similar clothes."},
+     peopleParameters,
+     makePeople<PeopleParticleTracker>},
+    {"mohedano-msc",
+     kPeople,
+     {"People by motion and color", "For comparison: tells people apart by different clothes.",
+      "Mohedano et al. 2009, MS+C"},
+     mohedanoMscParameters,
+     makeMohedano<true>},
+    {"mohedano-ms",
+     kPeople,
+     {"People by motion alone", "For comparison: confuses people who come close.",
+      "Mohedano et al. 2009, MS"},
+     mohedanoMsParameters,
+     makeMohedano<false>},
 };
 
 template <class Suits> std::vector<std::string> namesWhere(const Suits& suits) {
@@ -154,6 +183,20 @@ bool MethodFamily::lacksTargets(const std::vector<Target>& projectTargets) const
 
 std::span<const Method> methods() {
   return kMethods;
+}
+
+std::vector<const Method*> methodsByUse() {
+  std::vector<const Method*> all;
+  std::ranges::transform(kMethods, std::back_inserter(all),
+                         [](const Method& method) { return &method; });
+  std::ranges::stable_partition(all,
+                                [](const Method* method) { return method->text.paper.empty(); });
+  return all;
+}
+
+std::string_view headingOf(const Method& method) {
+  return method.text.paper.empty() ? method.family.heading
+                                   : "From papers, for teaching and comparison";
 }
 
 const Method* findMethod(std::string_view name) {
@@ -178,9 +221,13 @@ MethodFamily methodFamily(std::string_view method) {
   return row != nullptr ? row->family : kMethods[0].family;
 }
 
-std::string_view methodSentence(std::string_view method) {
+MethodText methodText(std::string_view method) {
   const Method* row = findMethod(method);
-  return row != nullptr ? row->sentence : std::string_view();
+  return row != nullptr ? row->text : MethodText();
+}
+
+std::string_view methodSentence(std::string_view method) {
+  return methodText(method).sentence;
 }
 
 std::span<const ParameterDeclaration> methodParameters(std::string_view method) {

@@ -37,9 +37,13 @@ enum class RunTables {
 /// where a kind is named.
 struct MethodFamily {
   TargetsFrom targets = TargetsFrom::Color;
+  /// What these methods are for, as the heading of their choices.
+  std::string_view heading;
   /// Estimates positions in the room, by calibrated cameras; else in the images of one camera,
   /// about which nothing need be known.
   bool needsCalibration = true;
+  /// With fewer cameras nothing is ever found.
+  int fewestCameras = 1;
   RunTables tables = RunTables::Trajectory;
   /// Trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
@@ -74,11 +78,18 @@ struct MethodFamily {
   bool writesBodies() const { return tables == RunTables::People; }
 };
 
+/// What a user reads of a method before choosing it.
+struct MethodText {
+  std::string_view title;      ///< by its use: what it follows
+  std::string_view sentence;   ///< what it is for, or what sets it apart, in one line
+  std::string_view paper = {}; ///< the method is exactly the one of this paper; empty: our own
+};
+
 /// A tracking method: one row of the catalog.
 struct Method {
   std::string_view name; ///< in project files and on the command line
   MethodFamily family;
-  std::string_view sentence; ///< what it is for
+  MethodText text;
   /// The declarations live for ever.
   std::span<const ParameterDeclaration> (*parameters)();
   /// The parameters are the method's own (asserted).
@@ -97,6 +108,12 @@ std::span<const Method> methods();
 /// Null for an unknown name.
 const Method* findMethod(std::string_view name);
 
+/// methods() as they are listed for a choice: those of papers, which are for teaching and
+/// comparison, behind all others. Those with the same headingOf() follow each other.
+std::vector<const Method*> methodsByUse();
+/// What the methods among which it stands there are for.
+std::string_view headingOf(const Method& method);
+
 /// Names of methods(), in their order.
 std::vector<std::string> methodNames();
 /// Names of the methods whose targets come from there.
@@ -105,6 +122,8 @@ std::vector<std::string> methodNames(TargetsFrom targets);
 std::vector<std::string> methodNames(RunTables tables);
 /// Of an unknown method that of the default one.
 MethodFamily methodFamily(std::string_view method);
+/// Empty texts for an unknown method.
+MethodText methodText(std::string_view method);
 /// Empty for an unknown method.
 std::string_view methodSentence(std::string_view method);
 /// Empty for an unknown method.

@@ -13,7 +13,8 @@ std::vector<ParameterDeclaration> declare() {
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 100000.0, 10.0, 500.0,
        "How many particles each target uses at most.", true},
       {"fewest_particles", ParameterKind::Integer, "Fewest particles", "", 10.0, 100000.0, 10.0,
-       100.0, "How many particles each target uses at least, when they all agree.", true},
+       100.0, "How many particles each target uses at least, when they all agree.", true, false,
+       ParameterGroup::Expert, "particles"},
       {"kld_error", ParameterKind::Real, "Sampling error", "", 0.0, 1.0, 0.01, 0.1,
        "How far the particles may be from the distribution they stand for (Kullback-Leibler "
        "distance): smaller takes more particles where they disagree; 0 always takes all of them.",
@@ -57,6 +58,10 @@ std::vector<ParameterDeclaration> declare() {
                  false});
   const auto start = startParameters({{0.5, 0.5, 0.25}, {0.5, 0.5, 0.25}});
   all.insert(all.end(), start.begin(), start.end());
+  putInGroup(ParameterGroup::Measurement, {"color_adaptation", "calibration_error", "time_error"},
+             all);
+  putInGroup(ParameterGroup::Start, {kSearchSizeKey}, all);
+  putInGroup(ParameterGroup::Expert, {"kld_error", "time_budget", "iterations_per_frame"}, all);
   return all;
 }
 

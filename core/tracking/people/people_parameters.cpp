@@ -20,7 +20,7 @@ void add(Declarations& all, const Declarations& more) {
 }
 
 Declarations background(const Defaults& defaults) {
-  return {
+  Declarations all{
       {"background", kInteger, "Background model", "", 0.0, 2.0, 1.0, defaults.background,
        "How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV's MOG2, 2 OpenCV's "
        "KNN.",
@@ -37,10 +37,14 @@ Declarations background(const Defaults& defaults) {
        "Images are reduced to at most this width before anything else; 0 keeps them as they are.",
        false},
   };
+  putInGroup(ParameterGroup::Measurement,
+             {"background", "learning_time", "background_memory", "darkest_shadow", "image_width"},
+             all);
+  return all;
 }
 
 Declarations place() {
-  return {
+  Declarations all{
       {"area_x", kReal, "Area x", "m", -1000.0, 1000.0, 0.1, 0.0,
        "Middle of the floor that is watched.", false},
       {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
@@ -59,6 +63,10 @@ Declarations place() {
       {"survival_time", kReal, "Survival time", "s", 0.05, 60.0, 0.05, 0.6,
        "How long a person whom no two cameras see is believed to be still there.", true},
   };
+  for (ParameterDeclaration& one : all) {
+    one.group = ParameterGroup::Area;
+  }
+  return all;
 }
 
 /// Exactly the models of Mohedano et al. 2009; values that the paper does not give are ours.
@@ -86,7 +94,11 @@ Declarations mohedano(bool color) {
                "Least likelihood of a saturation (the paper's s_B).", false},
               {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
                "Standard deviation of the noise on hue and saturation, per frame.", false}});
+    putInGroup(ParameterGroup::Measurement,
+               {"hue_sigma", "saturation_sigma", "hue_floor", "saturation_floor"}, all);
+    putInGroup(ParameterGroup::Motion, {"color_noise"}, all);
   }
+  putInGroup(ParameterGroup::Measurement, {"mask_sigma", "motion_floor"}, all);
   add(all, background({1.0, 0.0}));
   add(all, place());
   return all;
@@ -110,6 +122,9 @@ Declarations ours() {
       {"usual_height", kReal, "Usual height", "m", 0.3, 3.0, 0.01, 1.72,
        "Height of a person whose own is not known yet.", false},
   };
+  putInGroup(ParameterGroup::Measurement, {"color_weight"}, all);
+  putInGroup(ParameterGroup::Area, {"least_distance", "usual_height"}, all);
+  putInGroup(ParameterGroup::Expert, {"body_points"}, all);
   add(all, background({0.0, 160.0}));
   add(all, place());
   return all;

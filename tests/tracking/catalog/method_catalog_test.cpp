@@ -16,8 +16,9 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
   for (const Method& method : methods()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name << " twice";
     EXPECT_EQ(findMethod(method.name), &method);
-    EXPECT_FALSE(method.sentence.empty()) << method.name;
-    EXPECT_EQ(methodSentence(method.name), method.sentence);
+    EXPECT_FALSE(method.text.title.empty() || method.text.sentence.empty()) << method.name;
+    EXPECT_EQ(methodSentence(method.name), method.text.sentence);
+    EXPECT_FALSE(headingOf(method).empty()) << method.name;
     EXPECT_FALSE(methodParameters(method.name).empty()) << method.name;
     ASSERT_NE(method.family.describe, nullptr) << method.name;
     ASSERT_NE(method.make, nullptr) << method.name;
@@ -32,6 +33,23 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
 TEST(MethodCatalog, TheDefaultComesFirst) {
   EXPECT_EQ(methods().front().name, "dewpoint");
   EXPECT_EQ(methodFamily("condensation").targets, methods().front().family.targets);
+}
+
+TEST(MethodCatalog, MethodsByUseStandUnderOneHeadingEach) {
+  const auto all = methodsByUse();
+  EXPECT_EQ(all.size(), methods().size());
+  EXPECT_EQ(all.front(), &methods().front());
+  std::vector<std::string_view> headings;
+  bool isOfPaper = false;
+  for (const Method* method : all) {
+    if (headings.empty() || headings.back() != headingOf(*method)) {
+      headings.push_back(headingOf(*method));
+    }
+    EXPECT_TRUE(!isOfPaper || !method->text.paper.empty()) << method->name; // those come last
+    isOfPaper = !method->text.paper.empty();
+  }
+  EXPECT_EQ(headings.size(), 4U);
+  EXPECT_EQ(std::set(headings.begin(), headings.end()).size(), headings.size());
 }
 
 TEST(MethodCatalog, NamesByFamilyAreAllNamesOnce) {
