@@ -45,7 +45,9 @@ void AddedMethodTest::isReadFromAProjectFileAndTracked() {
   QVERIFY(saveProject(project, path("parked.toml")));
   open(path("parked.toml"));
   QVERIFY(areParkedAt(0.75, 0.5));
-  QCOMPARE(find<QComboBox>("methodChoice")->currentText(), QStringLiteral("parked"));
+  QCOMPARE(find<QComboBox>("methodChoice")->currentData().toString(), QStringLiteral("parked"));
+  QCOMPARE(find<QComboBox>("methodChoice")->currentText(),
+           QStringLiteral("Targets that stand still"));
   QCOMPARE(find<QLabel>("methodSentence")->text(),
            QStringLiteral("Believes that every target stands still at a place of your choice."));
   // Its parameters act at once, by the widgets made from their declarations.
@@ -57,8 +59,8 @@ void AddedMethodTest::isChosenBesideTheOthers() {
   open();
   QVERIFY(waitFor([&] { return shown().tracked; }));
   auto* choice = find<QComboBox>("methodChoice");
-  QCOMPARE(choice->currentText(), QStringLiteral("dewpoint"));
-  const int row = choice->findText(QStringLiteral("parked"));
+  QCOMPARE(choice->currentData().toString(), QStringLiteral("dewpoint"));
+  const int row = choice->findData(QStringLiteral("parked"));
   QVERIFY(row >= 0);
   choice->setCurrentIndex(row);
   Q_EMIT choice->activated(row);

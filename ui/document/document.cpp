@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/project_check.h"
+#include "core/setup/default_parameters.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/edit_command.h"
 #include "ui/document/method_presentation.h"
@@ -44,6 +45,7 @@ MethodFamily Document::methodFamily() const {
 void Document::replace(Project project, bool unsaved) {
   project_ = std::make_shared<Project>(std::move(project));
   usedParameters_ = parametersInUse(*project_);
+  defaultParameters_ = setup::defaultParameters(*project_);
   unsaved_ = unsaved;
   undoStack_->clear();
   Q_EMIT replaced();
@@ -89,6 +91,9 @@ void Document::announce(const ProjectChanges& changes) {
                          changes.sources || changes.volume;
   const ParameterValues now = mayDiffer ? parametersInUse(*project_) : usedParameters_;
   const ParameterValues before = std::exchange(usedParameters_, now);
+  if (mayDiffer) {
+    defaultParameters_ = setup::defaultParameters(*project_);
+  }
   Q_EMIT changed(changes);
   if (changes.method) {
     Q_EMIT methodChanged();
@@ -136,6 +141,19 @@ Status Document::setParameter(const std::string& key, double value) {
   return edit(
       tr("Change “%1”").arg(labelOf(*project_, key)),
       [&](Project& project) { project.parameters = parameters; }, "parameter " + key);
+}
+
+bool Document::isChanged(const ParameterDeclaration& declaration) const {
+  return setup::isChanged(usedParameters_, defaultParameters_, declaration);
+}
+
+void Document::resetParameter(const std::string& key) {
+  (void)edit(tr("Reset “%1”").arg(labelOf(*project_, key)),
+             [&](Project& project) { setup::resetParameter(project, key); });
+}
+
+void Document::resetParameters() {
+  (void)edit(tr("Reset all parameters"), &setup::resetParameters);
 }
 
 void Document::setMethod(const std::string& method) {

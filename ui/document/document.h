@@ -36,6 +36,10 @@ public:
   std::shared_ptr<const Project> state() const { return project_; }
   /// The parameters with which it is tracked, also those that come from its cameras.
   const ParameterValues& usedParameters() const { return usedParameters_; }
+  /// The same while none is given: the method's defaults, and what the cameras say.
+  const ParameterValues& defaultParameters() const { return defaultParameters_; }
+  /// Whether a declared parameter in use is otherwise (setup::isChanged()).
+  bool isChanged(const ParameterDeclaration& declaration) const;
   /// What the window does for its method; another from methodChanged() or replaced() on.
   const MethodPresentation& presentation() const;
   /// Of the project's method.
@@ -60,6 +64,10 @@ public:
   /// changed of those from the cameras gives all of them as they are in use. BadValue or UnknownKey
   /// leave everything as it was.
   Status setParameter(const std::string& key, double value);
+  /// Gives a declared parameter its default again, or all that have another value, as an undoable
+  /// step.
+  void resetParameter(const std::string& key);
+  void resetParameters();
   /// Chooses the method as an undoable step; parameters that it shares keep their values.
   void setMethod(const std::string& method);
   /// How the views are laid out: saved with the project, but no edit and no step.
@@ -92,7 +100,8 @@ private:
   void announce(const ProjectChanges& changes);
 
   std::shared_ptr<const Project> project_;
-  ParameterValues usedParameters_; ///< of the project
+  ParameterValues usedParameters_;    ///< of the project
+  ParameterValues defaultParameters_; ///< of the project while it gives none
   QUndoStack* undoStack_;
   std::string mergeSuffix_; ///< differs after each endMerging()
   int drags_ = 0;

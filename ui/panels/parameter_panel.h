@@ -5,15 +5,28 @@
 
 #include <QWidget>
 
+#include <set>
+#include <utility>
 #include <vector>
+
+class QPushButton;
+class QVBoxLayout;
+
+namespace dewpoint::tracking {
+enum class ParameterGroup;
+struct ParameterDeclaration;
+} // namespace dewpoint::tracking
 
 namespace dewpoint::ui {
 
+class CollapsibleSection;
 class Document;
+class MethodChoice;
 class ParameterRow;
 
-/// Sliders and exact numbers for the parameters of the method, made from their declarations. They
-/// act through the document, so every change can be undone.
+/// The method, and sliders and exact numbers for its parameters, made from their declarations: the
+/// few that matter first, the others in sections by group. They act through the document, so every
+/// change can be undone.
 class ParameterPanel : public QWidget {
   Q_OBJECT
 public:
@@ -22,11 +35,25 @@ public:
 private:
   void rebuild();
   void addMethodChoice();
+  void addEssential();
+  void addSections();
+  void addVolume();
+  ParameterRow* makeRow(const ParameterDeclaration& declaration);
+  /// A section that is as the user left it.
+  CollapsibleSection* addSection(const QString& name, const QString& title);
   void showValue(const QString& key);
+  /// What differs from its default, and what bounds what.
+  void showMarks();
+  ParameterRow* rowOf(const std::string& key) const;
 
   Document& document_;
   QWidget* form_ = nullptr;
+  QVBoxLayout* column_ = nullptr; ///< of the form
+  MethodChoice* methods_ = nullptr;
+  QPushButton* resetAll_ = nullptr;
   std::vector<ParameterRow*> rows_;
+  std::vector<std::pair<ParameterGroup, CollapsibleSection*>> sections_;
+  std::set<QString> open_; ///< names of the sections that the user opened
 };
 
 } // namespace dewpoint::ui

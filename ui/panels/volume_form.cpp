@@ -36,7 +36,6 @@ VolumeForm::VolumeForm(Document& document, QWidget* parent)
 }
 
 void VolumeForm::build() {
-  auto* title = new QLabel(tr("Volume of interest"), this);
   state_->setObjectName(QStringLiteral("volumeState"));
   state_->setWordWrap(true);
   state_->setForegroundRole(QPalette::PlaceholderText);
@@ -44,10 +43,9 @@ void VolumeForm::build() {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(6);
-  grid->addWidget(title, 0, 0, 1, 3);
-  grid->addWidget(state_, 1, 0, 1, 3);
+  grid->addWidget(state_, 0, 0, 1, 3);
   for (std::size_t corner = 0; corner < fields_.size(); ++corner) {
-    const int row = 2 + 2 * static_cast<int>(corner);
+    const int row = 1 + 2 * static_cast<int>(corner);
     grid->addWidget(labels[corner], row, 0, 1, 3);
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       const QString name = QLatin1String(kAxes[axis]);
@@ -67,14 +65,13 @@ void VolumeForm::build() {
     }
     labels[corner]->setBuddy(fields_[corner][0]);
   }
-  title->setBuddy(fields_[0][0]);
   fromCameras_->setText(tr("From the cameras"));
   fromCameras_->setToolTip(
       tr("Search for targets in the box around what at least two cameras see"));
   none_->setText(tr("None"));
   none_->setToolTip(tr("Search for targets anywhere"));
-  grid->addWidget(fromCameras_, 6, 0, 1, 2);
-  grid->addWidget(none_, 6, 2);
+  grid->addWidget(fromCameras_, 5, 0, 1, 2);
+  grid->addWidget(none_, 5, 2);
 }
 
 void VolumeForm::connectFields() {
