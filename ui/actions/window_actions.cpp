@@ -60,10 +60,10 @@ std::vector<ActionDeclaration> editActions() {
                          "Then click the target in a camera image: its color is learned"),
        "learn", Qt::Key_L, true},
       {"actionAddTarget", group, QT_TRANSLATE_NOOP("Actions", "Add a target"),
-       QT_TRANSLATE_NOOP("Actions", "Follow one more thing: click it in a camera image"), nullptr,
+       QT_TRANSLATE_NOOP("Actions", "Follow one more thing: click it in a camera image"), "add",
        Qt::SHIFT | Qt::Key_L},
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
-       QT_TRANSLATE_NOOP("Actions", "Stop following the target that is chosen"), nullptr,
+       QT_TRANSLATE_NOOP("Actions", "Stop following the target that is chosen"), "remove",
        Qt::SHIFT | Qt::Key_Delete},
       {"actionPlacePerson", group, QT_TRANSLATE_NOOP("Actions", "A person stands here…"),
        QT_TRANSLATE_NOOP("Actions", "Say where somebody is: by a click on the person in a camera "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/color/color_choice.h"
 
+#include "ui/style/range_color.h"
+
 #include <QButtonGroup>
 #include <QColor>
 #include <QHBoxLayout>
@@ -9,24 +11,9 @@
 #include <QPixmap>
 #include <QToolButton>
 
-#include <algorithm>
-#include <cmath>
-
 namespace dewpoint::ui {
 
 namespace {
-
-/// A light and clear color from the middle of a range.
-QColor colorOf(const ColorRange& range) {
-  const double width =
-      color::spansEveryHue(range) ? 0.0 : color::hueOf(range.hueMax - range.hueMin);
-  const double hue = color::hueOf(range.hueMin + 0.5 * width) / 360.0;
-  const double saturation =
-      color::spansEveryHue(range) ? 0.0 : 0.5 * (range.saturationMin + range.saturationMax);
-  const double intensity = 0.5 * (range.intensityMin + range.intensityMax);
-  return QColor::fromHsvF(static_cast<float>(std::min(hue, 0.9999)), static_cast<float>(saturation),
-                          static_cast<float>(std::clamp(1.4 * intensity, 0.0, 1.0)));
-}
 
 QIcon swatchOf(const QColor& color, const QWidget& widget) {
   const int side = widget.fontMetrics().height();
@@ -90,7 +77,7 @@ void ColorChoice::updateButtons() {
     if (k < count) {
       buttons_[k]->setText(tr("Color %1").arg(k + 1));
       buttons_[k]->setToolTip(tr("Show this color, so that its range can be changed by hand"));
-      buttons_[k]->setIcon(swatchOf(colorOf(colors_[k]), *this));
+      buttons_[k]->setIcon(swatchOf(rangeColor(colors_[k]), *this));
       buttons_[k]->setChecked(static_cast<int>(k) == chosen_);
     }
   }

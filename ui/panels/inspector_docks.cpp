@@ -85,6 +85,8 @@ void installParameters(const Workbench& bench) {
 
 TargetDock installTargets(const Workbench& bench) {
   auto* panel = new TargetPanel(bench.document, bench.targets, &bench.window);
+  panel->addTools(bench.action("actionAddTarget"), bench.action("actionRemoveTarget"),
+                  bench.action("actionLearnColor"));
   ViewDock* dock = bench.docks.make({.name = QStringLiteral("targetDock"),
                                      .title = [] { return TargetPanel::tr("Target"); },
                                      .content = panel,

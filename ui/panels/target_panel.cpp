@@ -4,23 +4,29 @@
 #include "core/base/overloaded.h"
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
+#include "core/session/run/snapshot_state.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/document/target_list_model.h"
 #include "ui/panels/histogram_view.h"
+#include "ui/panels/target_row_delegate.h"
+#include "ui/style/range_color.h"
 #include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/action_button.h"
 #include "ui/widgets/decimal_field.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -47,16 +53,59 @@ QString boxText(const TrackSnapshot& snapshot, const TargetSnapshot& target,
          QLatin1Char('\n') + TargetPanel::tr("Spread %1").arg(pixelText(estimate.spread));
 }
 
+/// Of a ball, or of a ball of the same volume: as it is given, or else as it was found.
+QString radiusText(double given, double found) {
+  if (given > 0.0) {
+    return TargetPanel::tr("radius %1").arg(lengthText(given, LengthForm::TwoDigits));
+  }
+  return found > 0.0
+             ? TargetPanel::tr("radius %1 (found)").arg(lengthText(found, LengthForm::TwoDigits))
+             : TargetPanel::tr("radius unknown");
+}
+
+QString sizeText(const Target& target, const TrackEstimate& estimate) {
+  const auto radius = [&target](double found) { return radiusText(target.radius, found); };
+  return std::visit(Overloaded{[&](const SphereEstimate& sphere) { return radius(sphere.radius); },
+                               [](const BoxEstimate& one) {
+                                 return TargetPanel::tr("%1 × %2").arg(
+                                     numberText(one.box.width, 0), pixelText(one.box.height, 0));
+                               },
+                               [&](const PersonEstimate&) { return radius(0.0); },
+                               [](const AbsentEstimate&) { return QString(); }},
+                    estimate);
+}
+
 } // namespace
 
 TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* parent)
     : QWidget(parent), document_(document), list_(new QListView(this)),
-      nameLabel_(new QLabel(this)), name_(new QLineEdit(this)), radiusLabel_(new QLabel(this)),
-      radius_(new DecimalField(this)), shapeLabel_(new QLabel(this)), shape_(new QComboBox(this)),
-      box_(new QLabel(this)), histograms_(new HistogramView(this)), hint_(new QLabel(this)) {
+      rows_(new TargetRowDelegate(list_)), nameLabel_(new QLabel(this)), name_(new QLineEdit(this)),
+      radiusLabel_(new QLabel(this)), radius_(new DecimalField(this)),
+      shapeLabel_(new QLabel(this)), shape_(new QComboBox(this)), box_(new QLabel(this)),
+      histograms_(new HistogramView(this)), hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("targetPanel"));
+  makeFields(targets);
+  onRetranslate(this, [this] { retranslateUi(); });
+  connect(&document_, &Document::replaced, this, &TargetPanel::refresh);
+  connect(&document_, &Document::targetsChanged, this, &TargetPanel::refresh);
+  connect(&document_, &Document::methodChanged, this, &TargetPanel::refresh);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+    if (refreshing_) {
+      return;
+    }
+    shown_ = chosen();
+    showChosen();
+    Q_EMIT targetChosen(shown_);
+  });
+  connect(name_, &QLineEdit::editingFinished, this, &TargetPanel::rename);
+  connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
+  connect(shape_, &QComboBox::activated, this, &TargetPanel::reshapeTarget);
+}
+
+void TargetPanel::makeFields(TargetListModel& targets) {
   list_->setObjectName(QStringLiteral("targetList"));
   list_->setModel(&targets);
+  list_->setItemDelegate(rows_);
   name_->setObjectName(QStringLiteral("targetName"));
   radius_->setObjectName(QStringLiteral("targetRadius"));
   radius_->setRange(0.0, kLargestRadius);
@@ -79,45 +128,46 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   form->addRow(nameLabel_, name_);
   form->addRow(radiusLabel_, radius_);
   form->addRow(shapeLabel_, shape_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 8, 12, 8);
-  column->setSpacing(8);
-  column->addWidget(list_, 1);
-  column->addLayout(form);
-  column->addWidget(box_);
-  column->addWidget(histograms_);
-  column->addWidget(hint_);
-  onRetranslate(this, [this] {
-    list_->setAccessibleName(tr("Targets"));
-    nameLabel_->setText(tr("Name"));
-    name_->setToolTip(tr("Name of the target, in views and files"));
-    radiusLabel_->setText(tr("Radius"));
-    radius_->setSuffix(tr(" mm"));
-    radius_->setSpecialValueText(tr("unknown"));
-    radius_->setToolTip(tr("Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated."));
-    shapeLabel_->setText(tr("Shape"));
-    shape_->setItemText(0, tr("automatic"));
-    shape_->setItemText(1, tr("ball"));
-    shape_->setItemText(2, tr("any"));
-    shape_->setToolTip(tr("Ball: its outline is a circle in every image. Any: its extent is "
-                          "learned, and its center is that of its color. Automatic: the images "
-                          "decide. Only method dewpoint uses this."));
-    refresh();
-  });
-  connect(&document_, &Document::replaced, this, &TargetPanel::refresh);
-  connect(&document_, &Document::targetsChanged, this, &TargetPanel::refresh);
-  connect(&document_, &Document::methodChanged, this, &TargetPanel::refresh);
-  connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
-    if (refreshing_) {
-      return;
-    }
-    shown_ = chosen();
-    showChosen();
-    Q_EMIT targetChosen(shown_);
-  });
-  connect(name_, &QLineEdit::editingFinished, this, &TargetPanel::rename);
-  connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
-  connect(shape_, &QComboBox::activated, this, &TargetPanel::reshapeTarget);
+  column_ = new QVBoxLayout(this);
+  column_->setContentsMargins(12, 8, 12, 8);
+  column_->setSpacing(8);
+  column_->addWidget(list_, 1);
+  column_->addLayout(form);
+  column_->addWidget(box_);
+  column_->addWidget(histograms_);
+  column_->addWidget(hint_);
+}
+
+void TargetPanel::addTools(QAction* add, QAction* remove, QAction* learn) {
+  add_ = makeActionButton("targetAdd", add, this);
+  remove_ = makeActionButton("targetRemove", remove, this);
+  learn_ = makeActionButton("targetLearn", learn, this);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  row->addWidget(add_);
+  row->addWidget(remove_);
+  row->addStretch();
+  row->addWidget(learn_);
+  column_->insertLayout(0, row);
+  retranslateUi();
+}
+
+void TargetPanel::retranslateUi() {
+  list_->setAccessibleName(tr("Targets"));
+  nameLabel_->setText(tr("Name"));
+  name_->setToolTip(tr("Name of the target, in views and files"));
+  radiusLabel_->setText(tr("Radius"));
+  radius_->setSuffix(tr(" mm"));
+  radius_->setSpecialValueText(tr("unknown"));
+  radius_->setToolTip(tr("Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated."));
+  shapeLabel_->setText(tr("Shape"));
+  shape_->setItemText(0, tr("automatic"));
+  shape_->setItemText(1, tr("ball"));
+  shape_->setItemText(2, tr("any"));
+  shape_->setToolTip(tr("Ball: its outline is a circle in every image. Any: its extent is "
+                        "learned, and its center is that of its color. Automatic: the images "
+                        "decide. Only method dewpoint uses this."));
+  refresh();
 }
 
 int TargetPanel::chosen() const {
@@ -144,12 +194,18 @@ void TargetPanel::refresh() {
   shape_->setVisible(!boxes);
   box_->setVisible(boxes);
   histograms_->setVisible(boxes);
+  if (add_ != nullptr) {
+    add_->setText(tr("Add target"));
+    remove_->setText(tr("Remove"));
+    learn_->setText(boxes ? tr("Box") : tr("Learn"));
+  }
   hint_->setText(boxes ? tr("Click the thing or drag a box around it in any camera view: it is "
                             "followed from there on.")
                  : targets.empty()
                      ? tr("No target yet: click the thing to follow in any camera image.")
                      : tr("The color of a target is learned by clicking it in a camera image."));
   showChosen();
+  showRows();
   if (before > chosen()) { // the chosen one is gone: all others are to show its neighbor, too
     Q_EMIT targetChosen(chosen());
   }
@@ -169,21 +225,51 @@ void TargetPanel::showChosen() {
 }
 
 void TargetPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
+  showRows();
+  showBox();
+}
+
+void TargetPanel::showRows() {
+  const auto& targets = document_.project().targets;
+  const bool showsColors = !document_.presentation().takesBoxes;
+  std::vector<TargetRow> rows;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    TargetRow row;
+    row.identity = targetColor(targets[k].name, static_cast<int>(k));
+    if (showsColors) {
+      row.learned = rangeColor(targets[k].color);
+    }
+    const bool isTracked = snapshot_ && k < snapshot_->targets.size();
+    row.size = isTracked     ? sizeText(targets[k], snapshot_->targets[k].estimate)
+               : showsColors ? radiusText(targets[k].radius, 0.0)
+                             : QString();
+    if (isTracked) {
+      row.state = holdState(snapshot_->targets[k]);
+    }
+    rows.push_back(row);
+  }
+  if (rows_->setRows(std::move(rows))) {
+    list_->viewport()->update();
+  }
+}
+
+void TargetPanel::showBox() {
   const auto index = static_cast<std::size_t>(std::max(0, chosen()));
-  if (!snapshot || !presentationOf(*snapshot).showsBoxes || index >= snapshot->targets.size()) {
+  if (!snapshot_ || !presentationOf(*snapshot_).showsBoxes || index >= snapshot_->targets.size()) {
     box_->clear();
     histograms_->setHistograms(nullptr);
     return;
   }
-  const TargetSnapshot& target = snapshot->targets[index];
+  const TargetSnapshot& target = snapshot_->targets[index];
   histograms_->setHistograms(target.histograms);
   const auto noBox = [] { return tr("No box at this moment."); };
-  box_->setText(
-      std::visit(Overloaded{[&](const SphereEstimate&) { return noBox(); },
-                            [&](const BoxEstimate& box) { return boxText(*snapshot, target, box); },
-                            [&](const PersonEstimate&) { return noBox(); },
-                            [&](const AbsentEstimate&) { return noBox(); }},
-                 target.estimate));
+  box_->setText(std::visit(
+      Overloaded{[&](const SphereEstimate&) { return noBox(); },
+                 [&](const BoxEstimate& box) { return boxText(*snapshot_, target, box); },
+                 [&](const PersonEstimate&) { return noBox(); },
+                 [&](const AbsentEstimate&) { return noBox(); }},
+      target.estimate));
 }
 
 void TargetPanel::editChosen(const QString& step,
