@@ -9,23 +9,20 @@
 #include "ui/color/assessed_regions.h"
 #include "ui/color/box_picker.h"
 #include "ui/color/color_choice.h"
-#include "ui/color/color_learner.h"
 #include "ui/color/color_picker.h"
 #include "ui/color/color_sample_list.h"
+#include "ui/color/learn_modes.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
-#include "ui/style/theme.h"
+#include "ui/style/type_scale.h"
 #include "ui/text/camera_names.h"
 #include "ui/text/click_radius_text.h"
 #include "ui/text/color_assessment_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QTimer>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -46,35 +43,30 @@ constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over 
 
 ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     : QWidget(parent), document_(document), pick_(pick), learner_(new ColorLearner(document, this)),
-      boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), learn_(new QToolButton(this)),
+      boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), modes_(new LearnModes(this)),
       choice_(new ColorChoice(this)), picker_(new ColorPicker(this)),
       assessmentText_(new QLabel(this)), samples_(new ColorSampleList(this)),
       assessSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
-  learn_->setObjectName(QStringLiteral("colorLearn"));
-  learn_->setCheckable(true);
-  learn_->setFocusPolicy(Qt::StrongFocus);
   assessmentText_->setObjectName(QStringLiteral("colorVerdict"));
   assessmentText_->setWordWrap(true);
   assessmentText_->setTextFormat(Qt::PlainText);
   assessmentText_->setAlignment(Qt::AlignTop);
   assessmentText_->setMinimumHeight(4 * fontMetrics().lineSpacing()); // the ring stays where it is
-  QFont bold = name_->font();
-  bold.setWeight(QFont::DemiBold);
-  name_->setFont(bold);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(8);
-  head->addWidget(name_, 1);
-  head->addWidget(learn_);
+  name_->setFont(mediumFont(name_->font()));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 12, 8);
   column->setSpacing(8);
-  column->addLayout(head);
+  column->addWidget(name_);
+  column->addWidget(modes_);
   column->addWidget(assessmentText_);
   column->addWidget(choice_);
   column->addWidget(picker_, 1);
   column->addWidget(samples_);
-  connect(learn_, &QToolButton::toggled, this, &ColorPanel::setPicking);
+  connect(modes_, &LearnModes::modeChosen, this, [this](LearnModes::Mode mode) {
+    mode_ = mode.value_or(ColorLearner::SampleAction::Replace);
+    setPicking(mode.has_value());
+  });
   connect(choice_, &ColorChoice::chosenChanged, this, &ColorPanel::refresh);
   connect(choice_, &ColorChoice::removeRequested, this, &ColorPanel::removeColor);
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
@@ -99,7 +91,9 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
 void ColorPanel::connectLearner() {
   const auto showLearned = [this](int target, bool isNew) {
     target_ = target;
-    setPicking(false);
+    if (mode_ == ColorLearner::SampleAction::Replace) { // samples come in numbers
+      setPicking(false);
+    }
     refresh();
     Q_EMIT learned(target, isNew);
   };
@@ -124,17 +118,19 @@ void ColorPanel::connectLearner() {
 }
 
 void ColorPanel::retranslateUi() {
-  learn_->setText(takesBoxes() ? tr("Box") : tr("Learn"));
-  learn_->setToolTip(
-      takesBoxes()
-          ? tr("Then click the thing in any camera image, or drag a box around it. Shift does the "
-               "same without this button.")
-          : tr("Then click the target in any camera image, or drag a box on it. "
-               "Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is "
-               "not the target."));
+  modes_->setTakesBoxes(takesBoxes());
   samples_->retranslate();
   choice_->retranslate();
   refresh();
+}
+
+ColorLearner::SampleAction ColorPanel::actionOf(Qt::KeyboardModifiers modifiers) const {
+  // Many desktops keep Alt with the mouse for themselves: Ctrl+Shift does the same.
+  const bool shift = modifiers.testFlag(Qt::ShiftModifier);
+  if (modifiers.testFlag(Qt::AltModifier) || (shift && modifiers.testFlag(Qt::ControlModifier))) {
+    return ColorLearner::SampleAction::Exclude;
+  }
+  return shift ? ColorLearner::SampleAction::Add : mode_;
 }
 
 void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
@@ -145,20 +141,13 @@ void ColorPanel::pickedIn(int camera, const QRectF& region, Qt::KeyboardModifier
   }
   learner_->setSnapshot(snapshot_);
   learner_->setTarget(target_);
-  // Many desktops keep Alt with the mouse for themselves: Ctrl+Shift does the same.
-  const bool shift = modifiers.testFlag(Qt::ShiftModifier);
-  const bool excludes =
-      modifiers.testFlag(Qt::AltModifier) || (shift && modifiers.testFlag(Qt::ControlModifier));
   // Samples have whole pixels: a box that reaches to the edge begins with the first of them.
   const bool isBox = region.width() > 0.0 && region.height() > 0.0;
   const QRectF place =
       isBox ? QRectF(QPointF(std::max(0.0, region.left()), std::max(0.0, region.top())),
                      region.bottomRight())
             : region;
-  learner_->point(camera, place,
-                  excludes ? ColorLearner::SampleAction::Exclude
-                  : shift  ? ColorLearner::SampleAction::Add
-                           : ColorLearner::SampleAction::Replace);
+  learner_->point(camera, place, actionOf(modifiers));
 }
 
 void ColorPanel::setPicking(bool picking) {
@@ -166,16 +155,21 @@ void ColorPanel::setPicking(bool picking) {
     picking_ = picking;
     Q_EMIT pickingChanged(picking);
   }
-  const QSignalBlocker quiet(learn_);
-  learn_->setChecked(picking);
-  const bool must = mustPoint();
-  const QString hint = takesBoxes() ? tr("Click the thing or drag a box around it")
-                       : must       ? tr("Click the thing to follow")
-                                    : tr("Click the target");
-  pick_.setPicking(picking || must, hint);
+  if (!picking || !modes_->offers(mode_)) {
+    mode_ = ColorLearner::SampleAction::Replace;
+  }
+  modes_->setMode(picking ? LearnModes::Mode(mode_) : LearnModes::Mode());
+  pick_.setPicking(picking || mustPoint(), hint());
   if (picking) {
     pick_.takeFocus();
   }
+}
+
+QString ColorPanel::hint() const {
+  if (takesBoxes()) {
+    return tr("Click the thing or drag a box around it");
+  }
+  return picking_ && !mustPoint() ? LearnModes::hintOf(mode_) : tr("Click the thing to follow");
 }
 
 void ColorPanel::setTarget(int target) {
@@ -216,6 +210,7 @@ void ColorPanel::refresh() {
     picker_->setRange(colors_[static_cast<std::size_t>(choice_->chosen())]);
   }
   samples_->setSamples(document_.project(), target_);
+  modes_->setRefinable(any, any && !targets[static_cast<std::size_t>(target_)].samples.empty());
   if (assessed_) {
     updateAssessment();
   } else {

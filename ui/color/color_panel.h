@@ -4,6 +4,7 @@
 #include "core/color/color_learning.h"
 #include "core/session/run/snapshot.h"
 #include "core/setup/click_lesson.h"
+#include "ui/color/color_learner.h"
 #include "ui/jobs/background_job.h"
 
 #include <QElapsedTimer>
@@ -15,7 +16,6 @@
 
 class QLabel;
 class QTimer;
-class QToolButton;
 
 namespace dewpoint::color {
 struct ColorHistogram;
@@ -27,9 +27,9 @@ class BoxPicker;
 class ColorChoice;
 class ColorPicker;
 class ColorSampleList;
-class ColorLearner;
 class Document;
 class ImagePickTool;
+class LearnModes;
 
 /// The color of the chosen target: picker, samples it was learned from, and what to expect of it.
 /// With methods that follow boxes, a click gives the target a box instead of a color.
@@ -61,6 +61,10 @@ Q_SIGNALS:
 private:
   void retranslateUi();
   void refresh();
+  /// What a click with these keys held down does.
+  ColorLearner::SampleAction actionOf(Qt::KeyboardModifiers modifiers) const;
+  /// What to click, for a line over the images.
+  QString hint() const;
   void connectLearner();
   /// Whether a plain click is expected although the button is off: there is nothing to follow.
   bool mustPoint() const;
@@ -81,7 +85,7 @@ private:
   ColorLearner* learner_;
   BoxPicker* boxes_;
   QLabel* name_;
-  QToolButton* learn_;
+  LearnModes* modes_;
   ColorChoice* choice_;
   ColorPicker* picker_;
   QLabel* assessmentText_;
@@ -89,6 +93,8 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
+  /// What a click does while picking.
+  ColorLearner::SampleAction mode_ = ColorLearner::SampleAction::Replace;
   ColorAssessment assessment_;
   ColorRanges colors_;                     ///< of the target shown
   bool inFront_ = false;                   ///< the panel is seen, not behind another tab

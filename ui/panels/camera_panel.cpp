@@ -14,6 +14,7 @@
 #include "ui/text/retranslation.h"
 #include "ui/widgets/file_choice.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/path_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -52,8 +53,8 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
                          QWidget* parent)
     : QWidget(parent), document_(document), selection_(selection), cameras_(cameras),
       list_(new QListView(this)), nameLabel_(new QLabel(this)), name_(new QLineEdit(this)),
-      sourceLabel_(new QLabel(this)), source_(new QLineEdit(this)), browse_(new QPushButton(this)),
-      emptyRoomLabel_(new QLabel(this)), emptyRoom_(new QLineEdit(this)),
+      sourceLabel_(new QLabel(this)), source_(new PathField(this)), browse_(new QPushButton(this)),
+      emptyRoomLabel_(new QLabel(this)), emptyRoom_(new PathField(this)),
       emptyRoomBrowse_(new QPushButton(this)), emptyRoomTake_(new QPushButton(this)),
       turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
       lateLabel_(new QLabel(this)),
@@ -222,10 +223,8 @@ void CameraPanel::showChosen() {
   browse_->setEnabled(own && isFile);
   enableTake();
   emptyRoom_->setText(QString::fromStdString(camera.emptyRoom));
-  emptyRoom_->setCursorPosition(0);
   name_->setText(QString::fromStdString(camera.camera.name));
   source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
-  source_->setCursorPosition(0);
   turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
   mirror_->setChecked(camera.mirrored);
   showValue(*late_, kMilliseconds * camera.delay);

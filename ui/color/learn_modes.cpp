@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/color/learn_modes.h"
+
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace dewpoint::ui {
+
+namespace {
+
+using SampleAction = ColorLearner::SampleAction;
+
+constexpr std::array kLearnModes{SampleAction::Replace, SampleAction::Add, SampleAction::Exclude};
+constexpr std::array kLearnModeNames{"colorLearn", "colorAddSample", "colorExclude"};
+
+} // namespace
+
+LearnModes::LearnModes(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("learnModes"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  for (std::size_t k = 0; k < buttons_.size(); ++k) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(kLearnModeNames[k]));
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    row->addWidget(button, 1);
+    connect(button, &QToolButton::clicked, this, [this, k](bool down) {
+      const Mode mode = down ? Mode(kLearnModes[k]) : Mode();
+      setMode(mode);
+      Q_EMIT modeChosen(mode);
+    });
+    buttons_[k] = button;
+  }
+}
+
+void LearnModes::setMode(Mode mode) {
+  for (std::size_t k = 0; k < buttons_.size(); ++k) {
+    buttons_[k]->setChecked(mode == kLearnModes[k]);
+  }
+}
+
+void LearnModes::setRefinable(bool canAdd, bool canExclude) {
+  if (canAdd_ != canAdd || canExclude_ != canExclude) {
+    canAdd_ = canAdd;
+    canExclude_ = canExclude;
+    showHints();
+  }
+}
+
+bool LearnModes::offers(ColorLearner::SampleAction mode) const {
+  return mode == SampleAction::Replace ||
+         (!takesBoxes_ && (mode == SampleAction::Add ? canAdd_ : canExclude_));
+}
+
+void LearnModes::setTakesBoxes(bool takesBoxes) {
+  takesBoxes_ = takesBoxes;
+  retranslate();
+}
+
+void LearnModes::retranslate() {
+  setAccessibleName(tr("What a click in an image does"));
+  buttons_[0]->setText(takesBoxes_ ? tr("Box") : tr("Learn"));
+  buttons_[1]->setText(tr("Add sample"));
+  buttons_[2]->setText(tr("Not this"));
+  buttons_[1]->setVisible(!takesBoxes_);
+  buttons_[2]->setVisible(!takesBoxes_);
+  showHints();
+}
+
+void LearnModes::showHints() {
+  buttons_[1]->setEnabled(canAdd_);
+  buttons_[2]->setEnabled(canExclude_);
+  buttons_[0]->setToolTip(
+      takesBoxes_ ? tr("Then click the thing in a camera image, or drag a box around it.\n"
+                       "Shift-click does the same at any time.")
+                  : tr("Then click the target in a camera image, or drag a box on it:\n"
+                       "its color is learned again."));
+  const QString first = tr("Learn the color first: click the target in a camera image.");
+  buttons_[1]->setToolTip(canAdd_ ? tr("Then click another part of the target, or the target in "
+                                       "other light.\nShift-click does the same at any time.")
+                                  : first);
+  buttons_[2]->setToolTip(canExclude_
+                              ? tr("Then click what matches but is not the target.\n"
+                                   "Alt-click or Ctrl+Shift-click does the same at any time.")
+                              : first);
+}
+
+QString LearnModes::hintOf(ColorLearner::SampleAction mode) {
+  switch (mode) {
+  case SampleAction::Replace:
+    break;
+  case SampleAction::Add:
+    return tr("Click: add a sample · Alt: not this · Esc");
+  case SampleAction::Exclude:
+    return tr("Click what is not the target · Esc");
+  }
+  return tr("Click: learn · Shift: add · Alt: not this · Esc");
+}
+
+} // namespace dewpoint::ui
