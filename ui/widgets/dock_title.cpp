@@ -49,6 +49,11 @@ DockTitle::DockTitle(QDockWidget* dock)
   applyPalette();
 }
 
+void DockTitle::setNameShown(bool shown) {
+  name_->setVisible(shown);
+  update();
+}
+
 void DockTitle::setState(HoldState state) {
   stateful_ = true;
   shown_ = state;
@@ -94,7 +99,9 @@ void DockTitle::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void DockTitle::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Button));
+  // Below a tab it belongs to what the tab shows.
+  painter.fillRect(rect(),
+                   palette().color(name_->isHidden() ? QPalette::Window : QPalette::Button));
 }
 
 void DockTitle::applyPalette() {

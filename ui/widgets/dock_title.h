@@ -18,6 +18,8 @@ class DockTitle : public QWidget {
 public:
   explicit DockTitle(QDockWidget* dock);
 
+  /// Whether the name is shown: not where a tab above has it.
+  void setNameShown(bool shown);
   void setState(HoldState state);
   /// Why the state is what it is, in a few words; empty: nothing to say.
   void setReason(const QString& reason);

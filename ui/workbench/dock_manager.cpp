@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "ui/document/document.h"
 #include "ui/session/session_controller.h"
+#include "ui/widgets/dock_title.h"
 
 #include <QMainWindow>
 
@@ -27,6 +28,9 @@ ViewDock* DockManager::make(const DockDeclaration& declaration) {
       restoreMaximized(); // or nothing would be left
     }
   });
+  connect(dock, &QDockWidget::dockLocationChanged, this, &DockManager::showNamesSoon);
+  connect(dock, &QDockWidget::topLevelChanged, this, &DockManager::showNamesSoon);
+  connect(dock, &QDockWidget::visibilityChanged, this, &DockManager::showNamesSoon);
   Q_EMIT made(dock);
   return dock;
 }
@@ -38,6 +42,7 @@ void DockManager::remove(ViewDock* dock) {
   std::erase_if(hiddenBeforeMaximized_, [dock](const auto& one) { return one.first == dock; });
   window_.removeDockWidget(dock);
   delete dock;
+  showNamesSoon();
 }
 
 std::vector<ViewDock*> DockManager::docks() const {
@@ -175,6 +180,24 @@ void DockManager::distributeDockSizes() {
                       Qt::Vertical);
   const QList<QDockWidget*> column(cameras.begin(), cameras.end());
   window_.resizeDocks(column, QList<int>(column.size(), height / 3), Qt::Vertical);
+}
+
+void DockManager::showNamesSoon() {
+  if (!std::exchange(isNaming_, true)) {
+    QMetaObject::invokeMethod(this, &DockManager::showNames, Qt::QueuedConnection);
+  }
+}
+
+void DockManager::showNames() {
+  isNaming_ = false;
+  for (ViewDock* dock : docks()) {
+    const auto neighbors = window_.tabifiedDockWidgets(dock);
+    const bool hasTab =
+        !dock->isFloating() && std::ranges::any_of(neighbors, [](const QDockWidget* neighbor) {
+          return !neighbor->isHidden() && !neighbor->isFloating();
+        });
+    dock->title().setNameShown(!hasTab);
+  }
 }
 
 void DockManager::showViews(bool shown) {

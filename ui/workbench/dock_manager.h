@@ -68,11 +68,15 @@ private:
   void arrange();
   void arrangeCameras(ViewDock* scene);
   void distributeDockSizes();
+  /// Names stand in the titles of docks, or in their tabs: once the layout has settled.
+  void showNamesSoon();
+  void showNames();
   void maximize(ViewDock* dock);
 
   QMainWindow& window_;
   Document& document_;
   const SessionController& session_;
+  bool isNaming_ = false; ///< showNames() is about to come
   ViewDock* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
   /// Which docks were put away when one was maximized.
