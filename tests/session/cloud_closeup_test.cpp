@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/cloud_closeup.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace dewpoint::tests {
+namespace {
+
+const Eigen::Vector3d kMean(1.0, -2.0, 0.5);
+
+/// A cloud of three particles with these standard deviations along x, y and z, meters.
+TargetSnapshot cloud(const Eigen::Vector3d& sigma) {
+  TargetSnapshot target;
+  SphereEstimate sphere;
+  sphere.mean = kMean;
+  sphere.covariance = sigma.cwiseProduct(sigma).asDiagonal();
+  sphere.particleCount = 3;
+  target.estimate = sphere;
+  target.particles.resize(3, 3);
+  for (int k = 0; k < 3; ++k) {
+    target.particles.row(k) = (kMean + 0.5 * sigma[k] * Eigen::Vector3d::Unit(k)).transpose();
+  }
+  target.weights.resize(3);
+  target.weights << 0.6, 0.1, 0.3;
+  return target;
+}
+
+TEST(CloudCloseup, ReachesToTheRimOfTheLongestAxis) {
+  const auto reach = cloudReach(cloud({0.001, 0.004, 0.002}));
+  ASSERT_TRUE(reach.has_value());
+  EXPECT_NEAR(*reach, 0.004 * std::sqrt(7.815), 1e-9);
+  TargetSnapshot without = cloud({0.001, 0.004, 0.002});
+  without.particles.resize(0, 3);
+  EXPECT_FALSE(cloudReach(without).has_value());
+  EXPECT_FALSE(cloudReach(TargetSnapshot{}).has_value());
+}
+
+TEST(CloudCloseup, ShowsXToTheRightAndZUpFromTheFront) {
+  const auto closeup = cloudCloseup(cloud({0.001, 0.004, 0.002}), Eigen::Vector3d::UnitX(),
+                                    Eigen::Vector3d::UnitZ(), 50.0);
+  ASSERT_TRUE(closeup.has_value());
+  // 11.2 mm by 0.85 is 13.2 mm; the next step is 15 mm.
+  EXPECT_NEAR(closeup->metersPerPixel, 0.015 / 50.0, 1e-12);
+  EXPECT_NEAR(closeup->barMeters, 0.005, 1e-12);
+  ASSERT_EQ(closeup->particles.size(), 3U);
+  EXPECT_EQ(closeup->weights.back(), 1.0F); // the likeliest last: the one along x
+  EXPECT_NEAR(closeup->particles[2].x(), 0.0005 / 0.0003, 1e-4);
+  EXPECT_NEAR(closeup->particles[2].y(), 0.0, 1e-4);
+  EXPECT_NEAR(closeup->particles[1].y(), -0.001 / 0.0003, 1e-4); // along z: upwards
+  EXPECT_NEAR(closeup->outline.semiMajor, 0.002 * std::sqrt(7.815) / 0.0003, 1e-6);
+  EXPECT_NEAR(closeup->outline.semiMinor, 0.001 * std::sqrt(7.815) / 0.0003, 1e-6);
+  EXPECT_NEAR(std::abs(std::sin(closeup->outline.angle)), 1.0, 1e-6);
+}
+
+TEST(CloudCloseup, ScalesInSteps) {
+  const auto scaleOf = [](double sigma) {
+    return cloudCloseup(cloud({sigma, sigma, sigma}), Eigen::Vector3d::UnitX(),
+                        Eigen::Vector3d::UnitY(), 50.0)
+        ->metersPerPixel;
+  };
+  EXPECT_EQ(scaleOf(0.0010), scaleOf(0.0012)); // 3.3 and 3.9 mm, both within 4 mm
+  EXPECT_NEAR(scaleOf(0.0002), 0.0008 / 50.0, 1e-12);
+  EXPECT_NEAR(scaleOf(0.0005), 0.002 / 50.0, 1e-12);
+  EXPECT_GT(scaleOf(0.0), 0.0);
+}
+
+TEST(CloudCloseup, LeavesOutWhatIsFarOrNotFiniteAndThinsOut) {
+  TargetSnapshot target = cloud({0.001, 0.001, 0.001});
+  target.particles(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  target.particles(1, 0) = 3.0;
+  const auto few = cloudCloseup(target, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 50.0);
+  EXPECT_EQ(few->particles.size(), 1U);
+  target.particles = kMean.transpose().replicate(1000, 1).array();
+  target.weights.resize(0);
+  const auto many =
+      cloudCloseup(target, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), 50.0, 100);
+  EXPECT_EQ(many->particles.size(), 100U);
+  EXPECT_EQ(many->weights.front(), 1.0F);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/display_colors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dewpoint::tests {
+namespace {
+
+const std::vector<DisplayColor> kPalette{{0.84, 0.37, 0.0}, {0.0, 0.45, 0.70}, {0.0, 0.62, 0.45}};
+
+ColorRange rangeAbout(double hue, double saturation = 0.5, double intensity = 0.5) {
+  return {hueOf(hue - 12.0), hueOf(hue + 12.0), saturation - 0.1,
+          saturation + 0.1,  intensity - 0.1,   intensity + 0.1};
+}
+
+/// Relative luminance, of linear light; 0 to 1.
+double luminance(const DisplayColor& color) {
+  const auto linear = [](double v) {
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
+}
+
+TEST(DisplayColors, APinkBallIsPink) {
+  // The range of the simulated ball.
+  const ColorRange pink{320.0, 352.0, 0.25, 0.65, 0.15, 0.90};
+  const auto colors = displayColors({{.learned = pink}}, kPalette, false);
+  ASSERT_EQ(colors.size(), 1U);
+  EXPECT_GT(colors[0][0], colors[0][2] + 0.1); // red above blue above green
+  EXPECT_GT(colors[0][2], colors[0][1] + 0.1);
+  EXPECT_FALSE(areAlike(colors[0], kPalette[0]));
+}
+
+TEST(DisplayColors, TheMiddleOfTheHuesMayLieAcrossZero) {
+  const auto red = middleColor(rangeAbout(2.0));
+  ASSERT_TRUE(red.has_value());
+  EXPECT_GT(red->x(), 0.8);
+  EXPECT_LT(red->y(), 0.4);
+  EXPECT_LT(red->z(), 0.4);
+}
+
+TEST(DisplayColors, GrayAndManyHuesAreNoColor) {
+  EXPECT_FALSE(middleColor(ColorRange{}).has_value());
+  EXPECT_FALSE(middleColor({0.0, 360.0, 0.2, 1.0, 0.0, 1.0}).has_value());
+  EXPECT_FALSE(middleColor({100.0, 120.0, 0.0, 0.6, 0.2, 0.8}).has_value());
+  const auto colors = displayColors({{}, {.learned = ColorRange{}}}, kPalette, true);
+  EXPECT_EQ(colors[0], kPalette[0]);
+  EXPECT_EQ(colors[1], kPalette[1]);
+}
+
+TEST(DisplayColors, EachReadsOnItsGround) {
+  for (double hue = 0.0; hue < 360.0; hue += 20.0) {
+    for (const double intensity : {0.12, 0.5, 0.88}) {
+      const auto middle = middleColor(rangeAbout(hue, 0.5, intensity));
+      ASSERT_TRUE(middle.has_value()) << hue;
+      const DisplayColor onLight = legibleOn(*middle, false);
+      const DisplayColor onDark = legibleOn(*middle, true);
+      EXPECT_LT(luminance(onLight), 0.45) << hue; // the floor is white
+      EXPECT_GT(luminance(onDark), 0.18) << hue;  // the floor has 0.02
+      for (const DisplayColor& color : {onLight, onDark}) {
+        EXPECT_GE(color.minCoeff(), 0.0);
+        EXPECT_LE(color.maxCoeff(), 1.0);
+      }
+    }
+  }
+  const DisplayColor fine(0.8, 0.3, 0.5);
+  EXPECT_EQ(legibleOn(fine, false), fine);
+}
+
+TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
+  const auto colors = displayColors({{.learned = rangeAbout(330.0)},
+                                     {.learned = rangeAbout(120.0)},
+                                     {.learned = rangeAbout(334.0)}},
+                                    kPalette, false);
+  EXPECT_EQ(colors[0], kPalette[0]);
+  EXPECT_GT(colors[1][1], colors[1][0]); // stays green
+  EXPECT_FALSE(areAlike(colors[0], colors[2]));
+  EXPECT_FALSE(areAlike(colors[1], colors[2])); // not the green of the palette
+}
+
+TEST(DisplayColors, PeopleKeepTheirs) {
+  const DisplayColor identity(0.1, 0.2, 0.9);
+  const auto colors = displayColors({{.fixed = identity}, {.fixed = identity}}, kPalette, true);
+  EXPECT_EQ(colors[0], identity);
+  EXPECT_EQ(colors[1], identity);
+}
+
+TEST(DisplayColors, MoreTargetsThanThePaletteHasStillHaveOneEach) {
+  EXPECT_EQ(displayColors(std::vector<DisplayColorWish>(5), kPalette, false).size(), 5U);
+}
+
+} // namespace
+} // namespace dewpoint::tests

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/sight_lines.h"
+#include "tests/session/fake_recording.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace dewpoint::tests {
+namespace {
+
+/// Two cameras and a held target that both of them see.
+TrackSnapshot heldBall() {
+  TrackSnapshot snapshot;
+  snapshot.rig = std::make_shared<const CameraRig>(test::twoCameras());
+  SphereEstimate sphere;
+  sphere.mean = test::kBall;
+  sphere.particleCount = 100;
+  sphere.valid = true;
+  snapshot.targets.emplace_back().estimate = sphere;
+  return snapshot;
+}
+
+TEST(SightLines, EachCameraSeesAHeldTarget) {
+  const TrackSnapshot snapshot = heldBall();
+  const auto lines = sightLines(snapshot, snapshot.targets[0]);
+  ASSERT_EQ(lines.size(), 2U);
+  for (const SightLine& line : lines) {
+    EXPECT_TRUE(line.sees);
+    EXPECT_EQ(line.from, (*snapshot.rig)[static_cast<std::size_t>(line.camera)].center());
+    EXPECT_EQ(line.to, test::kBall);
+  }
+}
+
+TEST(SightLines, ReasonsSayWhereItIsHidden) {
+  TrackSnapshot snapshot = heldBall();
+  snapshot.targets[0].reasons = {{CameraStatus::Hidden}, {CameraStatus::PartlyHidden}};
+  auto lines = sightLines(snapshot, snapshot.targets[0]);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_FALSE(lines[0].sees);
+  EXPECT_TRUE(lines[1].sees);
+  snapshot.targets[0].reasons = {{CameraStatus::NoImage}, {CameraStatus::OutOfView}};
+  EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
+}
+
+TEST(SightLines, EvidenceStandsForReasonsThatAreNotGiven) {
+  TrackSnapshot snapshot = heldBall();
+  auto& sphere = std::get<SphereEstimate>(snapshot.targets[0].estimate);
+  sphere.cameras = {{.inView = true, .visible = 0.0}, {.inView = false}};
+  const auto lines = sightLines(snapshot, snapshot.targets[0]);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].camera, 0);
+  EXPECT_FALSE(lines[0].sees);
+}
+
+TEST(SightLines, NothingBesideTheImagesOrWithoutAPosition) {
+  TrackSnapshot snapshot = heldBall();
+  auto& sphere = std::get<SphereEstimate>(snapshot.targets[0].estimate);
+  sphere.mean = (*snapshot.rig)[0].center() - 5.0 * (*snapshot.rig)[0].opticalAxis();
+  for (const SightLine& line : sightLines(snapshot, snapshot.targets[0])) {
+    EXPECT_NE(line.camera, 0); // it is behind this one
+  }
+  sphere.mean.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
+  snapshot.targets[0].estimate = BoxEstimate{};
+  EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
+}
+
+TEST(SightLines, DashesBeginAndEndWithAStroke) {
+  const auto strokes = dashes(Eigen::Vector3d::Zero(), {9.0, 0.0, 0.0}, 5);
+  ASSERT_EQ(strokes.size(), 5U);
+  EXPECT_DOUBLE_EQ(strokes[1][0].x(), 2.0);
+  EXPECT_DOUBLE_EQ(strokes[1][1].x(), 3.0);
+  EXPECT_DOUBLE_EQ(strokes[4][1].x(), 9.0);
+}
+
+} // namespace
+} // namespace dewpoint::tests
