@@ -53,6 +53,7 @@ private Q_SLOTS:
     view_->resize(640, 480);
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    view_->lookFromAbove();
   }
   void cleanup() { view_.reset(); }
 
@@ -67,6 +68,7 @@ private Q_SLOTS:
   }
 
   void fromAboveTheBallIsWhereXAndYSay() {
+    view_->setRaysShown(false); // they are of its color
     view_->setSnapshot(ballSnapshot());
     const QImage picture = view_->currentPicture();
     keep(picture, "above");
@@ -208,7 +210,7 @@ private Q_SLOTS:
     QVERIFY(std::isfinite(scene.metersPerPixel()) && scene.focus().allFinite());
     const QPointF expected =
         flatProjection(scene, picture, kBall.x(), kBall.y(), scene.focus().x(), scene.focus().y());
-    QVERIFY(blob(picture, expected, 0.03 / scene.metersPerPixel()).count > 20);
+    QVERIFY(blob(picture, expected, 0.045 / scene.metersPerPixel()).count > 20); // with the rim
   }
 
   void aRigThatWasCalibratedAgainIsSeenAsIfItWereNew_data() {
@@ -234,10 +236,7 @@ private Q_SLOTS:
     view_->currentPicture();
     const double expected = view_->scene().metersPerPixel();
 
-    view_ = std::make_unique<BirdsEyeView>();
-    view_->resize(640, 480);
-    view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    init();
     view_->setSnapshot(guessed);
     view_->currentPicture();
     QVERIFY(view_->scene().metersPerPixel() > 5.0 * expected);

@@ -18,6 +18,7 @@
 #include <QMenu>
 #include <QSignalSpy>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
@@ -144,7 +145,10 @@ void WindowAssemblyTest::whatIsWantedWhileOneViewFillsTheWindowStays() {
 void WindowAssemblyTest::anotherProjectIsSeenWhole() {
   openDemo();
   auto* room = window_->findChild<BirdsEyeView*>();
-  room->lookFree();
+  QCOMPARE(room->currentView(), Scene3d::View::Free);
+  for (int step = 0; step < 5; ++step) {
+    QTest::keyClick(room, Qt::Key_Plus);
+  }
   auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
   // Long enough to be looked at in part.
   QTRY_VERIFY_WITH_TIMEOUT((plots->showPart(1.0, 6.0), !plots->showsAll()), kPatienceMs);
@@ -152,7 +156,15 @@ void WindowAssemblyTest::anotherProjectIsSeenWhole() {
   auto* motion = window_->findChild<PlotStack*>(QStringLiteral("motionPlots"));
   QTRY_VERIFY_WITH_TIMEOUT((motion->showPart(0.5, 1.0), !motion->showsAll()), kPatienceMs);
   openDemo();
-  QCOMPARE(room->currentView(), Scene3d::View::Above);
+  QCOMPARE(room->currentView(), Scene3d::View::Free);
+  if (room->hasPicture()) {
+    room->currentPicture();
+    const double shown = room->scene().metersPerPixel();
+    action("actionFitScene")->trigger();
+    room->currentPicture();
+    // Twice as near before; what is tracked meanwhile changes little.
+    QVERIFY(std::abs(shown / room->scene().metersPerPixel() - 1.0) < 0.1);
+  }
   QVERIFY(plots->showsAll());
   QVERIFY(motion->showsAll());
 }

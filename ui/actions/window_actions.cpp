@@ -213,6 +213,10 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Enlarge the particles of a target in a corner of the image "
                                     "where they are too close together to be seen"),
        nullptr, Qt::SHIFT | Qt::Key_I, true},
+      {"actionShowRays", group, QT_TRANSLATE_NOOP("Actions", "Show lines of sight"),
+       QT_TRANSLATE_NOOP("Actions", "Draw a line in the bird's-eye view from each camera to the "
+                                    "target: broken where it is hidden from the camera"),
+       nullptr, Qt::SHIFT | Qt::Key_Y, true},
       {"actionShowVolumeOfInterest", group,
        QT_TRANSLATE_NOOP("Actions", "Show the volume of interest"),
        QT_TRANSLATE_NOOP("Actions", "Show the box in which targets are searched for, in the images "
@@ -234,15 +238,19 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Show all of the camera image again (double click does the "
                                     "same)"),
        nullptr, Qt::CTRL | Qt::Key_0},
-      {"actionLookFromAbove", group, QT_TRANSLATE_NOOP("Actions", "Look from above"),
+      {"actionLookFromAbove", group, QT_TRANSLATE_NOOP("Actions", "Top view"),
        QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from above: the XY plane"), "above",
        Qt::Key_A},
-      {"actionLookFromFront", group, QT_TRANSLATE_NOOP("Actions", "Look from the front"),
+      {"actionLookFromFront", group, QT_TRANSLATE_NOOP("Actions", "Front view"),
        QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from the front: the XZ plane"), "front",
        Qt::Key_F},
-      {"actionLookFree", group, QT_TRANSLATE_NOOP("Actions", "Look freely"),
-       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from an oblique angle, free to orbit"), "free",
+      {"actionLookFree", group, QT_TRANSLATE_NOOP("Actions", "3D view"),
+       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view in perspective, free to orbit"), "free",
        Qt::Key_V},
+      {"actionFitScene", group, QT_TRANSLATE_NOOP("Actions", "Fit everything in view"),
+       QT_TRANSLATE_NOOP("Actions", "Show the whole room in the bird's-eye view again (double "
+                                    "click does the same)"),
+       nullptr, Qt::SHIFT | Qt::Key_A},
       {"actionPalette", group, QT_TRANSLATE_NOOP("Actions", "Search actions…"),
        QT_TRANSLATE_NOOP("Actions", "Find any action by its name"), "search", Qt::CTRL | Qt::Key_K},
       {"actionResetLayout", group, QT_TRANSLATE_NOOP("Actions", "Arrange the views anew"),
@@ -312,6 +320,7 @@ void declareWindowActions(ActionRegistry& registry) {
       registry.add(declaration);
     }
   }
+  registry.action("actionShowRays")->setChecked(true);
   registry.action("actionShowVolumes")->setChecked(true);
   registry.action("actionShowVolumeOfInterest")->setChecked(true);
   registry.action("actionShowMagnifier")->setChecked(true);

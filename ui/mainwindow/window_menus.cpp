@@ -77,10 +77,11 @@ void WindowMenus::makeProjectMenu() {
 void WindowMenus::makeViewMenu() {
   QMenu* view = add(tr("&View"), "menuView",
                     {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
-                     "actionShowBest", "actionShowMagnifier", "actionShowVolumeOfInterest",
-                     "actionShowVolumes", "actionShowMap", nullptr, "actionZoomIn", "actionZoomOut",
-                     "actionFitImage", nullptr, "actionLookFromAbove", "actionLookFromFront",
-                     "actionLookFree", nullptr, "actionResetLayout"});
+                     "actionShowBest", "actionShowRays", "actionShowMagnifier",
+                     "actionShowVolumeOfInterest", "actionShowVolumes", "actionShowMap", nullptr,
+                     "actionZoomIn", "actionZoomOut", "actionFitImage", nullptr, "actionLookFree",
+                     "actionLookFromAbove", "actionLookFromFront", "actionFitScene", nullptr,
+                     "actionResetLayout"});
   QMenu* views = view->addMenu(tr("Views"));
   views->setObjectName(QStringLiteral("menuViews"));
   connect(views, &QMenu::aboutToShow, this, [this, views] {

@@ -24,15 +24,17 @@ Eigen::Vector3d unproject(const Camera& camera, double column, double row, doubl
 } // namespace
 
 CameraFrusta::CameraFrusta(vtkRenderer* renderer)
-    : edges_(flatActor(edgeData_)), faces_(flatActor(faceData_)), labels_(renderer) {
+    : edges_(flatActor(edgeData_)), faces_(flatActor(faceData_)), plumbs_(flatActor(plumbData_)) {
   renderer->AddActor(edges_);
   renderer->AddActor(faces_);
+  renderer->AddActor(plumbs_);
 }
 
 void CameraFrusta::show(const CameraRig& rig, double length) {
-  labels_.clear();
+  glyphs_.clear();
   Strokes edges;
   Strokes faces;
+  Strokes plumbs;
   for (const Camera& camera : rig) {
     if (!usable(camera)) {
       continue;
@@ -52,21 +54,23 @@ void CameraFrusta::show(const CameraRig& rig, double length) {
     const Eigen::Vector3d up = (image[0] - image[3]) * 0.18;
     faces.face({mix(middle, image[0], 0.4), middle + up, mix(middle, image[1], 0.4)});
     faces.face(image);
-    labels_.add(camera.name, center, 12.0, 0.0, 1.2);
+    plumbs.line(center, {center.x(), center.y(), 0.0});
+    glyphs_.push_back({camera.name, center, {image[0], image[1], image[2], image[3]}});
   }
   edges.writeTo(edgeData_);
   faces.writeTo(faceData_);
+  plumbs.writeTo(plumbData_);
 }
 
 void CameraFrusta::setPalette(const ScenePalette& palette) {
   paint(edges_, palette.camera);
   paint(faces_, palette.camera, 0.22);
-  labels_.setColors(palette.text, palette.background);
+  paint(plumbs_, palette.camera, 0.3);
 }
 
 void CameraFrusta::prepareFrame(const ScreenScale& scale) {
   edges_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale.pixelRatio));
-  labels_.prepareFrame(scale);
+  plumbs_->GetProperty()->SetLineWidth(static_cast<float>(scale.pixelRatio));
 }
 
 } // namespace dewpoint::ui

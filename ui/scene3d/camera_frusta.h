@@ -2,28 +2,35 @@
 #pragma once
 
 #include "core/geometry/camera.h"
+#include "ui/scene3d/camera_glyph.h"
 #include "ui/scene3d/scene_actors.h"
 
 #include <vtkPolyData.h>
 
+#include <vector>
+
 namespace dewpoint::ui {
 
-/// Every camera of a rig as the pyramid it looks through, with its name.
+/// Every camera of a rig as the pyramid it looks through, and where it stands above the floor.
+/// Names are written over the picture.
 class CameraFrusta {
 public:
   explicit CameraFrusta(vtkRenderer* renderer);
   /// `length`: from the optical center to the image, meters. Cameras with an unusable pose or
   /// without intrinsics are left out.
   void show(const CameraRig& rig, double length);
+  const std::vector<CameraGlyph>& glyphs() const { return glyphs_; }
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
 
 private:
   vtkNew<vtkPolyData> edgeData_;
   vtkNew<vtkPolyData> faceData_;
+  vtkNew<vtkPolyData> plumbData_;
   vtkSmartPointer<vtkActor> edges_;
   vtkSmartPointer<vtkActor> faces_;
-  SceneLabels labels_;
+  vtkSmartPointer<vtkActor> plumbs_;
+  std::vector<CameraGlyph> glyphs_;
 };
 
 } // namespace dewpoint::ui

@@ -186,6 +186,13 @@ void Ground::setPalette(const ScenePalette& palette) {
   }
 }
 
+void Ground::appendTexts(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    names_[axis].appendPlaces(scale, places);
+    numbers_[axis].appendPlaces(scale, places);
+  }
+}
+
 void Ground::prepareFrame(const ScreenScale& scale) {
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   minor_->GetProperty()->SetLineWidth(width(1.0));

@@ -7,6 +7,7 @@
 #include <vtkPolyData.h>
 
 #include <string>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -24,6 +25,8 @@ public:
   void setDecimalPoint(const std::string& sign);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
+  /// See SceneLabels::appendPlaces().
+  void appendTexts(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
   /// What the floor covers, after rounding.
   const Eigen::AlignedBox2d& extent() const { return extent_; }
 

@@ -40,18 +40,40 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     parts.showRig(snapshot.rig);
   }
   parts.include(snapshot);
-  if (parts.targets.size() > snapshot.targets.size()) {
-    parts.targets.resize(snapshot.targets.size());
+  const std::size_t count = snapshot.targets.size();
+  if (parts.targets.size() > count) {
+    parts.targets.resize(count);
   }
-  for (std::size_t i = 0; i < snapshot.targets.size(); ++i) {
-    if (i == parts.targets.size()) {
-      parts.targets.push_back(std::make_unique<TargetActors>(parts.renderer, i));
-      parts.targets.back()->setPalette(parts.palette());
-    }
-    parts.targets[i]->show(snapshot.targets[i]);
-    parts.targets[i]->setChosen(static_cast<int>(i) == parts.chosenTarget);
-    parts.targets[i]->setBestShown(parts.bestShown);
+  const bool added = parts.targets.size() < count;
+  while (parts.targets.size() < count) {
+    parts.targets.push_back(std::make_unique<TargetActors>(parts.renderer));
   }
+  std::vector<DisplayColorWish> wishes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const TargetSnapshot& target = snapshot.targets[i];
+    wishes.push_back({snapshot.family.masksColors() ? target.target.colors() : ColorRanges(),
+                      identityColorOf(target.target.name)});
+    TargetActors& actors = *parts.targets[i];
+    actors.show(target);
+    // Of people there would be too many to be read.
+    const bool rays = parts.raysShown && !snapshot.family.findsTargets();
+    actors.showSights(rays ? sightLines(snapshot, target) : std::vector<SightLine>());
+    actors.showPath(parts.path.of(i));
+    actors.setChosen(static_cast<int>(i) == parts.chosenTarget);
+    actors.setBestShown(parts.bestShown);
+  }
+  if (added || wishes != parts.colorWishes) {
+    parts.colorWishes = std::move(wishes);
+    parts.applyTargetColors();
+  }
+}
+
+void Scene3d::follow(const TrackSnapshot& snapshot) {
+  parts_->path.add(snapshot);
+}
+
+void Scene3d::showRays(bool shown) {
+  parts_->raysShown = shown;
 }
 
 void Scene3d::showBest(bool shown) {
@@ -190,6 +212,39 @@ void Scene3d::prepareFrame(int width, int height) {
   for (const auto& target : parts.targets) {
     target->prepareFrame(parts.scale);
   }
+}
+
+SceneColor Scene3d::colorOf(std::size_t target) const {
+  return target < parts_->targets.size() ? parts_->targets[target]->color() : targetColor(target);
+}
+
+std::vector<CameraGlyph> Scene3d::cameraGlyphs() const {
+  std::vector<CameraGlyph> glyphs = parts_->frusta.glyphs();
+  const std::vector<CameraGlyph>& planned = parts_->planned.glyphs();
+  glyphs.insert(glyphs.end(), planned.begin(), planned.end());
+  return glyphs;
+}
+
+std::vector<Eigen::AlignedBox2d> Scene3d::textsInPicture() const {
+  std::vector<Eigen::AlignedBox2d> places;
+  parts_->ground.appendTexts(parts_->scale, places);
+  return places;
+}
+
+Eigen::Vector3d Scene3d::rightInPicture() const {
+  return parts_->scale.right;
+}
+
+Eigen::Vector3d Scene3d::upInPicture() const {
+  return parts_->scale.up;
+}
+
+bool Scene3d::isInFront(const Eigen::Vector3d& point) const {
+  return parts_->scale.parallel || parts_->scale.depth(point) > 0.05;
+}
+
+double Scene3d::logicalPixels(const Eigen::Vector3d& point, double meters) const {
+  return meters / parts_->scale.meters(point, 1.0);
 }
 
 Eigen::Vector3d Scene3d::focus() const {

@@ -4,6 +4,7 @@
 #include "core/calibration/planning/rig_map.h"
 #include "core/geometry/world_box.h"
 #include "core/session/run/snapshot.h"
+#include "ui/scene3d/camera_glyph.h"
 #include "ui/scene3d/map_look.h"
 
 #include <memory>
@@ -25,7 +26,7 @@ public:
   enum class View {
     Above, ///< parallel projection onto the XY plane, X right, Y up (the papers' view)
     Front, ///< parallel projection onto the XZ plane, looking along +Y, X right, Z up
-    Free   ///< perspective, to be orbited
+    Free   ///< perspective, oblique from above at first, to be orbited
   };
 
   Scene3d();
@@ -40,13 +41,20 @@ public:
   void setDecimalPoint(const std::string& sign);
   /// Device pixels per logical pixel: line widths and text sizes follow.
   void setPixelRatio(double ratio);
-  /// Shows one frame. Values that are not finite are left out. The first snapshot with something
-  /// to see (and each new rig) also frames the current view, unless the user moved the camera.
+  /// Shows one frame. Values that are not finite are left out. Each new rig is framed, also one
+  /// whose cameras were all calibrated again; what comes to be seen later is framed unless the user
+  /// moved the camera.
   void setSnapshot(const TrackSnapshot& snapshot);
+  /// Every snapshot that comes, whether it is drawn or not: the next drawing shows the way of the
+  /// means of targets that are not held yet.
+  void follow(const TrackSnapshot& snapshot);
   /// The selected target; a person stands out. -1: none.
   void choose(int target);
   /// Whether the particle of highest weight of each target is marked; not at first.
   void showBest(bool shown);
+  /// Whether a line goes from each camera to the estimate that lies in its image, broken where the
+  /// camera does not see the target; at first it does.
+  void showRays(bool shown);
   /// Marks these positions: one stroke for each, meters. Stays until it is called again.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// How well the cameras see the room; null: nothing is shown of it. Stays until called again.
@@ -78,6 +86,18 @@ public:
   /// all that keeps its size on the screen.
   void prepareFrame(int width, int height);
 
+  /// The color a target is drawn in; of one that is not shown, of the palette.
+  SceneColor colorOf(std::size_t target) const;
+  /// The cameras as drawn, those of the rig and those that are not there yet.
+  std::vector<CameraGlyph> cameraGlyphs() const;
+  /// The rectangles that numbers and names of axes take in the picture, as of the last
+  /// `prepareFrame`; as in placeInPicture().
+  std::vector<Eigen::AlignedBox2d> textsInPicture() const;
+  /// The axes of the picture in the world, unit; as of the last `prepareFrame`.
+  Eigen::Vector3d rightInPicture() const;
+  Eigen::Vector3d upInPicture() const;
+  /// Whether a point lies before the eye; else it is nowhere in the picture.
+  bool isInFront(const Eigen::Vector3d& point) const;
   /// The world point in the center of the picture, as of the last `prepareFrame`.
   Eigen::Vector3d focus() const;
   /// Where a point is in the picture, as of the last `prepareFrame`: device pixels right of and
@@ -85,6 +105,8 @@ public:
   Eigen::Vector2d placeInPicture(const Eigen::Vector3d& point) const;
   /// The point that is there, as far from the eye as `depth` is: the inverse of placeInPicture().
   Eigen::Vector3d placeInWorld(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
+  /// Length in logical pixels at `point` of a length in meters, as of the last `prepareFrame`.
+  double logicalPixels(const Eigen::Vector3d& point, double meters) const;
   /// Meters per device pixel at the focus, as of the last `prepareFrame`.
   double metersPerPixel() const;
 

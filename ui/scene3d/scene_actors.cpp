@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace dewpoint::ui {
 namespace {
@@ -71,9 +72,26 @@ vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
   return actor;
 }
 
+vtkSmartPointer<vtkActor> addedInTurn(vtkRenderer* renderer, vtkPolyData* data) {
+  auto actor = flatActor(data);
+  actor->ForceTranslucentOn();
+  actor->VisibilityOff();
+  renderer->AddActor(actor);
+  return actor;
+}
+
 void paint(vtkActor* actor, const SceneColor& color, double opacity) {
   actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
   actor->GetProperty()->SetOpacity(opacity);
+}
+
+std::array<unsigned char, 3> colorBytes(const SceneColor& color) {
+  std::array<unsigned char, 3> bytes{};
+  for (int i = 0; i < 3; ++i) {
+    bytes[static_cast<std::size_t>(i)] =
+        static_cast<unsigned char>(std::lround(255.0 * std::clamp(color[i], 0.0, 1.0)));
+  }
+  return bytes;
 }
 
 Strokes::Strokes() = default;
@@ -157,6 +175,25 @@ void SceneLabels::paintLabel(const Label& label) const {
   style->SetColor(text_.x(), text_.y(), text_.z());
   style->SetBackgroundColor(background_.x(), background_.y(), background_.z());
   style->SetBackgroundOpacity(0.55);
+}
+
+void SceneLabels::appendPlaces(const ScreenScale& scale,
+                               std::vector<Eigen::AlignedBox2d>& places) const {
+  constexpr double kCharacter = 0.6; // of the height, wide
+  for (const Label& label : labels_) {
+    if (label.actor->GetVisibility() == 0) {
+      continue;
+    }
+    const double height = label.sizePx * scale.pixelRatio;
+    const double width =
+        kCharacter * height * static_cast<double>(std::string_view(label.actor->GetInput()).size());
+    const double side = label.right > 0.0 ? 0.5 : label.right < 0.0 ? -0.5 : 0.0;
+    const Eigen::Vector2d center = scale.place(label.point) +
+                                   height * Eigen::Vector2d(label.right, label.up) +
+                                   Eigen::Vector2d(side * width, 0.0);
+    const Eigen::Vector2d half(0.5 * width, 0.5 * height);
+    places.emplace_back(Eigen::Vector2d(center - half), Eigen::Vector2d(center + half));
+  }
 }
 
 void SceneLabels::prepareFrame(const ScreenScale& scale) {

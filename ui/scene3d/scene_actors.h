@@ -4,11 +4,13 @@
 #include "ui/scene3d/scene_palette.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,7 +47,11 @@ struct ScreenScale {
 
 /// An actor without lighting, of plain lines or faces.
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
+/// The same, invisible at first, and added to be blended in its turn.
+vtkSmartPointer<vtkActor> addedInTurn(vtkRenderer* renderer, vtkPolyData* data);
 void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
+/// Red, green and blue, 0 to 255.
+std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 
 /// Builds line and face data.
 class Strokes {
@@ -76,6 +82,9 @@ public:
   void setVisible(bool visible) { visible_ = visible; }
   void setColors(const SceneColor& text, const SceneColor& background);
   void prepareFrame(const ScreenScale& scale);
+  /// Adds the rectangles that the texts take in the picture, about: device pixels right of and
+  /// above the center.
+  void appendPlaces(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
 
 private:
   struct Label {

@@ -20,19 +20,25 @@ const ScenePalette& scenePalette(bool dark) {
   return dark ? kDark : kLight;
 }
 
-SceneColor targetColor(std::size_t index) {
+const std::vector<SceneColor>& targetColors() {
   // The hues of the images' strokes (ui/style/theme.h), dark enough for a light ground.
-  static const std::array<unsigned, 6> kColors{0xd55e00, 0x0072b2, 0x009e73,
-                                               0xcc79a7, 0xe69f00, 0xb8a500};
-  return sceneColor(kColors[index % kColors.size()]);
+  static const std::vector<SceneColor> kColors{sceneColor(0xd55e00), sceneColor(0x0072b2),
+                                               sceneColor(0x009e73), sceneColor(0xcc79a7),
+                                               sceneColor(0xe69f00), sceneColor(0xb8a500)};
+  return kColors;
 }
 
-SceneColor targetColor(const std::string& name, std::size_t index) {
-  if (const auto identity = personIdentity(name)) {
-    const cv::Scalar color = identityColor(*identity); // blue, green, red
-    return SceneColor(color[2], color[1], color[0]) / 255.0;
+SceneColor targetColor(std::size_t index) {
+  return targetColors()[index % targetColors().size()];
+}
+
+std::optional<SceneColor> identityColorOf(const std::string& name) {
+  const auto identity = personIdentity(name);
+  if (!identity) {
+    return std::nullopt;
   }
-  return targetColor(index);
+  const cv::Scalar color = identityColor(*identity); // blue, green, red
+  return SceneColor(color[2], color[1], color[0]) / 255.0;
 }
 
 SceneColor axisColor(int axis) {

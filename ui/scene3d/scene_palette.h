@@ -6,7 +6,9 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace dewpoint::ui {
 
@@ -29,10 +31,13 @@ struct ScenePalette {
 
 const ScenePalette& scenePalette(bool dark);
 
-/// Color of the i-th target, from the color-blind-safe set of Okabe and Ito (2008).
+/// Colors of targets whose own color does not tell them apart, from the color-blind-safe set of
+/// Okabe and Ito (2008).
+const std::vector<SceneColor>& targetColors();
+/// The i-th of them, again from the first on.
 SceneColor targetColor(std::size_t index);
-/// The same for targets of the project; persons have the color of their identity everywhere.
-SceneColor targetColor(const std::string& name, std::size_t index);
+/// Persons have the color of their identity everywhere; nothing for the name of any other target.
+std::optional<SceneColor> identityColorOf(const std::string& name);
 /// Colors of the x, y and z axis, from the same set.
 SceneColor axisColor(int axis);
 

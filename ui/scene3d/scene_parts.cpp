@@ -87,6 +87,20 @@ bool isAdjusted(const CameraRig& before, const CameraRig& now, const Eigen::Alig
          (boxNow.center() - boxBefore.center()).norm() < 0.5 * sizeBefore;
 }
 
+/// Whether cameras stand in another room, or the same ones in a room of another size: what a person
+/// looks at in one is nothing in the other. A refined calibration is neither.
+bool isElsewhere(const CameraRig& before, const CameraRig& now,
+                 const Eigen::AlignedBox3d& boxBefore, const Eigen::AlignedBox3d& boxNow) {
+  if (!std::ranges::equal(before, now, {}, &Camera::name, &Camera::name) || boxBefore.isEmpty() ||
+      boxNow.isEmpty()) {
+    return true;
+  }
+  const double sizeBefore = boxBefore.diagonal().norm();
+  const double sizeNow = boxNow.diagonal().norm();
+  return sizeNow > 1.25 * sizeBefore || sizeBefore > 1.25 * sizeNow ||
+         (boxNow.center() - boxBefore.center()).norm() > 0.25 * sizeBefore;
+}
+
 } // namespace
 
 void SceneParts::applyPalette() {
@@ -99,8 +113,13 @@ void SceneParts::applyPalette() {
   range.setPalette(palette());
   volume.setColor(palette().text, 0.55);
   sight.setColor(palette().truth, 0.8);
-  for (const auto& target : targets) {
-    target->setPalette(palette());
+  applyTargetColors();
+}
+
+void SceneParts::applyTargetColors() {
+  const std::vector<DisplayColor> colors = displayColors(colorWishes, targetColors(), dark);
+  for (std::size_t k = 0; k < std::min(targets.size(), colors.size()); ++k) {
+    targets[k]->setColors(colors[k], palette(), dark);
   }
 }
 
@@ -112,13 +131,21 @@ ScenePalette SceneParts::plannedPalette() const {
 
 void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const CameraRig none;
-  const CameraRig& before = rig ? *rig : none;
+  const CameraRig& before = framedRig ? *framedRig : none;
   const CameraRig& cameras = shown ? *shown : none;
-  const Eigen::AlignedBox3d boxBefore = rigBox;
   rigBox = boxOf(cameras);
   // While one camera is adjusted, the picture holds still unless that camera leaves it.
-  content = isAdjusted(before, cameras, boxBefore, rigBox) ? content.merged(rigBox) : rigBox;
+  const Eigen::AlignedBox3d boxBefore = boxOf(before);
+  const bool adjusted = isAdjusted(before, cameras, boxBefore, rigBox);
+  content = adjusted ? content.merged(rigBox) : rigBox;
   rig = shown;
+  if (!cameras.empty()) {
+    framedRig = shown;
+    if (!adjusted) {
+      moved = moved && !isElsewhere(before, cameras, boxBefore, rigBox);
+      frameWanted = frameWanted || !moved;
+    }
+  }
   frusta.show(cameras, frustumLength());
   frusta.setPalette(palette());
   coverGround();

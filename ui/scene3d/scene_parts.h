@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/run/display_colors.h"
 #include "ui/scene3d/camera_frusta.h"
 #include "ui/scene3d/ground.h"
 #include "ui/scene3d/map_actor.h"
+#include "ui/scene3d/mean_path.h"
+#include "ui/scene3d/ordered_renderer.h"
 #include "ui/scene3d/range_actor.h"
 #include "ui/scene3d/scene3d.h"
 #include "ui/scene3d/target_actors.h"
@@ -32,7 +35,6 @@ public:
         volume(renderer, kVolumeWidthPx), sight(renderer, kSightWidthPx), range(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers ask for bounds that a cloud of bare points does not have.
-    renderer->UseFXAAOn();
     renderer->GetCullers()->RemoveAllItems();
   }
 
@@ -41,6 +43,8 @@ public:
   double rigSize() const { return rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm(); }
   double frustumLength() const { return std::clamp(0.09 * rigSize(), 0.05, 1.0); }
   void applyPalette();
+  /// The colors of all targets; to be called when one of them or the ground has changed.
+  void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void include(const TrackSnapshot& snapshot);
   void coverGround();
@@ -50,7 +54,7 @@ public:
   void setClipping();
   void measure();
 
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<OrderedRenderer> renderer;
   vtkNew<vtkCamera> camera;
   Ground ground;
   CameraFrusta frusta;
@@ -60,13 +64,17 @@ public:
   WireActor sight;  ///< a ray of a camera
   RangeActor range; ///< before the targets, which are drawn over it
   std::vector<std::unique_ptr<TargetActors>> targets;
+  std::vector<DisplayColorWish> colorWishes; ///< one per target
+  MeanPath path;
   std::shared_ptr<const CameraRig> rig;
-  Eigen::AlignedBox3d rigBox;  ///< cameras and what they look at; empty without
-  Eigen::AlignedBox3d content; ///< all that was shown since the rig came
-  View view = View::Above;
+  std::shared_ptr<const CameraRig> framedRig; ///< the last one with cameras: what was framed
+  Eigen::AlignedBox3d rigBox;                 ///< cameras and what they look at; empty without
+  Eigen::AlignedBox3d content;                ///< all that was shown since the rig came
+  View view = View::Free;
   bool dark = false;
   int chosenTarget = -1;
   bool bestShown = false;
+  bool raysShown = true;
   bool moved = false; ///< by the user
   bool frameWanted = true;
   int width = 0;

@@ -40,11 +40,13 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
                    &BirdsEyeView::setChosenTarget);
   bench.onToggled("actionShowBest", view, [view](bool shown) { view->setBestShown(shown); });
+  bench.onToggled("actionShowRays", view, [view](bool shown) { view->setRaysShown(shown); });
   connectVolume(bench, view,
                 [view](const std::optional<WorldBox>& volume) { view->showVolume(volume); });
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
   bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
   bench.onTriggered("actionLookFree", view, [view] { view->lookFree(); });
+  bench.onTriggered("actionFitScene", view, [view] { view->resetView(); });
   const auto update = [bench, dock] { showForMethod(bench, dock); };
   QObject::connect(&bench.docks, &DockManager::laidOut, dock, update);
   QObject::connect(&bench.document, &Document::methodChanged, dock, update);

@@ -37,8 +37,8 @@ void BirdsEyeView::prepareSurfaceFormat() {
 }
 
 BirdsEyeView::BirdsEyeView(QWidget* parent)
-    : QWidget(parent), handles_(new CameraHandles(*this, scene_)), map_(scene_),
-      buttons_(new ViewButtons(*this)) {
+    : QWidget(parent), handles_(new CameraHandles(*this, scene_)), labels_(scene_), inset_(scene_),
+      map_(scene_), buttons_(new ViewButtons(*this)) {
   setObjectName(QStringLiteral("birdsEyeView"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
@@ -47,6 +47,7 @@ BirdsEyeView::BirdsEyeView(QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, &BirdsEyeView::renderPicture);
   buttons_->setCurrent(scene_.view());
   connect(buttons_, &ViewButtons::chosen, this, &BirdsEyeView::look);
+  connect(buttons_, &ViewButtons::fitWanted, this, &BirdsEyeView::resetView);
   connect(handles_, &CameraHandles::chosen, this, &BirdsEyeView::cameraChosen);
   connect(handles_, &CameraHandles::dragged, this, &BirdsEyeView::cameraDragged);
   connect(handles_, &CameraHandles::aimed, this, &BirdsEyeView::cameraAimed);
@@ -94,12 +95,9 @@ void BirdsEyeView::prepare() {
 
 void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
+  scene_.follow(snapshot ? *snapshot : TrackSnapshot{});
   sceneStale_ = true;
   requestPicture();
-}
-
-void BirdsEyeView::startAnew() {
-  look(Scene3d::View::Above);
 }
 
 Scene3d::View BirdsEyeView::currentView() const {
@@ -123,16 +121,6 @@ void BirdsEyeView::look(Scene3d::View view) {
   buttons_->setCurrent(view);
   requestPicture();
   Q_EMIT viewChanged(view);
-}
-
-void BirdsEyeView::lookFromAbove() {
-  look(Scene3d::View::Above);
-}
-void BirdsEyeView::lookFromFront() {
-  look(Scene3d::View::Front);
-}
-void BirdsEyeView::lookFree() {
-  look(Scene3d::View::Free);
 }
 
 void BirdsEyeView::resetView() {
@@ -175,6 +163,7 @@ void BirdsEyeView::renderPicture() {
     scene_.prepareFrame(size.width(), size.height());
     picture_ = vtk_->render(size);
     people_.setSnapshot(snapshot_.get());
+    inset_.setSnapshot(snapshot_);
     picture_.setDevicePixelRatio(devicePixelRatioF());
     pictureMs_ = clock.elapsed();
     sincePicture_.start();
@@ -187,10 +176,16 @@ QImage BirdsEyeView::currentPicture() {
   QImage picture = picture_;
   if (!picture.isNull()) {
     QPainter painter(&picture);
-    people_.paint(painter, *this, {*this, scene_}, chosenTarget_);
-    map_.paintLegend(painter, *this);
+    paintOver(painter);
   }
   return picture;
+}
+
+void BirdsEyeView::paintOver(QPainter& painter) const {
+  labels_.paint(painter, *this);
+  inset_.paint(painter, *this, chosenTarget_);
+  people_.paint(painter, *this, {*this, scene_}, chosenTarget_);
+  map_.paintLegend(painter, *this);
 }
 
 void BirdsEyeView::paintEvent(QPaintEvent*) {
@@ -209,9 +204,8 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.drawImage(QPointF(0, 0), picture_);
-  people_.paint(painter, *this, {*this, scene_}, chosenTarget_);
+  paintOver(painter);
   handles_->paint(painter);
-  map_.paintLegend(painter, *this);
   if (hasFocus()) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));

@@ -4,6 +4,8 @@
 #include "core/session/run/snapshot.h"
 #include "ui/scene3d/scene3d.h"
 #include "ui/view3d/camera_handles.h"
+#include "ui/view3d/camera_labels.h"
+#include "ui/view3d/cloud_inset.h"
 #include "ui/view3d/map_overlay.h"
 #include "ui/view3d/person_badges.h"
 #include "ui/view3d/view_buttons.h"
@@ -40,8 +42,8 @@ public:
 
   /// Shows a frame with the next picture; null empties the scene. Cheap, also while hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Another project: shows all of it from above, whatever was in view before.
-  void startAnew();
+  /// Another project: shows all of it in perspective, whatever was in view before.
+  void startAnew() { lookFree(); }
   /// Highlights a part of a trajectory: strokes of positions, meters; none: nothing.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
@@ -74,6 +76,12 @@ public:
     scene_.showBest(shown);
     requestPicture();
   }
+  /// Lines of sight from the cameras to the estimates.
+  void setRaysShown(bool shown) {
+    scene_.showRays(shown);
+    sceneStale_ = true;
+    requestPicture();
+  }
   /// While placing, a click on the floor of this height (world z, meters) is a placeClicked().
   void setPlacing(bool placing, double floor = 0.0);
 
@@ -83,6 +91,8 @@ public:
   QImage currentPicture();
   /// The scene as drawn, for those who convert between pixels and meters.
   const Scene3d& scene() const { return scene_; }
+  const CameraLabels& cameraLabels() const { return labels_; }
+  const CloudInset& cloudInset() const { return inset_; }
   /// Whether the picture shows all that was given last; true while hidden.
   bool isDrawn() const { return !isVisible() || (!pictureStale_ && !timer_.isActive()); }
   /// False when there is no usable OpenGL (known after the first attempt to draw).
@@ -92,9 +102,9 @@ public:
 
 public Q_SLOTS:
   void look(dewpoint::ui::Scene3d::View view);
-  void lookFromAbove();
-  void lookFromFront();
-  void lookFree();
+  void lookFromAbove() { look(Scene3d::View::Above); }
+  void lookFromFront() { look(Scene3d::View::Front); }
+  void lookFree() { look(Scene3d::View::Free); }
   /// Frames everything in the current view.
   void resetView();
 
@@ -132,6 +142,8 @@ private:
   void startVtk();
   void requestPicture();
   void renderPicture();
+  /// What is part of the picture, but is painted over it.
+  void paintOver(QPainter& painter) const;
   void applyTheme();
   void retranslate();
   void clickTail(QPointF position, bool extend);
@@ -143,6 +155,8 @@ private:
   std::unique_ptr<OffscreenVtk> vtk_; ///< after the scene: must go first
   TrackSnapshotPtr snapshot_;
   CameraHandles* handles_;
+  CameraLabels labels_;
+  CloudInset inset_;
   MapOverlay map_;
   PersonBadges people_; ///< in the picture
   ViewButtons* buttons_;

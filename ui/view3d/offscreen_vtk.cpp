@@ -20,6 +20,10 @@
 namespace dewpoint::ui {
 namespace {
 
+/// Per pixel: thin lines are as wide everywhere. As fast by software as smoothing afterwards
+/// (FXAA).
+constexpr int kSamples = 4;
+
 /// Debian's GLEW knows GLX only: on Wayland or EGL it reports "no GLX display" after having loaded
 /// every function it needs. That is no failure.
 class GenericWindow : public vtkGenericOpenGLRenderWindow {
@@ -99,7 +103,7 @@ bool OffscreenVtk::Context::start() {
 
 void OffscreenVtk::Context::makeWindow() {
   window_ = vtkSmartPointer<GenericWindow>::New();
-  window_->SetMultiSamples(0);
+  window_->SetMultiSamples(kSamples);
   window_->SetFrameBlitModeToNoBlit();
   window_->SetReadyForRendering(false);
   window_->AddObserver(vtkCommand::WindowMakeCurrentEvent,

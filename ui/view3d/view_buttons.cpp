@@ -9,24 +9,30 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr std::array<Scene3d::View, 3> kViews{Scene3d::View::Above, Scene3d::View::Front,
-                                              Scene3d::View::Free};
+constexpr std::array<Scene3d::View, 3> kViews{Scene3d::View::Free, Scene3d::View::Above,
+                                              Scene3d::View::Front};
+
+QToolButton* pictureButton(QWidget& view, const QString& name) {
+  auto* button = new QToolButton(&view);
+  button->setObjectName(name);
+  button->setAutoFillBackground(true);
+  button->setCursor(Qt::ArrowCursor);
+  return button;
+}
 
 } // namespace
 
 ViewButtons::ViewButtons(QWidget& view) : QObject(&view), view_(view) {
-  const std::array<QString, 3> names{QStringLiteral("lookFromAboveButton"),
-                                     QStringLiteral("lookFromFrontButton"),
-                                     QStringLiteral("lookFreeButton")};
+  const std::array<QString, 3> names{QStringLiteral("lookFreeButton"),
+                                     QStringLiteral("lookFromAboveButton"),
+                                     QStringLiteral("lookFromFrontButton")};
   for (std::size_t i = 0; i < kViews.size(); ++i) {
-    auto* button = new QToolButton(&view);
-    button->setObjectName(names[i]);
-    button->setCheckable(true);
-    button->setAutoFillBackground(true);
-    button->setCursor(Qt::ArrowCursor);
-    connect(button, &QToolButton::clicked, this, [this, i] { Q_EMIT chosen(kViews[i]); });
-    buttons_[i] = button;
+    buttons_[i] = pictureButton(view, names[i]);
+    buttons_[i]->setCheckable(true);
+    connect(buttons_[i], &QToolButton::clicked, this, [this, i] { Q_EMIT chosen(kViews[i]); });
   }
+  fit_ = pictureButton(view, QStringLiteral("fitSceneButton"));
+  connect(fit_, &QToolButton::clicked, this, &ViewButtons::fitWanted);
 }
 
 void ViewButtons::setCurrent(Scene3d::View view) {
@@ -42,28 +48,36 @@ void ViewButtons::setShown(bool shown) {
 
 void ViewButtons::place() {
   int x = kSpacing;
-  for (QToolButton* button : buttons_) {
+  const auto put = [&](QToolButton* button) {
     const QSize size = button->sizeHint();
     button->setGeometry(QRect(QPoint(x, view_.height() - size.height() - kSpacing), size));
     button->setVisible(shown_);
     x += size.width() + kSpacing / 2;
+  };
+  for (QToolButton* button : buttons_) {
+    put(button);
   }
+  x += kSpacing; // it chooses no view
+  put(fit_);
 }
 
 void ViewButtons::retranslate() {
-  const std::array<QString, 3> texts{tr("Above"), tr("Front"), tr("Free")};
+  const std::array<QString, 3> texts{tr("3D"), tr("Top"), tr("Front")};
   const std::array<QString, 3> tips{
+      tr("Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, "
+         "double click to see everything."),
       tr("Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see "
          "everything."),
       tr("Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to "
-         "see everything."),
-      tr("Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see "
-         "everything.")};
+         "see everything.")};
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     buttons_[i]->setText(texts[i]);
     buttons_[i]->setToolTip(tips[i]);
     buttons_[i]->setAccessibleDescription(tips[i]);
   }
+  fit_->setText(tr("Fit"));
+  fit_->setToolTip(tr("See everything again, in the same view. Double click does it too."));
+  fit_->setAccessibleDescription(fit_->toolTip());
   place();
 }
 

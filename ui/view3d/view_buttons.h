@@ -13,7 +13,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// The buttons in a corner of the picture that choose the view: from above, from the front, free.
+/// The buttons in a corner of the picture that choose the view (3D, from the top, from the front),
+/// and the one that frames everything.
 class ViewButtons : public QObject {
   Q_OBJECT
 public:
@@ -27,10 +28,12 @@ public:
 
 Q_SIGNALS:
   void chosen(dewpoint::ui::Scene3d::View view);
+  void fitWanted();
 
 private:
   QWidget& view_;
-  std::array<QToolButton*, 3> buttons_{}; ///< above, front, free
+  std::array<QToolButton*, 3> buttons_{}; ///< free, above, front
+  QToolButton* fit_;
   bool shown_ = true;
 };
 

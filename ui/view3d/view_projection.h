@@ -15,7 +15,11 @@ public:
 
   /// Where a point of the world (meters) is seen, widget pixels.
   QPointF inWidget(const Eigen::Vector3d& point) const {
-    const Eigen::Vector2d place = scene_.placeInPicture(point) / view_.devicePixelRatioF();
+    return inWidget(scene_.placeInPicture(point));
+  }
+  /// The same of a position in the picture: device pixels right of and above the center.
+  QPointF inWidget(const Eigen::Vector2d& picture) const {
+    const Eigen::Vector2d place = picture / view_.devicePixelRatioF();
     return {view_.width() / 2.0 + place.x(), view_.height() / 2.0 - place.y()};
   }
   /// Device pixels right of and above the center of the picture.

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene3d/scene_actors.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkRenderer;
+
+namespace dewpoint::ui {
+
+/// A line through positions of which the older ones fade, with an outline under it.
+class FadingLine {
+public:
+  /// `widthPx`: logical pixels; `outlinePx`: of the outline on each side, 0: none.
+  FadingLine(vtkRenderer* renderer, double widthPx, double outlinePx);
+  ~FadingLine();
+  FadingLine(const FadingLine&) = delete;
+  FadingLine& operator=(const FadingLine&) = delete;
+
+  /// Positions in meters, oldest first; where one is not finite the line has a gap: nothing is
+  /// known of what is between.
+  void show(const std::vector<Eigen::Vector3d>& points);
+  /// Of the newest position.
+  void setColors(const SceneColor& line, const SceneColor& outline);
+  void prepareFrame(const ScreenScale& scale);
+
+private:
+  void draw();
+
+  vtkRenderer* renderer_;
+  double widthPx_;
+  double outlinePx_;
+  SceneColor color_ = SceneColor::Zero();
+  SceneColor outlineColor_ = SceneColor::Zero();
+  std::vector<Eigen::Vector3d> points_;
+  vtkNew<vtkPolyData> outlineData_;
+  vtkNew<vtkPolyData> data_;
+  vtkSmartPointer<vtkActor> outline_;
+  vtkSmartPointer<vtkActor> line_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene3d/scene_actors.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+class vtkRenderer;
+
+namespace dewpoint::ui {
+
+/// A soft dark disc on the floor z = 0 below something, and a thin plumb line between: together
+/// they show where it is and how high.
+class FloorShadow {
+public:
+  explicit FloorShadow(vtkRenderer* renderer);
+  ~FloorShadow();
+  FloorShadow(const FloorShadow&) = delete;
+  FloorShadow& operator=(const FloorShadow&) = delete;
+
+  /// Below `point`; `radius` of what throws it. Meters.
+  void show(const Eigen::Vector3d& point, double radius);
+  void hide();
+  void setColors(const SceneColor& plumb, bool darkGround);
+  void prepareFrame(const ScreenScale& scale);
+
+private:
+  void drawDisc(bool darkGround);
+
+  vtkRenderer* renderer_;
+  Eigen::Vector3d point_ = Eigen::Vector3d::Zero();
+  double radius_ = 0.0;
+  vtkNew<vtkPolyData> discData_;
+  vtkNew<vtkPolyData> plumbData_;
+  vtkSmartPointer<vtkActor> disc_;
+  vtkSmartPointer<vtkActor> plumb_;
+};
+
+} // namespace dewpoint::ui
