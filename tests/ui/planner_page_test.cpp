@@ -190,6 +190,7 @@ void PlannerPageTest::aPlannedCameraIsNoPartOfTheProject() {
 }
 
 void PlannerPageTest::aPlannedCameraIsDragged() {
+  view().lookFromAbove(); // there, pixels are meters along x and y
   showMap();
   find<QAction>("actionPlanCamera")->trigger();
   (void)view().currentPicture(); // the view is framed anew

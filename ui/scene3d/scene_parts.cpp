@@ -131,18 +131,20 @@ ScenePalette SceneParts::plannedPalette() const {
 
 void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const CameraRig none;
-  const CameraRig& before = framedRig ? *framedRig : none;
+  const std::shared_ptr<const CameraRig> last = framedRig; // lives on while it is compared
+  const CameraRig& before = last ? *last : none;
   const CameraRig& cameras = shown ? *shown : none;
   rigBox = boxOf(cameras);
   // While one camera is adjusted, the picture holds still unless that camera leaves it.
   const Eigen::AlignedBox3d boxBefore = boxOf(before);
   const bool adjusted = isAdjusted(before, cameras, boxBefore, rigBox);
+  const bool elsewhere = !adjusted && isElsewhere(before, cameras, boxBefore, rigBox);
   content = adjusted ? content.merged(rigBox) : rigBox;
   rig = shown;
   if (!cameras.empty()) {
     framedRig = shown;
     if (!adjusted) {
-      moved = moved && !isElsewhere(before, cameras, boxBefore, rigBox);
+      moved = moved && !elsewhere;
       frameWanted = frameWanted || !moved;
     }
   }
