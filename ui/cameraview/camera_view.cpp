@@ -4,6 +4,7 @@
 #include "core/session/camera_overlay.h"
 #include "core/session/run/snapshot.h"
 #include "ui/cameraview/camera_motion_marker.h"
+#include "ui/cameraview/cloud_inset.h"
 #include "ui/cameraview/evidence_painter.h"
 #include "ui/cameraview/image_navigation.h"
 #include "ui/cameraview/overlay_painter.h"
@@ -298,7 +299,7 @@ CameraOverlay CameraView::overlayOf(std::size_t target) const {
   return overlay;
 }
 
-void CameraView::paintBelief(QPainter& painter) {
+void CameraView::paintBelief(QPainter& painter) const {
   const QRectF seen = shownArea();
   if (picture_.source.maps == shown_ && !picture_.motionMap.isNull()) {
     paintEvidence(painter, {{0, 0}, picture_.motionMap.size()}, picture_.motionMap, {}, placement_);
@@ -328,7 +329,7 @@ void CameraView::paintBelief(QPainter& painter) {
                           palette());
 }
 
-void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken) {
+void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken) const {
   const auto& targets = shown_->targets;
   const std::size_t chosen =
       chosenTarget_ >= 0 && static_cast<std::size_t>(chosenTarget_) < targets.size()
@@ -337,17 +338,16 @@ void CameraView::paintInset(QPainter& painter, const std::vector<QRectF>& taken)
   const cv::Mat& image = picture_.source.frame->image;
   if (!magnifierShown_ || targets.empty() || isPaintedByPeople(targets[chosen]) ||
       targets[chosen].status != TargetStatus::Held || image.type() != CV_8UC3) {
-    inset_.rest();
     return;
   }
   const QColor color = targetColor(targets[chosen].target.name, static_cast<int>(chosen));
-  inset_.paint(painter, {.overlay = overlayOf(chosen),
-                         .image = image,
-                         .placement = placement_,
-                         .area = shownArea(),
-                         .color = color,
-                         .ramp = rampOf(*shown_, color),
-                         .taken = taken});
+  paintCloudInset(painter, {.overlay = overlayOf(chosen),
+                            .image = image,
+                            .placement = placement_,
+                            .area = shownArea(),
+                            .color = color,
+                            .ramp = rampOf(*shown_, color),
+                            .taken = taken});
 }
 
 } // namespace dewpoint::ui

@@ -3,7 +3,6 @@
 
 #include "core/geometry/world_box.h"
 #include "ui/cameraview/camera_picture.h"
-#include "ui/cameraview/cloud_inset.h"
 #include "ui/cameraview/image_placement.h"
 #include "ui/cameraview/image_zoom.h"
 #include "ui/jobs/latest_job.h"
@@ -14,6 +13,10 @@
 #include <cstddef>
 #include <optional>
 #include <vector>
+
+namespace dewpoint::session {
+struct CameraOverlay;
+} // namespace dewpoint::session
 
 namespace dewpoint::ui {
 
@@ -98,10 +101,10 @@ private:
   void rest();
   /// Shows the newest snapshot if its picture is there (true), or else begins to make it.
   bool follow();
-  void paintBelief(QPainter& painter);
+  void paintBelief(QPainter& painter) const;
   /// What the target of that number makes of its overlay in this view.
   CameraOverlay overlayOf(std::size_t target) const;
-  void paintInset(QPainter& painter, const std::vector<QRectF>& taken);
+  void paintInset(QPainter& painter, const std::vector<QRectF>& taken) const;
 
   int camera_;
   TrackSnapshotPtr snapshot_; ///< the newest
@@ -113,7 +116,6 @@ private:
   int chosenTarget_ = -1;
   HoldState state_ = HoldState::NoImages;
   ImageZoom zoom_;
-  CloudInset inset_;
   ImagePlacement placement_;
   QSize imageSize_;
   CameraPicture picture_;

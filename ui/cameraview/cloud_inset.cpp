@@ -64,57 +64,55 @@ void paintScaleBar(QPainter& painter, const QRectF& inset, double scale) {
   const Halo halo{170, 2.0, true, Qt::FlatCap, Qt::MiterJoin};
   withHalo(
       painter, Qt::white, 2.0, [&] { painter.drawLine(left, right); }, Qt::SolidLine, halo);
-  QPainterPath words;
-  words.addText(left + QPointF(0.0, -metrics.descent() - 2.0), small, text);
-  painter.strokePath(words,
-                     QPen(QColor(0, 0, 0, 170), 2.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.fillPath(words, Qt::white);
+  const QPointF words = left + QPointF(0.0, -metrics.descent() - 2.0);
+  painter.setPen(QColor(0, 0, 0, 120));
+  for (const QPointF& beside : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
+    painter.drawText(words + beside, text); // its halo
+  }
+  painter.setPen(Qt::white);
+  painter.drawText(words, text);
   painter.restore();
 }
 
 } // namespace
 
-void CloudInset::paint(QPainter& painter, const Subject& subject) {
-  const auto& ellipse = subject.overlay.ellipse;
+void paintCloudInset(QPainter& painter, const CloudInset& subject) {
   constexpr double kLeastRadius = 1e-3; // of particles that are all at one place
+  const auto& ellipse = subject.overlay.ellipse;
   const double diameter = 2.0 * std::max(kLeastRadius, cloudRadius(subject.overlay));
-  tight_ = isTightCloud(diameter * subject.placement.scale, tight_);
   const double ratio = painter.device()->devicePixelRatioF();
   const auto side = insetSide(subject.area);
-  if (!tight_ || !side || !ellipse || subject.overlay.particles.empty()) {
-    rest();
+  if (!ellipse || !side || subject.overlay.particles.empty() ||
+      !isTightCloud(diameter * subject.placement.scale)) {
     return;
   }
-  factor_ = insetFactor(diameter, *side * ratio, factor_);
+  const auto factor = insetFactor(diameter, *side * ratio);
   const QPointF center(ellipse->center.x(), ellipse->center.y());
   const QPointF target = subject.placement.positionOf(center);
-  if (!factor_ || !subject.area.contains(target)) {
-    rest();
+  if (!factor || !subject.area.contains(target)) {
     return;
   }
-  const InsetPlace inset = insetPlace(subject.area, *side, target, subject.taken, corner_);
-  corner_ = inset.corner;
-  const double scale = *factor_ / ratio;
+  const QRectF square = insetPlace(subject.area, *side, target, subject.taken);
+  const double scale = *factor / ratio;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const double shown = std::max(kLeastBracket, *side / scale * subject.placement.scale);
   QRectF place(0.0, 0.0, shown, shown);
   place.moveCenter(target);
-  paintLead(painter, place, inset.square);
+  paintLead(painter, place, square);
 
   QPainterPath frame;
-  frame.addRoundedRect(inset.square, kInsetRounding, kInsetRounding);
+  frame.addRoundedRect(square, kInsetRounding, kInsetRounding);
   painter.save();
   painter.setClipPath(frame, Qt::IntersectClip);
   QImage picture = toImage(magnified(subject.image, ellipse->center,
-                                     static_cast<int>(std::lround(*side * ratio)), *factor_));
+                                     static_cast<int>(std::lround(*side * ratio)), *factor));
   picture.setDevicePixelRatio(ratio);
-  painter.drawImage(inset.square, picture);
-  const ImagePlacement enlarged{inset.square.center() - (center + QPointF(0.5, 0.5)) * scale,
-                                scale};
+  painter.drawImage(square, picture);
+  const ImagePlacement enlarged{square.center() - (center + QPointF(0.5, 0.5)) * scale, scale};
   paintParticles(painter, subject.overlay, enlarged, subject.ramp);
   withHalo(painter, subject.color, 1.3, [&] { paintEllipse(painter, *ellipse, enlarged); });
-  paintScaleBar(painter, inset.square, scale);
+  paintScaleBar(painter, square, scale);
   painter.restore();
   withHalo(
       painter, kInsetInk, kInsetPenWidth, [&] { painter.drawPath(frame); }, Qt::SolidLine,

@@ -8,7 +8,6 @@
 #include <QRectF>
 #include <opencv2/core/mat.hpp>
 
-#include <optional>
 #include <vector>
 
 class QPainter;
@@ -22,27 +21,17 @@ namespace dewpoint::ui {
 /// Enlarges a cloud of particles that is too small to be seen in its camera view, in a corner of
 /// the view away from it: the image around it, its particles, the 95 % ellipse where that is as
 /// small, and a bar that says how large a pixel is. A thin line leads to the place.
-class CloudInset {
-public:
-  /// What it enlarges, and where it may lie.
-  struct Subject {
-    const CameraOverlay& overlay; ///< of a target that is tracked
-    const cv::Mat& image;         ///< CV_8UC3
-    ImagePlacement placement;
-    QRectF area; ///< what is seen of the image, widget units
-    QColor color;
-    ParticleRamp ramp;
-    std::vector<QRectF> taken; ///< of that area, by something else
-  };
-  /// Draws it if the cloud is small and seen, and there is room.
-  void paint(QPainter& painter, const Subject& subject);
-  /// Nothing is to be enlarged for now.
-  void rest() { *this = {}; }
-
-private:
-  bool tight_ = false;
-  std::optional<int> factor_; ///< device pixels per pixel of the image
-  std::optional<int> corner_;
+struct CloudInset {
+  const CameraOverlay& overlay; ///< of a target that is tracked
+  const cv::Mat& image;         ///< CV_8UC3
+  ImagePlacement placement;
+  QRectF area; ///< what is seen of the image, widget units
+  QColor color;
+  ParticleRamp ramp;
+  std::vector<QRectF> taken; ///< of that area, by something else
 };
+
+/// Draws it if the cloud is small and seen, and there is room.
+void paintCloudInset(QPainter& painter, const CloudInset& inset);
 
 } // namespace dewpoint::ui

@@ -12,11 +12,8 @@ namespace {
 const QRectF kView(0.0, 0.0, 400.0, 300.0);
 
 TEST(InsetGeometry, ACloudIsTightBelowTenUnits) {
-  EXPECT_TRUE(isTightCloud(9.0, false));
-  EXPECT_FALSE(isTightCloud(11.0, false));
-  EXPECT_TRUE(isTightCloud(11.0, true)); // no flicker
-  EXPECT_FALSE(isTightCloud(15.0, true));
-  EXPECT_FALSE(isTightCloud(0.0, true)); // there is none
+  EXPECT_TRUE(isTightCloud(9.0));
+  EXPECT_FALSE(isTightCloud(11.0));
 }
 
 TEST(InsetGeometry, AnInsetNeedsRoom) {
@@ -26,30 +23,25 @@ TEST(InsetGeometry, AnInsetNeedsRoom) {
   EXPECT_FALSE(insetSide({0.0, 0.0, 200.0, 120.0}));
 }
 
-TEST(InsetGeometry, TheFactorRestsWhileTheCloudIsSeen) {
-  EXPECT_EQ(insetFactor(2.0, 96.0, std::nullopt), 24); // fills a half
-  EXPECT_EQ(insetFactor(1.2, 96.0, 24), 24);
-  EXPECT_EQ(insetFactor(0.5, 96.0, 24), 96); // it would be a dot
-  EXPECT_EQ(insetFactor(3.0, 96.0, 24), 16); // it would not fit
-  EXPECT_EQ(insetFactor(1e-4, 96.0, 384), 384);
-  EXPECT_FALSE(insetFactor(60.0, 96.0, std::nullopt));
+TEST(InsetGeometry, TheCloudFillsAFifthToThreeFifths) {
+  EXPECT_EQ(insetFactor(2.0, 96.0), 27);
+  EXPECT_EQ(insetFactor(1.0, 96.0), 27);
+  EXPECT_EQ(insetFactor(0.5, 96.0), 81);
+  EXPECT_EQ(insetFactor(1e-4, 96.0), 243);
+  EXPECT_FALSE(insetFactor(60.0, 96.0)); // not even with pixels as they are
 }
 
-TEST(InsetGeometry, ItLiesInTheNearestCornerWithRoomToTheTarget) {
-  const InsetPlace place = insetPlace(kView, 96.0, {50.0, 60.0}, {}, std::nullopt);
-  EXPECT_EQ(place.corner, 2);
-  EXPECT_EQ(place.square, QRectF(8.0, 196.0, 96.0, 96.0));
+TEST(InsetGeometry, ItLiesInTheFirstCornerWithRoomToTheTarget) {
+  const QRectF lowerLeft(8.0, 196.0, 96.0, 96.0);
+  const QRectF lowerRight(296.0, 196.0, 96.0, 96.0);
+  EXPECT_EQ(insetPlace(kView, 96.0, {50.0, 60.0}, {}), lowerLeft);
+  EXPECT_EQ(insetPlace(kView, 96.0, {350.0, 250.0}, {}), lowerLeft);
+  EXPECT_EQ(insetPlace(kView, 96.0, {120.0, 200.0}, {}), lowerRight);
   // What is there already keeps its corner.
-  const QRectF taken(10.0, 270.0, 40.0, 20.0);
-  EXPECT_EQ(insetPlace(kView, 96.0, {50.0, 60.0}, {taken}, std::nullopt).corner, 1);
+  EXPECT_EQ(insetPlace(kView, 96.0, {50.0, 60.0}, {{10.0, 270.0, 40.0, 20.0}}), lowerRight);
   // In a small view there is no such room anywhere.
   const QRectF small(0.0, 0.0, 210.0, 200.0);
-  EXPECT_EQ(insetPlace(small, 68.0, {90.0, 90.0}, {}, std::nullopt).corner, 3);
-}
-
-TEST(InsetGeometry, ItMovesOnlyWhenTheTargetComesNear) {
-  EXPECT_EQ(insetPlace(kView, 96.0, {200.0, 150.0}, {}, 1).corner, 1);
-  EXPECT_EQ(insetPlace(kView, 96.0, {285.0, 60.0}, {}, 1).corner, 3);
+  EXPECT_EQ(insetPlace(small, 68.0, {90.0, 90.0}, {}), QRectF(134.0, 124.0, 68.0, 68.0));
 }
 
 TEST(InsetGeometry, TheScaleBarHasARoundLength) {
