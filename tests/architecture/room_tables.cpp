@@ -95,7 +95,7 @@ int windowFloor(const std::string& room) {
       {"workbench"},
       {"cameraview", "view3d", "plots", "timeline"},
       {"panels", "trajectory"},
-      {"calibration", "color", "correction", "people", "export", "experiments", "start"},
+      {"calibration", "color", "correction", "people", "export", "experiments", "start", "help"},
       {"mainwindow"},
   };
   for (std::size_t floor = 0; floor < kFloors.size(); ++floor) {

@@ -39,7 +39,8 @@ private Q_SLOTS:
   void theStartPageOpensTheDemoAndClosingReturnsToIt();
   void droppedFilesAreOpened();
   void aSavedProjectIsRecent();
-  void everyActionHasAShortcutOfItsOwn();
+  void everyShortcutIsOfOneAction();
+  void theKeysOfTheDesktopDoWhatTheyDoElsewhere();
   void thePaletteFindsAnActionByKeyboardAlone();
   void aShortcutCanBeChangedTakenAndReset();
   void theLayoutBelongsToTheProject();
@@ -89,15 +90,44 @@ void StartAndActionsTest::aSavedProjectIsRecent() {
   QVERIFY(isOpen(2));
 }
 
-void StartAndActionsTest::everyActionHasAShortcutOfItsOwn() {
+void StartAndActionsTest::everyShortcutIsOfOneAction() {
   std::map<QString, QString> holders;
   for (QAction* one : window_->findChild<ActionRegistry*>()->all()) {
-    const QString keys = one->shortcut().toString();
-    QVERIFY2(!keys.isEmpty(), qPrintable(one->objectName()));
-    QVERIFY2(holders.emplace(keys, one->objectName()).second,
-             qPrintable(keys + QStringLiteral(": ") + holders[keys] + QStringLiteral(", ") +
-                        one->objectName()));
+    for (const QKeySequence& shortcut : one->shortcuts()) {
+      const QString keys = shortcut.toString();
+      QVERIFY2(holders.emplace(keys, one->objectName()).second,
+               qPrintable(keys + QStringLiteral(": ") + holders[keys] + QStringLiteral(", ") +
+                          one->objectName()));
+    }
   }
+}
+
+void StartAndActionsTest::theKeysOfTheDesktopDoWhatTheyDoElsewhere() {
+  auto* registry = window_->findChild<ActionRegistry*>();
+  const auto holder = [&](const QKeySequence& keys) {
+    for (const QAction* one : registry->all()) {
+      if (one->shortcuts().contains(keys)) {
+        return one->objectName();
+      }
+    }
+    return QString();
+  };
+  QCOMPARE(holder(Qt::Key_F1), QStringLiteral("actionManual"));
+  QCOMPARE(holder(Qt::Key_F11), QStringLiteral("actionFullScreen"));
+  QCOMPARE(holder(Qt::CTRL | Qt::Key_W), QStringLiteral("actionCloseProject"));
+  QCOMPARE(holder(Qt::CTRL | Qt::Key_Y), QStringLiteral("actionRedo"));
+  QCOMPARE(holder(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QStringLiteral("actionRedo"));
+  QCOMPARE(holder(Qt::CTRL | Qt::Key_P), QString()); // prints nothing
+  QCOMPARE(holder(Qt::CTRL | Qt::Key_D), QString());
+  // Whoever wants one of the two for something else gets it, in the next window as well.
+  registry->setShortcut(action("actionAddMark"), Qt::CTRL | Qt::Key_Y);
+  QCOMPARE(holder(Qt::CTRL | Qt::Key_Y), QStringLiteral("actionAddMark"));
+  QCOMPARE(holder(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QStringLiteral("actionRedo"));
+  MainWindow other(&openProject);
+  QCOMPARE(other.findChild<QAction*>("actionRedo")->shortcuts(),
+           QList<QKeySequence>{Qt::CTRL | Qt::SHIFT | Qt::Key_Z});
+  registry->resetShortcuts();
+  QCOMPARE(holder(Qt::CTRL | Qt::Key_Y), QStringLiteral("actionRedo"));
 }
 
 void StartAndActionsTest::thePaletteFindsAnActionByKeyboardAlone() {

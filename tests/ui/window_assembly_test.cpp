@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the window is put together: a view that is added with one line, views that fill the window
 // and come back, and what another project finds.
+#include "core/project/project_save.h"
 #include "core/session/session.h"
 #include "tests/added_view/frame_clock.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
+#include "ui/document/project_saver.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/selection/selection.h"
 #include "ui/session/open_request.h"
@@ -36,6 +38,7 @@ private Q_SLOTS:
   void thatViewIsTheOneOfThePage();
   void aMaximizedViewGivesTheOthersTheirPlacesBack();
   void whatIsWantedWhileOneViewFillsTheWindowStays();
+  void whatNobodyArrangedSuitsAnotherWindow();
   void anotherProjectIsSeenWhole();
   void theRequestComesBackWithWhatItOpened();
   void viewsAreToldInOrder();
@@ -140,6 +143,24 @@ void WindowAssemblyTest::whatIsWantedWhileOneViewFillsTheWindowStays() {
   dock("plotDock")->toggleViewAction()->trigger();
   QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size(), kPatienceMs);
   QVERIFY(dock("plotDock")->isHidden());
+}
+
+void WindowAssemblyTest::whatNobodyArrangedSuitsAnotherWindow() {
+  const auto project = path("kept.toml");
+  QVERIFY(saveProject(*resolveProject("demo"), project));
+  window_->resize(1100, 700);
+  open(project);
+  dock("trajectoryDock")->toggleViewAction()->trigger();
+  action("actionSave")->trigger();
+  QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
+  QVERIFY(!window_->document().project().layout.empty());
+  makeAnotherWindow({.size = {1700, 1000}, .play = false});
+  open(project);
+  const auto widthOfImages = [this] {
+    return dock("cameraDock0")->geometry().united(dock("cameraDock1")->geometry()).width();
+  };
+  QTRY_VERIFY_WITH_TIMEOUT(widthOfImages() >= 0.45 * window_->width(), kPatienceMs);
+  QVERIFY(dock("trajectoryDock")->isHidden()); // that was arranged
 }
 
 void WindowAssemblyTest::anotherProjectIsSeenWhole() {

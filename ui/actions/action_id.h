@@ -78,6 +78,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionFitScene",
     "actionPalette",
     "actionResetLayout",
+    "actionFullScreen",
     "actionThemeSystem",
     "actionThemeLight",
     "actionThemeDark",
@@ -93,6 +94,12 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionPlotCopy",
     "actionPlotSave",
     "actionTrajectoryCopy",
+    "actionManual",
+    "actionQuickStart",
+    "actionLegend",
+    "actionMethods",
+    "actionReportProblem",
+    "actionAbout",
 });
 
 /// Names an action. A name that is not in kActionNames does not compile.

@@ -134,6 +134,7 @@ void ActionRegistry::setShortcut(QAction* action, const QKeySequence& shortcut) 
   }
   action->setShortcut(shortcut);
   remember(*entry);
+  useAlternatives();
   Q_EMIT shortcutsChanged();
 }
 
@@ -142,7 +143,33 @@ void ActionRegistry::resetShortcuts() {
     entry.action->setShortcut(entry.declaration.shortcut);
     remember(entry);
   }
+  useAlternatives();
   Q_EMIT shortcutsChanged();
+}
+
+void ActionRegistry::addAlternative(ActionId id, const QKeySequence& shortcut) {
+  alternatives_.emplace_back(id, shortcut);
+  useAlternatives();
+}
+
+void ActionRegistry::useAlternatives() {
+  for (const auto& [id, shortcut] : alternatives_) {
+    QAction* one = action(id);
+    QList<QKeySequence> keys = one->shortcuts();
+    keys.removeAll(shortcut);
+    const bool isDeclared = one->shortcut() == defaultShortcut(one);
+    if (isDeclared && holderOf(shortcut, one) == nullptr) {
+      // The declared one stays the first: it is the one that is shown.
+      keys.removeAll(one->shortcut());
+      keys.prepend(one->shortcut());
+      if (shortcut != one->shortcut()) {
+        keys.append(shortcut);
+      }
+      one->setShortcuts(keys);
+    } else if (keys.size() != one->shortcuts().size() && shortcut != one->shortcut()) {
+      one->setShortcuts(keys);
+    }
+  }
 }
 
 void ActionRegistry::drawIcons(const QPalette& palette) {

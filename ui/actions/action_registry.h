@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 class QAction;
@@ -52,6 +53,9 @@ public:
   /// Gives an action a shortcut (empty: none), taking it away from its holder, and remembers it.
   void setShortcut(QAction* action, const QKeySequence& shortcut);
   void resetShortcuts();
+  /// One more key for an action, as long as it has the shortcut it was declared with and the key is
+  /// no other's. It is not listed, and not kept in the preferences.
+  void addAlternative(ActionId id, const QKeySequence& shortcut);
 
   /// Redraws all icons in the colors of a palette.
   void drawIcons(const QPalette& palette);
@@ -74,9 +78,11 @@ private:
   const Entry* entryOf(const QAction* action) const;
   void setTexts(const Entry& entry);
   void remember(const Entry& entry);
+  void useAlternatives();
 
   QWidget* window_;
   std::vector<Entry> entries_;
+  std::vector<std::pair<ActionId, QKeySequence>> alternatives_;
   std::array<QAction*, kActionNames.size()> byId_{};
 };
 

@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 namespace {
 
 std::vector<ActionDeclaration> projectActions() {
-  const char* group = QT_TRANSLATE_NOOP("Actions", "Project");
+  const char* group = QT_TRANSLATE_NOOP("Actions", "File");
   return {
       {"actionNew", group, QT_TRANSLATE_NOOP("Actions", "New project…"),
        QT_TRANSLATE_NOOP("Actions", "Make a project from videos or connected cameras"), "new",
@@ -22,8 +22,7 @@ std::vector<ActionDeclaration> projectActions() {
       {"actionOpen", group, QT_TRANSLATE_NOOP("Actions", "Open project…"),
        QT_TRANSLATE_NOOP("Actions", "Open a project"), "open", QKeySequence::Open},
       {"actionOpenDemo", group, QT_TRANSLATE_NOOP("Actions", "Open the demo"),
-       QT_TRANSLATE_NOOP("Actions", "Open the simulated demo scene"), nullptr,
-       Qt::CTRL | Qt::Key_D},
+       QT_TRANSLATE_NOOP("Actions", "Open the simulated demo scene")},
       {"actionSave", group, QT_TRANSLATE_NOOP("Actions", "Save"),
        QT_TRANSLATE_NOOP("Actions", "Save the project"), "save", QKeySequence::Save},
       {"actionSaveAs", group, QT_TRANSLATE_NOOP("Actions", "Save as…"),
@@ -60,8 +59,8 @@ std::vector<ActionDeclaration> editActions() {
                          "Then click the target in a camera image: its color is learned"),
        "learn", Qt::Key_L, true},
       {"actionAddTarget", group, QT_TRANSLATE_NOOP("Actions", "Add a target"),
-       QT_TRANSLATE_NOOP("Actions", "Follow one more thing: click it in a camera image"), "add",
-       Qt::SHIFT | Qt::Key_L},
+       QT_TRANSLATE_NOOP("Actions", "Follow one more thing: click it in a camera image"),
+       "add-target", Qt::SHIFT | Qt::Key_L},
       {"actionRemoveTarget", group, QT_TRANSLATE_NOOP("Actions", "Remove the target"),
        QT_TRANSLATE_NOOP("Actions", "Stop following the target that is chosen"), "remove",
        Qt::SHIFT | Qt::Key_Delete},
@@ -98,8 +97,7 @@ std::vector<ActionDeclaration> calibrationActions() {
        QT_TRANSLATE_NOOP("Actions", "Find lenses and places of the cameras with a printed board"),
        nullptr, Qt::SHIFT | Qt::Key_C},
       {"actionPrintBoard", group, QT_TRANSLATE_NOOP("Actions", "Print a calibration board…"),
-       QT_TRANSLATE_NOOP("Actions", "Write the board to calibrate with as a PDF in its true size"),
-       nullptr, QKeySequence::Print},
+       QT_TRANSLATE_NOOP("Actions", "Write the board to calibrate with as a PDF in its true size")},
       {"actionCalibrateWand", group, QT_TRANSLATE_NOOP("Actions", "Calibrate by waving…"),
        QT_TRANSLATE_NOOP("Actions", "Refine cameras with a waved ball, or a stick with two balls"),
        nullptr, Qt::SHIFT | Qt::Key_V},
@@ -253,10 +251,13 @@ std::vector<ActionDeclaration> viewActions() {
        nullptr, Qt::SHIFT | Qt::Key_A},
       {"actionPalette", group, QT_TRANSLATE_NOOP("Actions", "Search actions…"),
        QT_TRANSLATE_NOOP("Actions", "Find any action by its name"), "search", Qt::CTRL | Qt::Key_K},
-      {"actionResetLayout", group, QT_TRANSLATE_NOOP("Actions", "Arrange the views anew"),
+      {"actionResetLayout", group, QT_TRANSLATE_NOOP("Actions", "Reset layout"),
        QT_TRANSLATE_NOOP("Actions", "Put all views back where they were at first"), nullptr,
        Qt::CTRL | Qt::SHIFT | Qt::Key_L},
-      {"actionThemeSystem", group, QT_TRANSLATE_NOOP("Actions", "Like the system"),
+      {"actionFullScreen", group, QT_TRANSLATE_NOOP("Actions", "Full screen"),
+       QT_TRANSLATE_NOOP("Actions", "Let the window fill the screen, or give it its frame back"),
+       nullptr, Qt::Key_F11, true},
+      {"actionThemeSystem", group, QT_TRANSLATE_NOOP("Actions", "Follow system"),
        QT_TRANSLATE_NOOP("Actions", "Colors of the system"), nullptr,
        Qt::CTRL | Qt::ALT | Qt::Key_7, true},
       {"actionThemeLight", group, QT_TRANSLATE_NOOP("Actions", "Light"),
@@ -311,11 +312,32 @@ std::vector<ActionDeclaration> plotActions() {
   };
 }
 
+std::vector<ActionDeclaration> helpActions() {
+  const char* group = QT_TRANSLATE_NOOP("Actions", "Help");
+  return {
+      {"actionManual", group, QT_TRANSLATE_NOOP("Actions", "Manual"),
+       QT_TRANSLATE_NOOP("Actions", "Open the manual at the page of the view that is in use"),
+       nullptr, Qt::Key_F1},
+      {"actionQuickStart", group, QT_TRANSLATE_NOOP("Actions", "Quick start"),
+       QT_TRANSLATE_NOOP("Actions", "What you see in the window, and how to begin in five steps"),
+       nullptr, Qt::SHIFT | Qt::Key_F1},
+      {"actionLegend", group, QT_TRANSLATE_NOOP("Actions", "Legend of the overlays"),
+       QT_TRANSLATE_NOOP("Actions", "What crosses, ellipses and dots in the images mean"), nullptr,
+       Qt::CTRL | Qt::Key_F1},
+      {"actionMethods", group, QT_TRANSLATE_NOOP("Actions", "About the methods"),
+       QT_TRANSLATE_NOOP("Actions", "Open the reference of the tracking methods")},
+      {"actionReportProblem", group, QT_TRANSLATE_NOOP("Actions", "Report a problem…"),
+       QT_TRANSLATE_NOOP("Actions", "Collect what helps to find a fault, ready to be copied")},
+      {"actionAbout", group, QT_TRANSLATE_NOOP("Actions", "About Dewpoint"),
+       QT_TRANSLATE_NOOP("Actions", "Version, license, and how to cite Dewpoint")},
+  };
+}
+
 } // namespace
 
 void declareWindowActions(ActionRegistry& registry) {
   for (const auto& group : {projectActions(), editActions(), calibrationActions(), runActions(),
-                            viewActions(), plotActions()}) {
+                            viewActions(), plotActions(), helpActions()}) {
     for (const ActionDeclaration& declaration : group) {
       registry.add(declaration);
     }
@@ -324,6 +346,8 @@ void declareWindowActions(ActionRegistry& registry) {
   registry.action("actionShowVolumes")->setChecked(true);
   registry.action("actionShowVolumeOfInterest")->setChecked(true);
   registry.action("actionShowMagnifier")->setChecked(true);
+  registry.addAlternative("actionRedo", Qt::CTRL | Qt::Key_Y);
+  registry.addAlternative("actionRedo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   auto* themes = new QActionGroup(&registry);
   for (const ActionId theme : std::initializer_list<ActionId>{
            "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {

@@ -20,6 +20,7 @@
 #include "ui/document/target_list_model.h"
 #include "ui/experiments/experiment_installer.h"
 #include "ui/export/export_installer.h"
+#include "ui/help/help_installer.h"
 #include "ui/mainwindow/history_dock.h"
 #include "ui/mainwindow/project_controller.h"
 #include "ui/mainwindow/run_actions.h"
@@ -45,6 +46,7 @@
 #include "ui/view3d/birds_eye_dock.h"
 #include "ui/view3d/birds_eye_view.h"
 #include "ui/widgets/message_bar.h"
+#include "ui/widgets/message_row.h"
 #include "ui/workbench/dock_manager.h"
 #include "ui/workbench/workbench.h"
 
@@ -52,7 +54,6 @@
 #include <QCloseEvent>
 #include <QDropEvent>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QUndoStack>
 
 #include <optional>
@@ -87,7 +88,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
       targetList_(new TargetListModel(*document_, this)), selection_(new Selection(this)),
       session_(new SessionController(std::move(opener), *document_, *selection_, this)),
       actions_(new ActionRegistry(this)),
-      docks_(new DockManager(*this, *document_, *session_, this)), messages_(new MessageBar()),
+      docks_(new DockManager(*this, *document_, *session_, this)), messages_(new MessageBar(this)),
       bench_(new Workbench{*this, *actions_, *document_, *cameraList_, *targetList_, *selection_,
                            *session_, *docks_, *messages_}),
       systemColors_(new SystemColors(this)) {
@@ -139,9 +140,11 @@ void MainWindow::installFeatures() {
   menus_ = new WindowMenus(bench, {[this](QMenu* menu) { projects_->fillRecentMenu(menu); },
                                    [this](const QString& language) { setLanguage(language); }});
   installStatusBar();
-  QToolBar* bar = installTransportBar(bench);
-  messages_->setParent(this);
-  messages_->keepBelow(bar);
+  installHelp(bench);
+  installTransportBar(bench);
+  messageRow_ = new MessageRow(messages_, this);
+  placeMessageRow();
+  connect(messageRow_, &MessageRow::heightChanging, docks_, &DockManager::keepHeightsBelow);
   menus_->make();
   connectRun();
   birdsEye->prepare();
@@ -167,11 +170,25 @@ void MainWindow::connectRun() {
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,
           [this] { setWindowModified(document_->isUnsaved()); });
-  connect(docks_, &DockManager::viewsShown, messages_, &QWidget::raise);
-  connect(docks_, &DockManager::laidOut, messages_, &QWidget::raise);
+  connect(docks_, &DockManager::viewsShown, this, &MainWindow::placeMessageRow);
+  connect(docks_, &DockManager::laidOut, this, &MainWindow::placeMessageRow);
   bench_->onTriggered("actionResetLayout", docks_, [this] { docks_->reset(); });
   bench_->needRun({"actionResetLayout"});
   bench_->onTriggered("actionQuit", this, [this] { close(); });
+  bench_->onToggled("actionFullScreen", this, [this](bool full) {
+    setWindowState(full ? windowState() | Qt::WindowFullScreen
+                        : windowState() & ~Qt::WindowFullScreen);
+  });
+}
+
+void MainWindow::placeMessageRow() {
+  // A layout that was saved before there was this row puts it anywhere.
+  if (!toolBarBreak(messageRow_)) {
+    removeToolBar(messageRow_);
+    addToolBarBreak(Qt::TopToolBarArea);
+    addToolBar(Qt::TopToolBarArea, messageRow_);
+  }
+  messageRow_->show();
 }
 
 void MainWindow::connectThemes() {
@@ -258,6 +275,8 @@ void MainWindow::changeEvent(QEvent* event) {
     history_->nameSteps();
     updateTitle();
     menus_->make();
+  } else if (event->type() == QEvent::WindowStateChange) {
+    bench_->action("actionFullScreen")->setChecked(isFullScreen());
   }
 }
 

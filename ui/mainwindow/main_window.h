@@ -24,6 +24,7 @@ class CameraListModel;
 class Document;
 class HistoryDock;
 class MessageBar;
+class MessageRow;
 class ProjectController;
 class ProjectSaver;
 class Selection;
@@ -92,6 +93,7 @@ private:
   void installStatusBar();
   void connectRun();
   void connectThemes();
+  void placeMessageRow();
   void updateTitle();
 
   Document* document_;
@@ -101,7 +103,8 @@ private:
   SessionController* session_;
   ActionRegistry* actions_;
   DockManager* docks_;
-  MessageBar* messages_; ///< not in the window before all else is, so that it lies over it
+  MessageBar* messages_;
+  MessageRow* messageRow_ = nullptr; ///< its place in the window
   std::unique_ptr<Workbench> bench_;
   ProjectController* projects_ = nullptr;
   HistoryDock* history_ = nullptr;

@@ -4,6 +4,7 @@
 #include "core/base/overloaded.h"
 #include "core/session/run/snapshot.h"
 #include "ui/document/method_presentation.h"
+#include "ui/mainwindow/run_details.h"
 #include "ui/text/hold_text.h"
 #include "ui/text/people_text.h"
 #include "ui/text/quantity_text.h"
@@ -14,6 +15,8 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QResizeEvent>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -23,30 +26,17 @@ namespace dewpoint::ui {
 
 namespace {
 
-QString timeHint(const Latency& latency) {
-  const QString hint = StatusBarPanel::tr("Median time of one filter iteration");
-  if (latency.longest <= 0.0) {
-    return hint;
-  }
-  return hint + QLatin1Char('\n') +
-         StatusBarPanel::tr(
-             "From a frame to its estimate: median %1, 99 of 100 within %2, longest %3")
-             .arg(millisecondsText(1000.0 * latency.median), millisecondsText(1000.0 * latency.p99),
-                  millisecondsText(1000.0 * latency.longest));
+constexpr int kSpacing = 20;
+constexpr int kWidestName = 220; ///< of a target; a longer one is cut
+
+/// Digits keep their places whether there is a minus before them or not.
+QString padded(const QString& text, double meters) {
+  return meters < 0.0 ? text : QChar(0x2007) + text;
 }
 
-QString sampleHint(const BudgetFigures& budget) {
-  const QString hint = StatusBarPanel::tr(
-      "Effective sample size, of all particles. Method “dewpoint” uses as many particles as it "
-      "needs and as the time budget allows.");
-  if (budget.milliseconds <= 0.0 || budget.iterations == 0) {
-    return hint + QLatin1Char('\n') + StatusBarPanel::tr("No time budget is set.");
-  }
-  const double kept =
-      1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
-  return hint + QLatin1Char('\n') +
-         StatusBarPanel::tr("Time budget %1: kept in %2 % of the iterations of this run")
-             .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
+/// A coordinate of a position in the room.
+QString placeNumber(double meters) {
+  return padded(lengthNumber(meters, LengthScale::Meters, 3, NumberForm::Table), meters);
 }
 
 QString playWord(const TrackSnapshot& snapshot) {
@@ -87,32 +77,35 @@ QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
 
 } // namespace
 
-StatusBarPanel::StatusBarPanel(QWidget* parent) : QWidget(parent) {
+StatusBarPanel::StatusBarPanel(QWidget* parent)
+    : QWidget(parent), held_(nullptr), reason_(new ElidedLabel(this)), more_(new QToolButton(this)),
+      details_(new RunDetails(this)) {
   setObjectName(QStringLiteral("statusFigures"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 2);
-  layout->setSpacing(20);
-  for (const auto& [label, name] :
-       std::initializer_list<std::pair<QLabel**, const char*>>{{&playing_, "statusPlaying"},
-                                                               {&frame_, "statusFrame"},
-                                                               {&rate_, "statusRate"},
-                                                               {&time_, "statusTime"},
-                                                               {&sampleSize_, "statusSampleSize"},
-                                                               {&spread_, "statusSpread"},
-                                                               {&position_, "statusPosition"}}) {
-    *label = figure(name);
-  }
-  layout->addStretch();
-  reason_ = new ElidedLabel(this);
-  reason_->setObjectName(QStringLiteral("statusReason"));
-  layout->addWidget(reason_);
-  reason_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  layout->setStretchFactor(reason_, 4);
+  layout->setSpacing(kSpacing);
   held_ = figure("statusHeld");
   QFont bold = held_->font();
   bold.setWeight(QFont::DemiBold);
   held_->setFont(bold);
-  held_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  position_ = figure("statusPosition");
+  spread_ = figure("statusSpread");
+  speed_ = figure("statusSpeed");
+  reason_->setObjectName(QStringLiteral("statusReason"));
+  layout->addWidget(reason_, 1);
+  playing_ = figure("statusPlaying");
+  frame_ = figure("statusFrame");
+  rate_ = figure("statusRate");
+  for (QLabel* label : {playing_, frame_, rate_}) {
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  }
+  more_->setObjectName(QStringLiteral("statusMore"));
+  more_->setAutoRaise(true);
+  more_->setFocusPolicy(Qt::TabFocus);
+  layout->addWidget(more_);
+  connect(more_, &QToolButton::clicked, this, [this] { details_->openAbove(more_); });
+  dispensable_ = {more_, rate_, playing_, frame_, speed_, spread_, position_};
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
@@ -124,23 +117,27 @@ void StatusBarPanel::retranslateUi() {
   explain(
       playing_, tr("tracking again"),
       tr("Playing, paused, at the end, looking back at an earlier moment, or tracking it again"));
-  explain(frame_, tr("frame 0000 / 0000"), tr("Frame shown, of all frames"));
+  explain(frame_, tr("frame %1 / %2").arg("0000", "0000"), tr("Frame shown, of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
-  explain(time_, tr("%1 per iteration").arg("0000 µs"), timeHint({}));
-  explain(sampleSize_, tr("ESS %1 / %2").arg("0000", "0000"), sampleHint({}));
-  explain(spread_, tr("spread %1").arg("0000 mm"),
-          tr("Root mean square distance of the particles to their mean"));
-  explain(position_, QStringLiteral("x −00.000  y −00.000  z −00.000 m"),
+  explain(spread_, tr("± %1").arg("0000 mm"),
+          tr("How exactly the position is known: the standard deviation in 3D, x, y and z "
+             "together (the plots show each)"));
+  explain(speed_, tr("%1 m/s").arg("00.00"), tr("Speed of the target in the room"));
+  explain(position_, tr("x %1  y %2  z %3").arg("−00.000", "−00.000", "−00.000 m"),
           tr("Estimated position of the target in the room"));
   explain(held_, holdText(HoldState::Searching),
           tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about as "
              "well. Lost: not held for a second."));
+  more_->setText(tr("Details"));
+  more_->setToolTip(tr("Times, particles, and what is kept of the past"));
   refresh();
+  fit();
 }
 
 QLabel* StatusBarPanel::figure(const char* name) {
   auto* label = new QLabel(this);
   label->setObjectName(QLatin1String(name));
+  label->setTextFormat(Qt::PlainText);
   layout()->addWidget(label);
   return label;
 }
@@ -149,9 +146,12 @@ void StatusBarPanel::clear() {
   stateText_.clear();
   state_ = HoldState::NoImages;
   reason_->setFullText({});
-  for (QLabel* label : {playing_, frame_, rate_, time_, sampleSize_, spread_, position_}) {
+  for (QLabel* label : {playing_, frame_, rate_}) {
     label->clear();
   }
+  clearBelief();
+  motion_.clear();
+  details_->setSnapshot(nullptr, nullptr);
   applyPalette();
 }
 
@@ -178,8 +178,6 @@ void StatusBarPanel::refresh() {
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
                                       : tr("frame %1").arg(frame));
   rate_->setText(tr("%1 /s").arg(numberText(snapshot.framesPerSecond, 1)));
-  time_->setText(tr("%1 per iteration").arg(durationText(snapshot.microsecondsPerIteration)));
-  time_->setToolTip(timeHint(snapshot.latency));
   const TargetSnapshot* target = targetToExplain(snapshot, target_);
   if (target != nullptr) {
     std::visit(Overloaded{[&](const SphereEstimate&) { showPlace(*target); },
@@ -190,6 +188,7 @@ void StatusBarPanel::refresh() {
   } else {
     clearBelief();
   }
+  details_->setSnapshot(snapshot_, target);
   const bool several = snapshot.targets.size() > 1;
   state_ =
       target != nullptr && several && snapshot.tracked ? holdState(*target) : holdState(snapshot);
@@ -205,7 +204,7 @@ void StatusBarPanel::refresh() {
                                                   : QString();
   }
   reason_->setFullText(mustSay ? reasonOf(snapshot, *target) : QString());
-  applyPalette();
+  applyPalette(); // which makes them fit
 }
 
 void StatusBarPanel::showPlace(const TargetSnapshot& target) {
@@ -215,28 +214,25 @@ void StatusBarPanel::showPlace(const TargetSnapshot& target) {
     clearBelief();
     return;
   }
-  sampleSize_->setToolTip(sampleHint(snapshot_->budget));
-  sampleSize_->setText(
-      tr("ESS %1 / %2").arg(numberText(effectiveSampleSizeOf(target.estimate), 0)).arg(particles));
-  spread_->setText(tr("spread %1").arg(lengthText(std::sqrt(position->covariance.trace()))));
+  spread_->setText(tr("± %1").arg(lengthText(std::sqrt(position->covariance.trace()))));
+  const double z = position->mean.z();
   position_->setText(tr("x %1  y %2  z %3")
-                         .arg(lengthNumber(position->mean.x(), LengthScale::Meters, 3),
-                              lengthNumber(position->mean.y(), LengthScale::Meters, 3),
-                              lengthText(position->mean.z(), LengthScale::Meters, 3)));
+                         .arg(placeNumber(position->mean.x()), placeNumber(position->mean.y()),
+                              padded(lengthText(z, LengthScale::Meters, 3, NumberForm::Table), z)));
+  motion_.add(*snapshot_, target);
+  const auto speed = motion_.now();
+  speed_->setText(speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString());
 }
 
 void StatusBarPanel::clearBelief() {
-  for (QLabel* label : {sampleSize_, spread_, position_}) {
+  for (QLabel* label : {position_, spread_, speed_}) {
     label->clear();
   }
 }
 
 void StatusBarPanel::showBox(const BoxEstimate& estimate) {
-  sampleSize_->setToolTip(tr("Effective sample size, of all particles"));
-  sampleSize_->setText(tr("ESS %1 / %2")
-                           .arg(numberText(estimate.effectiveSampleSize, 0))
-                           .arg(estimate.particleCount));
-  spread_->setText(tr("spread %1").arg(pixelText(estimate.spread)));
+  speed_->clear();
+  spread_->setText(tr("± %1").arg(pixelText(estimate.spread)));
   const Eigen::Vector2d center = estimate.box.center();
   position_->setText(tr("x %1  y %2  %3 × %4")
                          .arg(numberText(center.x(), 1), numberText(center.y(), 1),
@@ -251,16 +247,47 @@ void StatusBarPanel::changeEvent(QEvent* event) {
   }
 }
 
+void StatusBarPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
+}
+
+QSize StatusBarPanel::minimumSizeHint() const {
+  return {120, layout()->minimumSize().height()};
+}
+
+void StatusBarPanel::fit() {
+  const QMargins margins = layout()->contentsMargins();
+  const auto widthOf = [](const QWidget* part) {
+    return std::max(part->minimumWidth(), part->sizeHint().width()) + kSpacing;
+  };
+  int needed = margins.left() + margins.right() + widthOf(held_);
+  for (const QWidget* part : dispensable_) {
+    needed += widthOf(part);
+  }
+  for (QWidget* part : dispensable_) {
+    const bool fits = needed <= width();
+    if (part->isHidden() == fits) {
+      part->setVisible(fits);
+    }
+    needed -= fits ? 0 : widthOf(part);
+  }
+}
+
 void StatusBarPanel::applyPalette() {
+  const QString name = fontMetrics().elidedText(name_, Qt::ElideRight, kWidestName);
   held_->setText(!stateText_.isEmpty() ? stateText_
                  : name_.isEmpty()     ? holdText(state_)
-                                       : QStringLiteral("%1: %2").arg(name_, holdText(state_)));
+                                       : QStringLiteral("%1: %2").arg(name, holdText(state_)));
+  // What follows stays where it is when the word becomes a shorter one.
+  held_->setMinimumWidth(std::max(held_->minimumWidth(), held_->sizeHint().width()));
   QPalette colors = held_->palette();
   const QColor color = holdColor(state_, palette());
   if (colors.color(QPalette::WindowText) != color) {
     colors.setColor(QPalette::WindowText, color);
     held_->setPalette(colors);
   }
+  fit();
 }
 
 } // namespace dewpoint::ui

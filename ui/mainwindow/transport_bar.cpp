@@ -11,6 +11,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace dewpoint::ui {
 
 namespace {
@@ -30,28 +32,28 @@ TransportBar::TransportBar(const Workbench& bench) {
   setMovable(false);
   setIconSize({20, 20});
   setContextMenuPolicy(Qt::PreventContextMenu);
-  for (const ActionId id :
-       std::initializer_list<ActionId>{"actionPlay",      "actionPreviousFrame",
-                                       "actionNextFrame", "actionNextIteration",
-                                       nullptr,           "actionNow",
-                                       "actionRerun",     nullptr,
-                                       "actionRestart",   "actionRestartNewSeed",
-                                       nullptr,           "actionLearnColor",
-                                       "actionShowMask",  nullptr,
-                                       "actionUndo",      "actionRedo",
-                                       nullptr,           "actionOpen",
-                                       "actionSave",      "actionExportTrajectory",
-                                       nullptr,           "actionPalette"}) {
+  // The run first, then what teaches it, then the project.
+  for (const ActionId id : std::initializer_list<ActionId>{
+           "actionRestart", "actionPreviousFrame", "actionPlay", "actionNextFrame",
+           "actionNextIteration", nullptr, "actionLearnColor", "actionAddTarget", "actionShowMask",
+           nullptr, "actionUndo", "actionRedo", nullptr, "actionOpen", "actionSave",
+           "actionExportTrajectory", nullptr, "actionPalette"}) {
     id.isSeparator() ? (void)addSeparator() : add(bench.action(id));
   }
-  for (const ActionId id :
-       std::initializer_list<ActionId>{"actionPlay", "actionNextFrame", "actionNextIteration"}) {
+  for (const ActionId id : std::initializer_list<ActionId>{
+           "actionPlay", "actionNextFrame", "actionNextIteration", "actionLearnColor",
+           "actionAddTarget", "actionExportTrajectory"}) {
     static_cast<QToolButton*>(widgetForAction(bench.action(id)))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
   insertWidget(actions().at(1), new SpeedButton(bench)); // beside Play
-  widgetForAction(bench.action("actionPlay"))
-      ->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Pause")) + 40);
+  onRetranslate(this, [this, play = bench.action("actionPlay"),
+                       exporting = bench.action("actionExportTrajectory")] {
+    exporting->setIconText(tr("Export"));
+    const int widest = std::max(fontMetrics().horizontalAdvance(tr("Play")),
+                                fontMetrics().horizontalAdvance(tr("Pause")));
+    widgetForAction(play)->setMinimumWidth(widest + 44); // the others stay where they are
+  });
 }
 
 void TransportBar::add(QAction* action) {
@@ -63,10 +65,8 @@ void TransportBar::add(QAction* action) {
 
 } // namespace
 
-QToolBar* installTransportBar(const Workbench& bench) {
-  auto* bar = new TransportBar(bench);
-  bench.window.addToolBar(bar);
-  return bar;
+void installTransportBar(const Workbench& bench) {
+  bench.window.addToolBar(new TransportBar(bench));
 }
 
 } // namespace dewpoint::ui

@@ -44,44 +44,82 @@ void WindowMenus::make() {
   qDeleteAll(bar->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
   bar->clear();
   bar->setObjectName(QStringLiteral("menuBar"));
-  makeProjectMenu();
+  makeFileMenu();
   add(tr("&Edit"), "menuEdit",
       {"actionUndo", "actionRedo", nullptr, "actionLearnColor", "actionAddTarget",
        "actionRemoveTarget", nullptr, "actionCorrectPosition", "actionRemoveCorrection", nullptr,
        "actionPlacePerson", "actionRemovePerson", nullptr, "actionShortcuts"});
+  makeViewMenu();
   add(tr("&Calibration"), "menuCalibration",
       {"actionCalibrateByHand", "actionCalibrateBoard", "actionPrintBoard", "actionCalibrateWand",
        nullptr, "actionPlanRig", "actionPlanCamera", "actionFindPlace", "actionResolveCamera",
        nullptr, "actionImportCalibration", "actionExportCalibration"});
   add(tr("&Run"), "menuRun",
-      {"actionPlay", "actionNextFrame", "actionNextIteration", "actionPreviousFrame", nullptr,
-       "actionSlower", "actionFaster", "actionNormalSpeed", "actionSlowStart", nullptr,
-       "actionNow", "actionRerun", nullptr, "actionAddMark", "actionRemoveMark",
-       "actionPreviousMark", "actionNextMark", "actionZoomToSpan", nullptr, "actionRestart",
-       "actionRestartNewSeed", nullptr, "actionFilterThreads", "actionExperiments"});
-  makeViewMenu();
+      {"actionPlay",
+       "actionNextFrame",
+       "actionNextIteration",
+       "actionPreviousFrame",
+       nullptr,
+       "actionSlower",
+       "actionFaster",
+       "actionNormalSpeed",
+       "actionSlowStart",
+       nullptr,
+       "actionNow",
+       "actionRerun",
+       nullptr,
+       "actionAddMark",
+       "actionRemoveMark",
+       "actionPreviousMark",
+       "actionNextMark",
+       "actionZoomToSpan",
+       nullptr,
+       "actionRestart",
+       "actionRestartNewSeed",
+       nullptr,
+       "actionFilterThreads",
+       "actionExperiments"});
+  add(tr("&Help"), "menuHelp",
+      {"actionQuickStart", "actionLegend", "actionShortcuts", nullptr, "actionManual",
+       "actionMethods", nullptr, "actionReportProblem", "actionAbout"});
 }
 
-void WindowMenus::makeProjectMenu() {
-  QMenu* project = add(tr("&Project"), "menuProject",
-                       {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
-                        "actionSaveAs", nullptr, "actionExportTrajectory", "actionExportPeople",
-                        "actionSavePicture", nullptr, "actionCloseProject", "actionQuit"});
-  auto* recent = new QMenu(tr("Open recent"), project);
+void WindowMenus::makeFileMenu() {
+  QMenu* file = add(tr("&File"), "menuFile",
+                    {"actionNew", "actionOpen", "actionOpenDemo", nullptr, "actionSave",
+                     "actionSaveAs", nullptr, "actionExportTrajectory", "actionExportPeople",
+                     "actionSavePicture", nullptr, "actionCloseProject", "actionQuit"});
+  auto* recent = new QMenu(tr("Open recent"), file);
   recent->setObjectName(QStringLiteral("menuRecent"));
   recent->setToolTipsVisible(true);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { owners_.fillRecent(recent); });
-  project->insertMenu(bench_.action("actionOpenDemo"), recent);
+  file->insertMenu(bench_.action("actionOpenDemo"), recent);
 }
 
 void WindowMenus::makeViewMenu() {
   QMenu* view = add(tr("&View"), "menuView",
-                    {"actionPalette", nullptr, "actionShowMask", "actionShowEvidence",
-                     "actionShowBest", "actionShowRays", "actionShowMagnifier",
-                     "actionShowVolumeOfInterest", "actionShowVolumes", "actionShowMap", nullptr,
-                     "actionZoomIn", "actionZoomOut", "actionFitImage", nullptr, "actionLookFree",
-                     "actionLookFromAbove", "actionLookFromFront", "actionFitScene", nullptr,
-                     "actionResetLayout"});
+                    {"actionPalette",
+                     nullptr,
+                     "actionShowMask",
+                     "actionShowEvidence",
+                     "actionShowBest",
+                     "actionShowRays",
+                     "actionShowMagnifier",
+                     "actionShowVolumeOfInterest",
+                     "actionShowVolumes",
+                     "actionShowMap",
+                     nullptr,
+                     "actionZoomIn",
+                     "actionZoomOut",
+                     "actionFitImage",
+                     nullptr,
+                     "actionLookFree",
+                     "actionLookFromAbove",
+                     "actionLookFromFront",
+                     "actionFitScene",
+                     nullptr,
+                     "actionResetLayout",
+                     "actionFullScreen"});
   QMenu* views = view->addMenu(tr("Views"));
   views->setObjectName(QStringLiteral("menuViews"));
   connect(views, &QMenu::aboutToShow, this, [this, views] {
@@ -90,7 +128,7 @@ void WindowMenus::makeViewMenu() {
       views->addAction(dock->toggleViewAction());
     }
   });
-  QMenu* colors = view->addMenu(tr("Colors"));
+  QMenu* colors = view->addMenu(tr("Theme"));
   colors->setObjectName(QStringLiteral("menuColors"));
   for (const ActionId theme : std::initializer_list<ActionId>{
            "actionThemeSystem", "actionThemeLight", "actionThemeDark"}) {
@@ -114,7 +152,7 @@ void WindowMenus::fillLanguageMenu(QMenu* menu) {
     connect(entry, &QAction::triggered, this, [this, language] { owners_.setLanguage(language); });
     languages_.push_back(entry);
   };
-  addChoice(tr("Like the system"), {});
+  addChoice(tr("Follow system"), {});
   for (const QString& language : languages()) {
     const QString name = QLocale(language).nativeLanguageName();
     addChoice(name.isEmpty() ? language : name.at(0).toUpper() + name.mid(1), language);

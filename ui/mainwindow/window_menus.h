@@ -30,7 +30,7 @@ public:
 
 private:
   QMenu* add(const QString& title, const char* name, std::initializer_list<ActionId> ids);
-  void makeProjectMenu();
+  void makeFileMenu();
   void makeViewMenu();
   void fillLanguageMenu(QMenu* menu);
   std::vector<CommandPalette::Entry> moreForPalette();

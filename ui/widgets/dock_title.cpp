@@ -4,6 +4,7 @@
 #include "ui/style/symbolic_icon.h"
 #include "ui/text/hold_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/elided_label.h"
 
 #include <QDockWidget>
 #include <QEvent>
@@ -15,9 +16,15 @@
 
 namespace dewpoint::ui {
 
+namespace {
+constexpr int kLeastNameWidth = 24;
+constexpr int kLeastStateWidth = 16; ///< its sign is seen
+} // namespace
+
 DockTitle::DockTitle(QDockWidget* dock)
     : QWidget(dock), dock_(dock), name_(new QLabel(dock->windowTitle(), this)),
-      state_(new QLabel(this)), reason_(new QLabel(this)), float_(new QToolButton(this)) {
+      state_(new QLabel(this)), reason_(new ElidedLabel(this)), restore_(new QToolButton(this)),
+      float_(new QToolButton(this)) {
   setObjectName(dock->objectName() + QStringLiteral("Title"));
   name_->setObjectName(objectName() + QStringLiteral("Name"));
   state_->setObjectName(objectName() + QStringLiteral("State"));
@@ -26,9 +33,16 @@ DockTitle::DockTitle(QDockWidget* dock)
   float_->setAutoRaise(true);
   float_->setIconSize({14, 14});
   float_->setFocusPolicy(Qt::NoFocus);
+  restore_->setObjectName(objectName() + QStringLiteral("Restore"));
+  restore_->setIconSize({14, 14});
+  restore_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  restore_->setFocusPolicy(Qt::NoFocus);
+  restore_->hide();
   onRetranslate(this, [this] {
     float_->setToolTip(
         tr("Float this view, or put it back (double click the title: whole window)"));
+    restore_->setText(tr("Show all views"));
+    restore_->setToolTip(tr("Give the other views their places back (Esc, or double click here)"));
     applyPalette();
   });
   QFont bold = name_->font();
@@ -40,11 +54,14 @@ DockTitle::DockTitle(QDockWidget* dock)
   layout->setSpacing(8);
   layout->addWidget(name_);
   layout->addWidget(state_);
-  layout->addWidget(reason_);
-  layout->addStretch();
+  layout->addWidget(reason_, 1);
+  layout->addWidget(restore_);
   layout->addWidget(float_);
-  connect(float_, &QToolButton::clicked, dock_,
-          [this] { dock_->setFloating(!dock_->isFloating()); });
+  // A narrow view is not kept from being narrow by its words.
+  name_->setMinimumWidth(kLeastNameWidth);
+  state_->setMinimumWidth(kLeastStateWidth);
+  connect(float_, &QToolButton::clicked, this, &DockTitle::floatWanted);
+  connect(restore_, &QToolButton::clicked, this, &DockTitle::maximizeWanted);
   connect(dock_, &QDockWidget::windowTitleChanged, name_, &QLabel::setText);
   applyPalette();
 }
@@ -69,9 +86,8 @@ void DockTitle::setReasonAlone(const QString& reason) {
 }
 
 void DockTitle::showReason(const QString& reason, bool alone) {
-  if (reason_->text() != reason) {
-    reason_->setText(reason);
-    reason_->setToolTip(reason);
+  if (reason_->toolTip() != reason) {
+    reason_->setFullText(reason);
   }
   if (reasonAlone_ != alone) {
     reasonAlone_ = alone;
@@ -82,7 +98,12 @@ void DockTitle::showReason(const QString& reason, bool alone) {
 
 void DockTitle::addTool(QWidget* tool) {
   auto* row = static_cast<QHBoxLayout*>(layout());
-  row->insertWidget(row->count() - 1, tool);
+  row->insertWidget(row->indexOf(restore_), tool);
+}
+
+void DockTitle::setMaximized(bool maximized) {
+  restore_->setVisible(maximized);
+  float_->setVisible(!maximized);
 }
 
 void DockTitle::changeEvent(QEvent* event) {
@@ -106,6 +127,7 @@ void DockTitle::paintEvent(QPaintEvent*) {
 
 void DockTitle::applyPalette() {
   float_->setIcon(symbolicIcon(QStringLiteral("float"), palette()));
+  restore_->setIcon(symbolicIcon(QStringLiteral("all-views"), palette()));
   if (stateful_) {
     state_->setText(holdText(shown_));
     QPalette colors = state_->palette();

@@ -11,8 +11,10 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
+class ElidedLabel;
+
 /// Title of a dock: its name, the state of what it shows (word, shape and color), and a button to
-/// float it. A double click maximizes it.
+/// float it. A double click maximizes it; then a button with a word gives the other views back.
 class DockTitle : public QWidget {
   Q_OBJECT
 public:
@@ -27,9 +29,14 @@ public:
   void setReasonAlone(const QString& reason);
   /// Adds a widget (a small tool button) before the float button.
   void addTool(QWidget* tool);
+  /// Whether the dock fills the window.
+  void setMaximized(bool maximized);
 
 Q_SIGNALS:
+  /// The whole window is wanted for the dock, or no longer.
   void maximizeWanted();
+  /// The dock is wanted in a window of its own, or back in its place.
+  void floatWanted();
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -43,7 +50,8 @@ private:
   QDockWidget* dock_;
   QLabel* name_;
   QLabel* state_;
-  QLabel* reason_;
+  ElidedLabel* reason_;
+  QToolButton* restore_; ///< while the dock fills the window
   QToolButton* float_;
   HoldState shown_ = HoldState::NoImages;
   bool stateful_ = false;

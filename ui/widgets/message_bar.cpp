@@ -5,14 +5,17 @@
 #include "ui/style/theme.h"
 #include "ui/text/retranslation.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
+#include <QTime>
 #include <QTimer>
 #include <QToolButton>
 
-#include <algorithm>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -21,9 +24,18 @@ namespace {
 /// How long a notice stays: to be found, and to be read.
 constexpr int kShortestMs = 4000;
 constexpr int kMsPerLetter = 70;
-constexpr int kBarMargin = 16;
-constexpr int kBesideText = 110;  ///< mark, button and margins
-constexpr int kAnswerWidth = 170; ///< about that of a button
+constexpr qsizetype kMostRecent = 30;
+/// How much of a message's color is in its ground and in its edge: quiet, but seen.
+constexpr double kTint = 0.10;
+constexpr double kEdge = 0.45;
+
+QColor mixed(const QColor& ground, const QColor& ink, double share) {
+  const auto part = [share](float a, float b) {
+    return static_cast<float>((1.0 - share) * a + share * b);
+  };
+  return QColor::fromRgbF(part(ground.redF(), ink.redF()), part(ground.greenF(), ink.greenF()),
+                          part(ground.blueF(), ink.blueF()));
+}
 } // namespace
 
 MessageBar::MessageBar(QWidget* parent)
@@ -46,18 +58,21 @@ MessageBar::MessageBar(QWidget* parent)
   connect(close_, &QToolButton::clicked, this, &MessageBar::dismiss);
   leave_->setSingleShot(true);
   connect(leave_, &QTimer::timeout, this, &MessageBar::dismiss);
-  setFrameShape(QFrame::StyledPanel);
+  setBackgroundRole(QPalette::Window); // else the colors of a toolbar's buttons are taken
+  close_->setFocusPolicy(Qt::TabFocus); // a click leaves the keys where they are
+  connect(qApp, &QApplication::focusChanged, this, &MessageBar::rememberFocus);
   hide();
-  setAutoFillBackground(true);
-  setBackgroundRole(QPalette::Button);
   applyPalette();
 }
 
 void MessageBar::showError(const QString& text) {
-  setMessage(text, true);
+  setMessage(text, Severity::Error);
+}
+void MessageBar::showWarning(const QString& text) {
+  setMessage(text, Severity::Warning);
 }
 void MessageBar::showNotice(const QString& text) {
-  setMessage(text, false);
+  setMessage(text, Severity::Information);
 }
 QString MessageBar::text() const {
   return text_->text();
@@ -65,6 +80,7 @@ QString MessageBar::text() const {
 
 void MessageBar::dismiss() {
   leave_->stop();
+  returnFocus(); // before it would go to whatever comes next
   text_->clear();
   clearAnswers();
   hide();
@@ -76,7 +92,7 @@ void MessageBar::dismiss() {
 }
 
 void MessageBar::forget(bool notices) {
-  if (isVisible() && answers_.empty() && (isError_ || notices)) {
+  if (isVisible() && answers_.empty() && (severity_ != Severity::Information || notices)) {
     dismiss();
   }
 }
@@ -96,61 +112,90 @@ void MessageBar::clearAnswers() {
 }
 
 void MessageBar::ask(const QString& question, const std::vector<Answer>& answers) {
-  setMessage(question, false);
+  setMessage(question, Severity::Information);
   auto* row = static_cast<QHBoxLayout*>(layout());
   for (const Answer& answer : answers) {
     auto* button = new QPushButton(answer.first, this);
     button->setObjectName(QStringLiteral("messageAnswer%1").arg(answers_.size()));
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAutoDefault(false);
     row->insertWidget(row->count() - 1, button);
     connect(button, &QPushButton::clicked, this, [this, act = answer.second] {
       dismiss();
       act();
     });
+    button->show(); // the bar is shown already: it needs the room
     answers_.push_back(button);
   }
   leave_->stop();
-  place();
+  updateGeometry();
 }
 
-void MessageBar::setMessage(const QString& text, bool isError) {
+void MessageBar::setMessage(const QString& text, Severity severity) {
+  returnFocus();
   clearAnswers();
   showsPending_ = false;
-  isError_ = isError;
-  mark_->setText(isError ? QStringLiteral("▲") : QStringLiteral("●"));
+  severity_ = severity;
+  mark_->setText(severity == Severity::Information ? QStringLiteral("●")
+                 : severity == Severity::Warning   ? QStringLiteral("◆")
+                                                   : QStringLiteral("▲"));
   text_->setText(text);
+  recent_.append(
+      QStringLiteral("%1  %2  %3")
+          .arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), mark_->text(), text));
+  if (recent_.size() > kMostRecent) {
+    recent_.removeFirst();
+  }
   applyPalette();
   show();
-  raise();
-  place();
+  updateGeometry();
   leaveSoon();
 }
 
 void MessageBar::leaveSoon() {
   leave_->stop();
-  if (!isError_ && answers_.empty()) {
+  if (severity_ == Severity::Information && answers_.empty()) {
     leave_->start(kShortestMs + kMsPerLetter * static_cast<int>(text_->text().size()));
   }
 }
 
-void MessageBar::keepBelow(QWidget* above) {
-  above_ = above;
-  parentWidget()->installEventFilter(this);
-  for (QObject* sibling : parentWidget()->children()) {
-    if (sibling != this) {
-      sibling->installEventFilter(this); // one that is raised would cover it
-    }
+void MessageBar::rememberFocus(QWidget* before, const QWidget* now) {
+  if (now != nullptr && isAncestorOf(now) && (before == nullptr || !isAncestorOf(before))) {
+    focusBefore_ = before;
   }
 }
 
-void MessageBar::place() {
-  const int most = parentWidget()->width() - 2 * kBarMargin;
-  const int wanted = text_->fontMetrics().horizontalAdvance(text_->text()) + kBesideText +
-                     static_cast<int>(answers_.size()) * kAnswerWidth;
-  const int width = std::min(most, wanted);
-  const int top = above_ != nullptr ? above_->geometry().bottom() + 1 : 0;
-  resize(width,
-         layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
-  move((parentWidget()->width() - width) / 2, top + kBarMargin / 2);
+void MessageBar::returnFocus() {
+  QWidget* now = QApplication::focusWidget();
+  if (now == nullptr || !isAncestorOf(now)) {
+    return;
+  }
+  if (focusBefore_ != nullptr && focusBefore_->isVisible() && focusBefore_->isEnabled()) {
+    focusBefore_->setFocus(Qt::OtherFocusReason);
+  } else {
+    now->clearFocus(); // keys go to the window, as long as nobody chooses another place
+  }
+}
+
+void MessageBar::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    dismiss();
+  } else {
+    QFrame::keyPressEvent(event);
+  }
+}
+
+QColor MessageBar::inkOfSeverity() const {
+  return severity_ == Severity::Error     ? holdColor(HoldState::Lost, palette())
+         : severity_ == Severity::Warning ? holdColor(HoldState::Ambiguous, palette())
+                                          : palette().color(QPalette::Link);
+}
+
+void MessageBar::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  const QColor ground = palette().color(QPalette::Window);
+  painter.fillRect(rect(), mixed(ground, inkOfSeverity(), kTint));
+  painter.fillRect(QRect(0, height() - 1, width(), 1), mixed(ground, inkOfSeverity(), kEdge));
 }
 
 void MessageBar::enterEvent(QEnterEvent* event) {
@@ -165,19 +210,6 @@ void MessageBar::leaveEvent(QEvent* event) {
   QFrame::leaveEvent(event);
 }
 
-bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-  const bool moved = event->type() == QEvent::Resize || event->type() == QEvent::Move;
-  if (isVisible() && moved && (watched == parent() || watched == above_)) {
-    place();
-  } else if (event->type() == QEvent::ChildAdded && watched == parent()) {
-    static_cast<QChildEvent*>(event)->child()->installEventFilter(this);
-  } else if (event->type() == QEvent::ZOrderChange && watched != this && isVisible()) {
-    // Later: a dock comes to the front of its tabs only if it is the topmost when it is told so.
-    QMetaObject::invokeMethod(this, &QWidget::raise, Qt::QueuedConnection);
-  }
-  return QFrame::eventFilter(watched, event);
-}
-
 void MessageBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) {
@@ -188,12 +220,12 @@ void MessageBar::changeEvent(QEvent* event) {
 void MessageBar::applyPalette() {
   close_->setIcon(symbolicIcon(QStringLiteral("close"), palette()));
   QPalette colors = mark_->palette();
-  const QColor color =
-      isError_ ? holdColor(HoldState::Lost, palette()) : palette().color(QPalette::Link);
+  const QColor color = inkOfSeverity();
   if (colors.color(QPalette::WindowText) != color) {
     colors.setColor(QPalette::WindowText, color);
     mark_->setPalette(colors);
   }
+  update();
 }
 
 } // namespace dewpoint::ui

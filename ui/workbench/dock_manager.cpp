@@ -4,33 +4,60 @@
 #include "core/project/project.h"
 #include "ui/document/document.h"
 #include "ui/session/session_controller.h"
-#include "ui/widgets/dock_title.h"
+#include "ui/workbench/dock_names.h"
 
+#include <QKeyEvent>
 #include <QMainWindow>
+#include <QMouseEvent>
+#include <QtMath>
 
 #include <algorithm>
 #include <utility>
 
 namespace dewpoint::ui {
 
+namespace {
+/// How often in a row sizes are given: what one row of docks gets changes what another can have.
+constexpr int kAdjustments = 2;
+/// Versions of a layout: somebody has arranged the views, or they suit the size of the window.
+constexpr int kByHand = 0;
+constexpr int kForSize = 1;
+} // namespace
+
 DockManager::DockManager(QMainWindow& window, Document& document, const SessionController& session,
                          QObject* parent)
-    : QObject(parent), window_(window), document_(document), session_(session) {
+    : QObject(parent), window_(window), document_(document), session_(session),
+      names_(new DockNames(window, this)) {
   window_.setDockNestingEnabled(true);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  window_.installEventFilter(this);
 }
 
 ViewDock* DockManager::make(const DockDeclaration& declaration) {
   auto* dock = new ViewDock(declaration, &window_);
   connect(dock, &ViewDock::maximizeWanted, this, [this, dock] { toggleMaximized(dock); });
+  const auto movedByUser = [this] { suitsSize_ = suitsSize_ && arranging_; };
+  connect(dock, &QDockWidget::dockLocationChanged, this, movedByUser);
+  connect(dock, &QDockWidget::visibilityChanged, this, &DockManager::distributeDockSizesSoon);
+  connect(dock, &QDockWidget::topLevelChanged, this, [this, movedByUser] {
+    if (suitsSize_ && !arranging_) { // its room is for the other views, not for the inspector
+      QMetaObject::invokeMethod(
+          this,
+          [this] {
+            ViewDock* inspector = first(DockPlace::Inspector);
+            window_.resizeDocks({inspector}, {inspector->minimumSizeHint().width()},
+                                Qt::Horizontal);
+          },
+          Qt::QueuedConnection);
+    }
+    movedByUser();
+  });
   connect(dock, &ViewDock::toggledByUser, this, [this, dock](bool shown) {
     if (!shown && dock == maximized_) {
       restoreMaximized(); // or nothing would be left
     }
   });
-  connect(dock, &QDockWidget::dockLocationChanged, this, &DockManager::showNamesSoon);
-  connect(dock, &QDockWidget::topLevelChanged, this, &DockManager::showNamesSoon);
-  connect(dock, &QDockWidget::visibilityChanged, this, &DockManager::showNamesSoon);
+  names_->follow(dock);
   Q_EMIT made(dock);
   return dock;
 }
@@ -42,7 +69,7 @@ void DockManager::remove(ViewDock* dock) {
   std::erase_if(hiddenBeforeMaximized_, [dock](const auto& one) { return one.first == dock; });
   window_.removeDockWidget(dock);
   delete dock;
-  showNamesSoon();
+  names_->showSoon();
 }
 
 std::vector<ViewDock*> DockManager::docks() const {
@@ -74,10 +101,13 @@ ViewDock* DockManager::first(DockPlace place) const {
 
 void DockManager::layOut() {
   restoreMaximized();
+  suitsSize_ = true;
   arrange();
   const auto layout = QByteArray::fromBase64(QByteArray::fromStdString(document_.project().layout));
-  if (!layout.isEmpty()) {
-    window_.restoreState(layout);
+  suitsSize_ = layout.isEmpty() || restore(layout) == kForSize;
+  if (suitsSize_ && !layout.isEmpty()) {
+    rearrange(cameraColumns_); // for this window: another one may have had another size
+    return;
   }
   Q_EMIT laidOut();
 }
@@ -93,12 +123,28 @@ void DockManager::reset() {
 void DockManager::storeLayout() {
   // What the views were before one filled the window, or a page took their place.
   const QByteArray layout = maximized_ != nullptr          ? layoutBeforeMaximized_
-                            : layoutBehindPages_.isEmpty() ? window_.saveState()
+                            : layoutBehindPages_.isEmpty() ? save()
                                                            : layoutBehindPages_;
   document_.setLayout(layout.toBase64().toStdString());
 }
 
+QByteArray DockManager::save() const {
+  return window_.saveState(suitsSize_ ? kForSize : kByHand);
+}
+
+int DockManager::restore(const QByteArray& layout) {
+  const bool before = std::exchange(arranging_, true);
+  const int version = window_.restoreState(layout, kForSize) ? kForSize : kByHand;
+  if (version == kByHand) {
+    window_.restoreState(layout, kByHand);
+  }
+  arranging_ = before;
+  distributeDockSizesSoon(); // the window may have another size by now
+  return version;
+}
+
 void DockManager::arrange() {
+  const bool before = std::exchange(arranging_, true);
   for (ViewDock* dock : docks()) {
     dock->setFloating(false);
     window_.removeDockWidget(dock); // or splits and tabs would build on what was
@@ -127,7 +173,24 @@ void DockManager::arrange() {
   showViews(session_.isRunning());
   inspector.front()->raise();
   below.front()->raise();
+  arranging_ = before;
   distributeDockSizesSoon();
+}
+
+void DockManager::rearrange(int columns) {
+  std::vector<ViewDock*> inFront = docks();
+  std::vector<ViewDock*> hidden = inFront;
+  std::erase_if(inFront, [](const ViewDock* dock) { return dock->isHidden() || dock->isBehind(); });
+  std::erase_if(hidden, [](const ViewDock* dock) { return !dock->isHidden(); });
+  cameraColumns_ = columns;
+  arrange();
+  for (ViewDock* dock : hidden) {
+    dock->hide();
+  }
+  for (ViewDock* dock : inFront) {
+    dock->raise();
+  }
+  Q_EMIT laidOut();
 }
 
 void DockManager::arrangeCameras(ViewDock* scene) {
@@ -136,9 +199,12 @@ void DockManager::arrangeCameras(ViewDock* scene) {
   if (cameras.empty()) {
     return;
   }
-  // Cameras stand to the left of the scene, in as many columns as keep them near square.
+  // Cameras stand to the left of the scene, in as many columns as show the largest images.
   const std::size_t count = cameras.size();
-  const std::size_t columns = count <= 3 ? 1 : count <= 8 ? 2 : 3;
+  if (cameraColumns_ < 1 || cameraColumns_ > static_cast<int>(count)) {
+    cameraColumns_ = cameraGrid(shares().cameras).columns;
+  }
+  const auto columns = static_cast<std::size_t>(cameraColumns_);
   window_.removeDockWidget(scene);
   window_.addDockWidget(Qt::LeftDockWidgetArea, cameras.front());
   window_.splitDockWidget(cameras.front(), scene, Qt::Horizontal);
@@ -151,59 +217,131 @@ void DockManager::arrangeCameras(ViewDock* scene) {
 }
 
 void DockManager::distributeDockSizesSoon() {
-  // The sizes can be given only once the layout has settled.
-  QMetaObject::invokeMethod(this, &DockManager::distributeDockSizes, Qt::QueuedConnection);
+  if (suitsSize_ && std::exchange(adjustments_, kAdjustments) == 0) {
+    // The sizes can be given only once the layout has settled.
+    QMetaObject::invokeMethod(this, &DockManager::distributeDockSizes, Qt::QueuedConnection);
+  }
+}
+
+ViewShares DockManager::shares() const {
+  return viewSharesOf(window_, at(DockPlace::Inspector), *first(DockPlace::Scene),
+                      *first(DockPlace::Timeline));
+}
+
+ImageGrid DockManager::cameraGrid(const QSize& room) const {
+  const auto cameras = at(DockPlace::Cameras);
+  return bestImageGrid(imageAspectsOf(document_.project(), cameras.size()), room,
+                       cameras.front()->title().sizeHint().height(), cameraColumns_);
 }
 
 void DockManager::distributeDockSizes() {
-  ViewDock* inspector = first(DockPlace::Inspector);
+  if (--adjustments_ > 0) {
+    QMetaObject::invokeMethod(this, &DockManager::distributeDockSizes, Qt::QueuedConnection);
+  }
+  if (!suitsSize_ || maximized_ != nullptr || !window_.centralWidget()->isHidden()) {
+    return; // later, when the views are back
+  }
+  const ViewShares all = shares();
   ViewDock* scene = first(DockPlace::Scene);
   const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
-  const int narrow = inspector->minimumSizeHint().width();
-  const int inner = window_.width() - narrow;
-  QList<QDockWidget*> row{scene, inspector};
-  QList<int> widths{inner, narrow};
-  if (!cameras.empty() && scene->isHidden()) {
-    row[0] = cameras.front();
-  } else if (!cameras.empty()) {
-    row.prepend(cameras.front());
-    widths.prepend(inner * 38 / 100);
-    widths[1] = inner - widths.front();
+  QList<QDockWidget*> row;
+  QList<int> widths;
+  int left = window_.width() - all.inspector - kDockSeparator;
+  if (!cameras.empty()) {
+    const ImageGrid grid = cameraGrid(all.cameras);
+    if (grid.columns != cameraColumns_) {
+      rearrange(grid.columns);
+      distributeDockSizesSoon();
+      return;
+    }
+    // No wider than the images can use, if something else can.
+    const int least = cameras.size() > 1 ? all.leastForCameras : 0;
+    const int wanted =
+        all.scene == 0 ? all.cameras.width()
+                       : std::min(all.cameras.width(), std::max(least, qCeil(grid.usefulWidth)));
+    for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
+      row.push_back(cameras[column]);
+      widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));
+    }
+    left -= wanted + kDockSeparator * grid.columns;
   }
+  if (all.scene > 0) {
+    row.push_back(scene);
+    widths.push_back(std::max(1, left));
+  }
+  row.push_back(first(DockPlace::Inspector));
+  widths.push_back(all.inspector);
   window_.resizeDocks(row, widths, Qt::Horizontal);
-  const int height = window_.height();
-  const int plotHeight = height * 29 / 100;
-  ViewDock* timeline = first(DockPlace::Timeline);
-  const int timelineHeight = timeline->sizeHint().height();
-  window_.resizeDocks({row.front(), first(DockPlace::Plots), timeline},
-                      {height - plotHeight - timelineHeight, plotHeight, timelineHeight},
-                      Qt::Vertical);
-  const QList<QDockWidget*> column(cameras.begin(), cameras.end());
-  window_.resizeDocks(column, QList<int>(column.size(), height / 3), Qt::Vertical);
-}
-
-void DockManager::showNamesSoon() {
-  if (!std::exchange(isNaming_, true)) {
-    QMetaObject::invokeMethod(this, &DockManager::showNames, Qt::QueuedConnection);
+  window_.resizeDocks({first(DockPlace::Plots), first(DockPlace::Timeline)},
+                      {all.plots, all.timeline}, Qt::Vertical);
+  if (!cameras.empty()) {
+    distributeCameras(cameraGrid(all.cameras), all.cameras.height());
   }
 }
 
-void DockManager::showNames() {
-  isNaming_ = false;
+void DockManager::distributeCameras(const ImageGrid& grid, int height) {
+  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
+  QList<int> heights;
+  for (const double share : grid.heightShares) {
+    heights.push_back(std::max(1, qRound(height * share)));
+  }
+  window_.resizeDocks({cameras.begin(), cameras.end()}, heights, Qt::Vertical);
+}
+
+void DockManager::keepHeightsBelow() {
+  distributeDockSizesSoon();
+  if (suitsSize_ || maximized_ != nullptr) {
+    return;
+  }
+  QList<QDockWidget*> below;
+  QList<int> heights;
   for (ViewDock* dock : docks()) {
-    const auto neighbors = window_.tabifiedDockWidgets(dock);
-    const bool hasTab =
-        !dock->isFloating() && std::ranges::any_of(neighbors, [](const QDockWidget* neighbor) {
-          return !neighbor->isHidden() && !neighbor->isFloating();
-        });
-    dock->title().setNameShown(!hasTab);
+    if (window_.dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating() &&
+        !dock->isHidden() && !dock->isBehind()) {
+      below.push_back(dock);
+      heights.push_back(heightWithTabs(window_, *dock));
+    }
   }
+  for (int k = 0; k < kAdjustments; ++k) {
+    QMetaObject::invokeMethod(
+        this, [this, below, heights] { window_.resizeDocks(below, heights, Qt::Vertical); },
+        Qt::QueuedConnection);
+  }
+}
+
+bool DockManager::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != &window_) {
+    return QObject::eventFilter(watched, event);
+  }
+  switch (event->type()) {
+  case QEvent::Resize:
+  case QEvent::Show:
+    distributeDockSizesSoon();
+    break;
+  case QEvent::MouseButtonPress:
+    // What is the window's own, between its docks.
+    separator_ = window_.childAt(static_cast<QMouseEvent*>(event)->position().toPoint()) == nullptr;
+    break;
+  case QEvent::MouseMove:
+    suitsSize_ =
+        suitsSize_ && !(separator_ && static_cast<QMouseEvent*>(event)->buttons() != Qt::NoButton);
+    break;
+  case QEvent::KeyPress: // that nobody else wanted
+    if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && maximized_ != nullptr) {
+      restoreMaximized();
+      return true;
+    }
+    break;
+  default:
+    break;
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void DockManager::showViews(bool shown) {
   QWidget* pages = window_.centralWidget();
   if (!shown && session_.isRunning() && !pages->isVisible()) {
-    layoutBehindPages_ = window_.saveState();
+    layoutBehindPages_ = save();
   }
   if (shown) {
     pages->hide(); // whichever goes goes first: there is no room for both
@@ -218,7 +356,9 @@ void DockManager::showViews(bool shown) {
   }
   pages->setVisible(!shown);
   if (shown && !layoutBehindPages_.isEmpty()) {
-    window_.restoreState(std::exchange(layoutBehindPages_, {}));
+    restore(std::exchange(layoutBehindPages_, {}));
+  } else if (shown) {
+    distributeDockSizesSoon();
   }
   Q_EMIT viewsShown(shown);
 }
@@ -234,8 +374,9 @@ void DockManager::toggleMaximized(ViewDock* dock) {
 }
 
 void DockManager::maximize(ViewDock* dock) {
-  layoutBeforeMaximized_ = window_.saveState(); // before the others are hidden
+  layoutBeforeMaximized_ = save(); // before the others are hidden
   maximized_ = dock;
+  dock->title().setMaximized(true);
   hiddenBeforeMaximized_.clear();
   for (ViewDock* other : docks()) {
     hiddenBeforeMaximized_.emplace_back(other, other->isHiddenByUser());
@@ -246,14 +387,16 @@ void DockManager::maximize(ViewDock* dock) {
 }
 
 void DockManager::restoreMaximized() {
-  if (std::exchange(maximized_, nullptr) == nullptr) {
+  ViewDock* dock = std::exchange(maximized_, nullptr);
+  if (dock == nullptr) {
     return;
   }
-  window_.restoreState(std::exchange(layoutBeforeMaximized_, {}));
+  dock->title().setMaximized(false);
+  restore(std::exchange(layoutBeforeMaximized_, {}));
   // What was wanted or put away meanwhile stays so.
-  for (const auto& [dock, hidden] : std::exchange(hiddenBeforeMaximized_, {})) {
-    if (dock->isHiddenByUser() != hidden) {
-      dock->setVisible(!dock->isHiddenByUser());
+  for (const auto& [other, hidden] : std::exchange(hiddenBeforeMaximized_, {})) {
+    if (other->isHiddenByUser() != hidden) {
+      other->setVisible(!other->isHiddenByUser());
     }
   }
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/workbench/image_grid.h"
 #include "ui/workbench/view_dock.h"
+#include "ui/workbench/view_shares.h"
 
 #include <QByteArray>
 #include <QObject>
@@ -13,11 +15,13 @@ class QMainWindow;
 
 namespace dewpoint::ui {
 
+class DockNames;
 class Document;
 class SessionController;
 
 /// The docks of the window: makes and arranges them, maximizes and restores one, hides all while a
-/// page fills the center of the window, and keeps their layout in the document.
+/// page fills the center of the window, and keeps their layout in the document. As long as nobody
+/// has arranged them otherwise, they are arranged for the size that the window has.
 class DockManager : public QObject {
   Q_OBJECT
 public:
@@ -37,8 +41,11 @@ public:
   void layOut();
   /// Forgets the document's arrangement, and what was put away of the cameras.
   void reset();
-  /// Gives the views the sizes that the window begins with, once the layout has settled.
+  /// Gives the views the sizes that suit the window, once the layout has settled; nothing when
+  /// somebody has arranged them otherwise.
   void distributeDockSizesSoon();
+  /// Room above the views comes or goes: the images take it, and what lies below them stays.
+  void keepHeightsBelow();
   /// Puts the layout into the document: that of all views, also while one fills the window or a
   /// page hides them.
   void storeLayout();
@@ -62,21 +69,35 @@ Q_SIGNALS:
   void viewsShowing(bool shown);
   void viewsShown(bool shown);
 
+protected:
+  /// Of the window: another size, a separator that is dragged, and Esc, which gives all views back.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   std::vector<ViewDock*> at(DockPlace place) const;
   ViewDock* first(DockPlace place) const;
   void arrange();
   void arrangeCameras(ViewDock* scene);
+  /// Cameras stand in so many columns from now on; what is hidden or in front stays so.
+  void rearrange(int columns);
+  ViewShares shares() const;
+  ImageGrid cameraGrid(const QSize& room) const;
   void distributeDockSizes();
-  /// Names stand in the titles of docks, or in their tabs: once the layout has settled.
-  void showNamesSoon();
-  void showNames();
+  void distributeCameras(const ImageGrid& grid, int height);
+  QByteArray save() const;
+  /// The version of the layout.
+  int restore(const QByteArray& layout);
   void maximize(ViewDock* dock);
 
   QMainWindow& window_;
   Document& document_;
   const SessionController& session_;
-  bool isNaming_ = false; ///< showNames() is about to come
+  DockNames* names_;
+  int cameraColumns_ = 0;  ///< in which the cameras stand; 0: not arranged yet
+  bool suitsSize_ = true;  ///< nobody has arranged the views otherwise
+  bool arranging_ = false; ///< what moves now, nobody has moved
+  bool separator_ = false; ///< the pointer was pressed on one
+  int adjustments_ = 0;    ///< so often are sizes given soon
   ViewDock* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
   /// Which docks were put away when one was maximized.

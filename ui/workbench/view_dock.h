@@ -53,6 +53,14 @@ public:
   bool isBehind() const { return behind_; }
   /// Wanted, shown, and in front of its tabs.
   void bringToFront();
+  /// Into a window of its own, beside where it was and in front, or back to its place.
+  void toggleFloating();
+
+protected:
+  /// A view that was dragged out of the window gets its frame where it is let go.
+  bool event(QEvent* event) override;
+  /// Closed by the frame of its window: put away.
+  void closeEvent(QCloseEvent* event) override;
 
 Q_SIGNALS:
   /// The whole window is wanted for this dock, or no longer.
@@ -61,6 +69,9 @@ Q_SIGNALS:
   void toggledByUser(bool shown);
 
 private:
+  /// Gives a floating view the frame of a window, so that it is moved and maximized like any other.
+  void takeFrame();
+
   DockPlace place_;
   int rank_;
   bool hiddenByUser_;

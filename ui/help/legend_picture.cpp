@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/legend_picture.h"
+
+#include "core/session/camera_overlay.h"
+#include "ui/cameraview/overlay_painter.h"
+#include "ui/style/halo.h"
+#include "ui/style/theme.h"
+
+#include <QLinearGradient>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <cmath>
+#include <numbers>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr QSize kPictureSize(104, 64);
+constexpr double kCorner = 5.0;
+constexpr double kBallRadius = 15.0;
+constexpr int kDots = 60;
+const QColor kBall(222, 84, 150); ///< the demo's pink
+const QColor kWall(206, 201, 190);
+const QColor kTable(158, 118, 78);
+
+/// Points of a cloud that is the same each time: golden angles, dense in the middle.
+std::vector<Eigen::Vector2f> cloudAround(const QPointF& center, double radius) {
+  std::vector<Eigen::Vector2f> cloud;
+  for (int k = 0; k < kDots; ++k) {
+    const double angle = k * std::numbers::pi * (3.0 - std::sqrt(5.0));
+    const double far = radius * (k + 0.5) / kDots;
+    cloud.emplace_back(static_cast<float>(center.x() + 1.5 * far * std::cos(angle)),
+                       static_cast<float>(center.y() + far * std::sin(angle)));
+  }
+  return cloud;
+}
+
+void paintScene(QPainter& painter, const QRectF& place, const QPointF& ball) {
+  painter.fillRect(place, kWall);
+  painter.fillRect(place.adjusted(0, 0.72 * place.height(), 0, 0), kTable);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kBall);
+  painter.drawEllipse(ball, kBallRadius, kBallRadius);
+}
+
+CameraOverlay overlayOf(LegendSign sign, const QPointF& ball) {
+  const Eigen::Vector2d center(ball.x(), ball.y());
+  CameraOverlay overlay;
+  switch (sign) {
+  case LegendSign::Particles:
+    overlay.particles = cloudAround(ball, 22.0);
+    for (int k = 0; k < kDots; ++k) {
+      overlay.weights.push_back(1.0F - static_cast<float>(k) / kDots);
+    }
+    break;
+  case LegendSign::Estimate:
+    overlay.estimate = center;
+    break;
+  case LegendSign::Belief:
+    overlay.ellipse = ImageEllipse{center, 27.0, 11.0, 0.35};
+    break;
+  case LegendSign::Outline:
+    overlay.outline = ImageEllipse{center, 19.0, 17.0, 0.0};
+    break;
+  case LegendSign::Truth:
+    overlay.truth = center;
+    break;
+  case LegendSign::Best:
+    overlay.best = center;
+    break;
+  case LegendSign::Ray:
+  case LegendSign::Mask:
+    break;
+  }
+  return overlay;
+}
+
+} // namespace
+
+LegendPicture::LegendPicture(LegendSign sign, QWidget* parent) : QWidget(parent), sign_(sign) {
+  setFixedSize(kPictureSize);
+  setAccessibleName(meaningOf(sign));
+}
+
+QString LegendPicture::meaningOf(LegendSign sign) {
+  switch (sign) {
+  case LegendSign::Particles:
+    return tr("Dots: particles. Each is one guess of where the target is; the more opaque, the "
+              "better it fits the images.");
+  case LegendSign::Estimate:
+    return tr("Cross: the estimate, the weighted mean of the particles.");
+  case LegendSign::Belief:
+    return tr("Unbroken ellipse: with 95 % probability the target is inside. The smaller, the "
+              "surer.");
+  case LegendSign::Outline:
+    return tr("Dashed ellipse: the size of the target itself, where it is not a ball.");
+  case LegendSign::Truth:
+    return tr("White diamond: where the target really is. Only simulated scenes, such as the "
+              "demo, know it.");
+  case LegendSign::Best:
+    return tr("Triangle: the particle of highest weight (View › Show best particle).");
+  case LegendSign::Ray:
+    return tr("Line through the image: the ray of another camera along which the target must be, "
+              "while you drag it to where it is.");
+  case LegendSign::Mask:
+    return tr("Bright where the image has the color of the target, dark elsewhere "
+              "(View › Show mask).");
+  }
+  return {};
+}
+
+void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath edge;
+  edge.addRoundedRect(QRectF(rect()), kCorner, kCorner);
+  painter.setClipPath(edge);
+  const QPointF ball(width() / 2.0, height() / 2.0);
+  paintScene(painter, QRectF(rect()), ball);
+  const QColor color = targetColor(0);
+  if (sign_ == LegendSign::Mask) {
+    QPainterPath elsewhere;
+    elsewhere.addRect(QRectF(rect()));
+    QPainterPath inside;
+    inside.addEllipse(ball, kBallRadius, kBallRadius);
+    painter.fillPath(elsewhere.subtracted(inside), QColor(0, 0, 0, 150));
+    painter.fillPath(inside, color);
+  } else if (sign_ == LegendSign::Ray) {
+    withHalo(painter, color, 1.6, [&] { painter.drawLine(QPointF(0, 10), QPointF(width(), 48)); });
+  }
+  // Pixels of the image are those of the picture; their centers lie at integers.
+  paintOverlay(painter, overlayOf(sign_, ball), {QPointF(-0.5, -0.5), 1.0}, color);
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/manual_pages.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include <array>
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+
+using PageRow = std::pair<const char*, const char*>;
+
+const QString kWindowPage(QStringLiteral("window.md"));
+
+/// Names of docks, or how they begin.
+constexpr std::array kPageOfDock{
+    PageRow{"cameraListDock", "calibration.md"}, PageRow{"cameraDock", "window.md"},
+    PageRow{"birdsEyeDock", "window.md"},        PageRow{"plotDock", "plots.md"},
+    PageRow{"trajectoryDock", "plots.md"},       PageRow{"timelineDock", "time-travel.md"},
+    PageRow{"targetDock", "window.md"},          PageRow{"colorDock", "color.md"},
+    PageRow{"peopleDock", "people.md"},          PageRow{"calibrationDock", "calibration.md"},
+    PageRow{"historyDock", "window.md"}};
+
+constexpr std::array kPageOfMethod{
+    PageRow{"dewpoint", "method-dewpoint.md"}, PageRow{"barrera", "method-dynamics.md"},
+    PageRow{"dynamics", "method-dynamics.md"}, PageRow{"histogram", "method-sugandi.md"},
+    PageRow{"sugandi", "method-sugandi.md"},   PageRow{"people", "people.md"},
+    PageRow{"mohedano-msc", "people.md"},      PageRow{"mohedano-ms", "people.md"}};
+
+} // namespace
+
+QStringList manualPages() {
+  return {QStringLiteral("quick-start.md"),     kWindowPage,
+          QStringLiteral("color.md"),           QStringLiteral("calibration.md"),
+          QStringLiteral("people.md"),          QStringLiteral("time-travel.md"),
+          QStringLiteral("plots.md"),           QStringLiteral("export.md"),
+          QStringLiteral("project-file.md"),    QStringLiteral("command-line.md"),
+          QStringLiteral("method-dewpoint.md"), QStringLiteral("method-dynamics.md"),
+          QStringLiteral("method-sugandi.md"),  QStringLiteral("fidelity.md"),
+          QStringLiteral("accuracy.md"),        QStringLiteral("speed.md")};
+}
+
+QString methodPageOf(const QString& method) {
+  for (const auto& [name, page] : kPageOfMethod) {
+    if (method == QLatin1String(name)) {
+      return QLatin1String(page);
+    }
+  }
+  return QLatin1String(kPageOfMethod.front().second);
+}
+
+QString manualPageOf(const QString& dock, const QString& method) {
+  if (dock == QStringLiteral("parameterDock")) {
+    return methodPageOf(method);
+  }
+  for (const auto& [name, page] : kPageOfDock) {
+    if (dock.startsWith(QLatin1String(name))) {
+      return QLatin1String(page);
+    }
+  }
+  return kWindowPage;
+}
+
+QStringList manualFolders() {
+  const QDir program(QCoreApplication::applicationDirPath());
+  return {program.absoluteFilePath(QStringLiteral("../share/dewpoint/docs")),
+          QStringLiteral(DEWPOINT_INSTALLED_DOCS), QStringLiteral(DEWPOINT_SOURCE_DOCS),
+          program.absoluteFilePath(QStringLiteral("../../../docs"))};
+}
+
+QString findManual(const QStringList& folders) {
+  for (const QString& folder : folders) {
+    if (QFileInfo::exists(QDir(folder).filePath(kWindowPage))) {
+      return QDir::cleanPath(folder);
+    }
+  }
+  return {};
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/run_details.h"
+
+#include "core/session/run/snapshot.h"
+#include "ui/text/quantity_text.h"
+#include "ui/text/retranslation.h"
+
+#include <QGridLayout>
+#include <QLabel>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr double kMegabyte = 1024.0 * 1024.0;
+const QString kUnknown(QStringLiteral("–"));
+
+QString latencyText(const Latency& latency) {
+  return latency.longest <= 0.0 ? kUnknown
+                                : RunDetails::tr("median %1, 99 of 100 within %2, longest %3")
+                                      .arg(millisecondsText(1000.0 * latency.median),
+                                           millisecondsText(1000.0 * latency.p99),
+                                           millisecondsText(1000.0 * latency.longest));
+}
+
+QString budgetText(const BudgetFigures& budget) {
+  if (budget.milliseconds <= 0.0 || budget.iterations == 0) {
+    return RunDetails::tr("none is set");
+  }
+  const double kept =
+      1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
+  return RunDetails::tr("%1, kept in %2 % of the iterations of this run")
+      .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
+}
+
+} // namespace
+
+RunDetails::RunDetails(QWidget* parent) : QFrame(parent, Qt::Popup), rows_(new QGridLayout(this)) {
+  setObjectName(QStringLiteral("statusDetails"));
+  setFrameShape(QFrame::StyledPanel);
+  rows_->setContentsMargins(12, 10, 12, 10);
+  rows_->setHorizontalSpacing(16);
+  rows_->setVerticalSpacing(4);
+  for (const auto& [label, name] :
+       std::initializer_list<std::pair<QLabel**, const char*>>{{&time_, "statusTime"},
+                                                               {&latency_, "statusLatency"},
+                                                               {&budget_, "statusBudget"},
+                                                               {&sampleSize_, "statusSampleSize"},
+                                                               {&iterations_, "statusIterations"},
+                                                               {&dropped_, "statusDropped"},
+                                                               {&seed_, "statusSeed"},
+                                                               {&history_, "statusHistory"}}) {
+    *label = row(name);
+  }
+  onRetranslate(this, [this] { retranslateUi(); });
+  setSnapshot(nullptr, nullptr);
+}
+
+QLabel* RunDetails::row(const char* name) {
+  auto* label = new QLabel(this);
+  label->setObjectName(QLatin1String(name));
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* heading = new QLabel(this);
+  heading->setForegroundRole(QPalette::PlaceholderText);
+  names_[label] = heading;
+  const int at = rows_->rowCount();
+  rows_->addWidget(heading, at, 0);
+  rows_->addWidget(label, at, 1);
+  return label;
+}
+
+void RunDetails::retranslateUi() {
+  names_[time_]->setText(tr("Time per iteration, median"));
+  names_[latency_]->setText(tr("From a frame to its estimate"));
+  names_[budget_]->setText(tr("Time budget per iteration"));
+  names_[sampleSize_]->setText(tr("Effective sample size"));
+  names_[iterations_]->setText(tr("Iterations since the start"));
+  names_[dropped_]->setText(tr("Frames skipped"));
+  names_[seed_]->setText(tr("Random seed"));
+  names_[history_]->setText(tr("Kept of the past"));
+}
+
+void RunDetails::setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target) {
+  if (snapshot != nullptr) {
+    refresh(*snapshot, target);
+    return;
+  }
+  for (const auto& [label, name] : names_) {
+    label->setText(kUnknown);
+  }
+}
+
+void RunDetails::refresh(const TrackSnapshot& snapshot, const TargetSnapshot* target) {
+  time_->setText(durationText(snapshot.microsecondsPerIteration));
+  latency_->setText(latencyText(snapshot.latency));
+  budget_->setText(budgetText(snapshot.budget));
+  const int particles = target != nullptr ? particleCountOf(target->estimate) : 0;
+  sampleSize_->setText(particles <= 0
+                           ? kUnknown
+                           : tr("%1 of %2 particles")
+                                 .arg(numberText(effectiveSampleSizeOf(target->estimate), 0))
+                                 .arg(particles));
+  iterations_->setText(QString::number(snapshot.iterations));
+  dropped_->setText(QString::number(snapshot.droppedFrames));
+  seed_->setText(QString::number(snapshot.seed));
+  history_->setText(
+      tr("%1 of %2 MB")
+          .arg(numberText(static_cast<double>(snapshot.history.bytes) / kMegabyte, 0),
+               numberText(static_cast<double>(snapshot.history.mostBytes) / kMegabyte, 0)));
+}
+
+void RunDetails::openAbove(const QWidget* widget) {
+  adjustSize();
+  const QPoint corner = widget->mapToGlobal(QPoint(widget->width(), 0));
+  move(corner - QPoint(width(), height() + 4));
+  show();
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/dock_names.h"
+
+#include "ui/widgets/dock_title.h"
+#include "ui/workbench/view_dock.h"
+
+#include <QMainWindow>
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::ui {
+
+DockNames::DockNames(QMainWindow& window, QObject* parent) : QObject(parent), window_(window) {}
+
+void DockNames::follow(ViewDock* dock) {
+  connect(dock, &QDockWidget::dockLocationChanged, this, &DockNames::showSoon);
+  connect(dock, &QDockWidget::topLevelChanged, this, &DockNames::showSoon);
+  connect(dock, &QDockWidget::visibilityChanged, this, &DockNames::showSoon);
+}
+
+void DockNames::showSoon() {
+  if (!std::exchange(isComing_, true)) {
+    QMetaObject::invokeMethod(this, &DockNames::show, Qt::QueuedConnection);
+  }
+}
+
+void DockNames::show() {
+  isComing_ = false;
+  for (ViewDock* dock : window_.findChildren<ViewDock*>()) {
+    const auto neighbors = window_.tabifiedDockWidgets(dock);
+    const bool hasTab =
+        !dock->isFloating() && std::ranges::any_of(neighbors, [](const QDockWidget* neighbor) {
+          return !neighbor->isHidden() && !neighbor->isFloating();
+        });
+    dock->title().setNameShown(!hasTab);
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/view_shares.h"
+
+#include "core/project/project.h"
+#include "ui/workbench/view_dock.h"
+
+#include <QMainWindow>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolBar>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+namespace {
+
+// Chosen so that two cameras have about half of the width, and the scene remains large enough to be
+// turned about in.
+constexpr int kLeastOfCamerasPercent = 46; ///< of the width
+constexpr int kLeastOfScenePercent = 22;   ///< of the width
+constexpr int kPlotsPercent = 24;          ///< of the height
+constexpr int kSmallHeight = 800;          ///< below it the timeline has as little as it needs
+constexpr double kUsualAspect = 4.0 / 3.0; ///< of images whose size is not known yet
+
+/// Menus, toolbars and status line.
+int heightAroundViews(const QMainWindow& window) {
+  int height = 0;
+  for (const QWidget* bar :
+       {window.menuWidget(), static_cast<QWidget*>(window.findChild<QStatusBar*>())}) {
+    height += bar != nullptr ? bar->sizeHint().height() : 0;
+  }
+  for (const QToolBar* bar : window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) {
+    height += bar->isHidden() ? 0 : std::min(bar->sizeHint().height(), bar->maximumHeight());
+  }
+  return height;
+}
+
+} // namespace
+
+ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
+                        const ViewDock& scene, const ViewDock& timeline) {
+  ViewShares shares;
+  for (const ViewDock* dock : inspectors) {
+    const int least = std::max(dock->minimumWidth(), dock->minimumSizeHint().width());
+    shares.inspector = std::max(shares.inspector, dock->isHidden() ? 0 : least);
+  }
+  shares.scene = scene.isHidden() ? 0
+                                  : std::max(scene.minimumSizeHint().width(),
+                                             window.width() * kLeastOfScenePercent / 100);
+  shares.plots = window.height() * kPlotsPercent / 100;
+  shares.timeline = window.height() < kSmallHeight ? timeline.minimumSizeHint().height()
+                                                   : timeline.sizeHint().height();
+  shares.leastForCameras = window.width() * kLeastOfCamerasPercent / 100;
+  shares.cameras = QSize(window.width() - shares.inspector - kDockSeparator - shares.scene -
+                             (shares.scene > 0 ? kDockSeparator : 0),
+                         window.height() - heightAroundViews(window) - shares.plots -
+                             shares.timeline - 2 * kDockSeparator)
+                       .expandedTo({1, 1});
+  return shares;
+}
+
+int heightWithTabs(const QMainWindow& window, const ViewDock& dock) {
+  constexpr int kNear = 8; // pixels between tabs and what they belong to, at most
+  const QRect place = dock.geometry();
+  for (const QTabBar* tabs : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+    const QRect bar = tabs->geometry();
+    const int gap = place.top() - bar.bottom() - 1;
+    if (tabs->isVisible() && gap >= -1 && gap < kNear && bar.left() < place.center().x() &&
+        bar.right() > place.left()) {
+      return place.bottom() + 1 - bar.top();
+    }
+  }
+  return place.height();
+}
+
+std::vector<double> imageAspectsOf(const Project& project, std::size_t cameras) {
+  std::vector<double> aspects(cameras, kUsualAspect);
+  for (std::size_t k = 0; k < std::min(cameras, project.cameras.size()); ++k) {
+    const auto& lens = project.cameras[k].camera.intrinsics;
+    if (lens.width > 0 && lens.height > 0) {
+      aspects[k] = static_cast<double>(lens.width) / static_cast<double>(lens.height);
+    }
+  }
+  return aspects;
+}
+
+} // namespace dewpoint::ui
