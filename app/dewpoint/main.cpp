@@ -52,8 +52,8 @@ bool isSize(const std::string& text, int& width, int& height) {
 void describe(CLI::App& app, Options& options) {
   app.add_option(
       "project", options.project,
-      "Project file, or a built-in scene (demo, still, smooth, fast, jump, look-alikes, occluder; "
-      "office: people)");
+      "Project file, or a built-in scene (demo, converge, one-camera, still, smooth, fast, jump, "
+      "look-alikes, occluder; office: people)");
   app.add_option("--out", options.out,
                  "Folder for trajectory.csv and run.json, written at the end and on quitting");
   app.add_option("--screenshot", options.screenshot, "Save the window as PNG, then quit");

@@ -4,6 +4,7 @@
 #include "app/wiring/open_office.h"
 #include "core/capture/live_frame_source.h"
 #include "core/capture/recording.h"
+#include "core/geometry/projector.h"
 #include "core/project/project_check.h"
 #include "core/project/project_load.h"
 #include "core/session/run/empty_rooms.h"
@@ -16,6 +17,8 @@
 #include "core/trajectory/trajectory_reader.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace dewpoint::app {
@@ -53,6 +56,32 @@ Status fillFromNamedScene(Project& project) {
     return {};
   }
   return sceneNamed(project.scene).map([&](const Scene& scene) { fillFromScene(project, scene); });
+}
+
+/// The method that a built-in scene is made to show, where it is not the default one.
+std::string methodOfScene(const std::string& sceneName, const std::string& otherwise) {
+  if (sceneName == "converge") {
+    return "barrera";
+  }
+  return sceneName == "one-camera" ? "histogram" : otherwise;
+}
+
+/// The box around a ball in the first frame of the first camera, with a margin.
+std::optional<TargetBox> boxAround(const Scene& scene, int ball) {
+  constexpr double kMargin = 1.15;
+  const Camera& camera = scene.cameras.front();
+  const Eigen::Vector3d position = ballPosition(scene, ball, 0.0);
+  const auto middle = Projector(camera).project(position);
+  const double depth = (camera.cameraFromWorld * position).z();
+  if (!middle || depth <= 0.0) {
+    return std::nullopt;
+  }
+  const double radius = scene.balls[static_cast<std::size_t>(ball)].radius;
+  const double half = std::round(kMargin * camera.intrinsics.focalX * radius / depth);
+  TargetBox around;
+  around.box = {std::round(middle->x() - half), std::round(middle->y() - half), 2.0 * half,
+                2.0 * half};
+  return around;
 }
 
 Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
@@ -120,13 +149,19 @@ Project projectOfScene(const Scene& scene, const std::string& sceneName) {
   Project project;
   project.name = scene.name;
   project.scene = sceneName;
+  project.method = methodOfScene(sceneName, project.method);
   project.parameters = ParameterValues(methodParameters(project.method));
   project.parameters.giveAll();
+  const bool takesBoxes = !methodFamily(project.method).needsCalibration;
   for (const auto& ball : scene.balls) {
-    project.targets.push_back(
-        {ball.name, ball.radius,
-         ColorRange{ball.hueMin, ball.hueMax, ball.saturationMin, ball.saturationMax,
-                    ball.intensityMin, ball.intensityMax}});
+    Target& target = project.targets.emplace_back();
+    target.name = ball.name;
+    target.radius = ball.radius;
+    target.color = ColorRange{ball.hueMin,        ball.hueMax,       ball.saturationMin,
+                              ball.saturationMax, ball.intensityMin, ball.intensityMax};
+    if (takesBoxes) {
+      target.box = boxAround(scene, static_cast<int>(project.targets.size()) - 1);
+    }
   }
   fillFromScene(project, scene);
   return project;
@@ -154,12 +189,13 @@ Trajectory truthOfScene(const Scene& scene) {
 
 Result<Project> resolveProject(const std::string& nameOrFile) {
   const std::string name = nameOrFile.empty() ? "demo" : nameOrFile;
-  if (name == kOfficeScene && !std::filesystem::exists(name)) {
+  std::error_code problem;
+  const bool isFile = std::filesystem::is_regular_file(name, problem); // a folder is no project
+  if (name == kOfficeScene && !isFile) {
     return projectOfOffice();
   }
   const auto& builtIn = sceneNames();
-  if (std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end() &&
-      !std::filesystem::exists(name)) {
+  if (std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end() && !isFile) {
     return sceneNamed(name).map([&](const Scene& scene) { return projectOfScene(scene, name); });
   }
   auto project = loadProject(name);

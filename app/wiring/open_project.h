@@ -11,7 +11,7 @@
 namespace dewpoint::app {
 
 /// A project that tracks the balls of a simulated scene, with the paper's parameters: none comes
-/// from the cameras.
+/// from the cameras. The scenes "converge" and "one-camera" have a method of their own.
 Project projectOfScene(const Scene& scene, const std::string& sceneName);
 
 /// True positions of all balls of a scene at every frame, named as the project's targets.

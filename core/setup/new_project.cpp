@@ -233,6 +233,19 @@ bool isGuessed(const Project& project) {
   return false;
 }
 
+std::filesystem::path proposedFile(const Project& project) {
+  std::string name = project.name.empty() ? "project" : project.name;
+  std::ranges::replace_if(
+      name, [](unsigned char letter) { return letter == '/' || letter == '\\' || letter < ' '; },
+      '_'); // a name is no path
+  const std::string file = name + ".toml";
+  const auto recorded = std::ranges::find_if(
+      project.cameras, [](const ProjectCamera& camera) { return isRecording(camera.source); });
+  return recorded == project.cameras.end()
+             ? std::filesystem::path(file)
+             : std::filesystem::path(recorded->location).parent_path() / file;
+}
+
 Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file) {
   const auto rig = loadCalibration(file);
   if (!rig) {

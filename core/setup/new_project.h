@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,10 @@ Status guessMissing(Project& project);
 
 /// Whether some camera stands where makeProject() guessed it: positions in space mean nothing.
 bool isGuessed(const Project& project);
+
+/// The file that a project which is in none yet is best saved to: called as the project, beside its
+/// first recording; without a folder when no camera is a recording.
+std::filesystem::path proposedFile(const Project& project);
 
 /// How a file given without more is meant: a folder is one of images, a number or /dev/... a
 /// device, text with "://" or "gst:" a stream, all else a video.

@@ -148,6 +148,19 @@ TEST_F(NewProjectTest, BadInputNamesTheCamera) {
   EXPECT_FALSE(makeProject({}));
 }
 
+TEST_F(NewProjectTest, ItIsProposedToBeSavedBesideItsFirstRecording) {
+  auto made = makeProject(two());
+  ASSERT_TRUE(made);
+  EXPECT_EQ(proposedFile(made->project), folder_ / (made->project.name + ".toml"));
+  made->project.name = "a/b";
+  EXPECT_EQ(proposedFile(made->project), folder_ / "a_b.toml");
+  for (ProjectCamera& camera : made->project.cameras) {
+    camera.source = SourceKind::Device;
+  }
+  EXPECT_EQ(proposedFile(made->project), "a_b.toml");
+  EXPECT_EQ(proposedFile({}), "project.toml");
+}
+
 TEST(GuessedSource, GoesByWhatTheTextLooksLike) {
   EXPECT_EQ(guessedSource("0"), SourceKind::Device);
   EXPECT_EQ(guessedSource("/dev/video2"), SourceKind::Device);

@@ -17,11 +17,33 @@ Scene builtIn(const std::string& name, Motion motion) {
   return scene;
 }
 
+// Chosen so that the eye can follow the 15 to 25 iterations, one per frame, in which method barrera
+// converges, and so that the ball rests until then.
+constexpr double kSlowRate = 8.0;    ///< frames per second
+constexpr double kSlowRest = 5.0;    ///< seconds
+constexpr double kSlowPeriod = 12.0; ///< seconds
+
+Scene slowDemo(const std::string& name) {
+  Scene scene = demoScene();
+  scene.name = name;
+  scene.framesPerSecond = kSlowRate;
+  scene.balls.front().stillSeconds = kSlowRest;
+  scene.balls.front().period = kSlowPeriod;
+  return scene;
+}
+
+Scene firstCameraOnly(const std::string& name) {
+  Scene scene = builtIn(name, Motion::Smooth);
+  scene.cameras.resize(1);
+  return scene;
+}
+
 } // namespace
 
 const std::vector<std::string>& sceneNames() {
-  static const std::vector<std::string> names{"demo", "still",       "smooth",  "fast",
-                                              "jump", "look-alikes", "occluder"};
+  static const std::vector<std::string> names{"demo",  "converge",    "one-camera",
+                                              "still", "smooth",      "fast",
+                                              "jump",  "look-alikes", "occluder"};
   return names;
 }
 
@@ -29,6 +51,12 @@ Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
   const std::string& name = nameOrTomlFile;
   if (name == "demo") {
     return demoScene();
+  }
+  if (name == "converge") {
+    return slowDemo(name);
+  }
+  if (name == "one-camera") {
+    return firstCameraOnly(name);
   }
   if (name == "still") {
     return builtIn(name, Motion::Still);
@@ -50,8 +78,8 @@ Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(name, ignored)) {
     return failure(ErrorCode::FileMissing, name, "",
-                   "neither a scene file nor one of demo, still, smooth, fast, jump, look-alikes, "
-                   "occluder");
+                   "neither a scene file nor one of demo, converge, one-camera, still, smooth, "
+                   "fast, jump, look-alikes, occluder");
   }
   return readTextFile(name).and_then(
       [&](const std::string& text) { return parseScene(text, name); });

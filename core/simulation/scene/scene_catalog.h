@@ -9,7 +9,8 @@
 
 namespace dewpoint::simulation {
 
-/// Names of the built-in scenes: demo, still, smooth, fast, jump, look-alikes, occluder.
+/// Names of the built-in scenes: demo, converge (the demo, slowly: a filter can be watched),
+/// one-camera (the demo's first camera alone), still, smooth, fast, jump, look-alikes, occluder.
 const std::vector<std::string>& sceneNames();
 
 /// A built-in scene by name, else a scene TOML file by path.

@@ -172,6 +172,14 @@ TEST(Scene, EveryBuiltInNameOpens) {
   }
 }
 
+// A filter of one iteration per frame takes up to 25 of them.
+TEST(Scene, TheBallRestsWhileAFilterIsWatchedConverging) {
+  const auto scene = sceneNamed("converge");
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(ballPosition(*scene, 0, frameTime(*scene, 25)), ballPosition(*scene, 0, 0.0));
+  EXPECT_GT(frameTime(*scene, 15), 1.5); // slow enough to be seen
+}
+
 TEST(Scene, TheDemoBallRestsFirstAndThenMoves) {
   const Scene scene = demoScene();
   EXPECT_EQ(ballPosition(scene, 0, 0.0), ballPosition(scene, 0, 1.9)); // still for 2 s
