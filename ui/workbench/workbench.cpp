@@ -3,8 +3,10 @@
 
 #include "ui/actions/action_registry.h"
 #include "ui/document/document.h"
+#include "ui/workbench/dock_manager.h"
 
 #include <QAction>
+#include <QMainWindow>
 #include <QWidget>
 
 #include <utility>
@@ -34,14 +36,18 @@ void Workbench::needRun(std::initializer_list<ActionId> ids,
   for (const ActionId id : ids) {
     dependent.push_back(action(id));
   }
-  const auto update = [dependent, suits, run = &session] {
-    const bool enabled = run->isRunning() && suits();
+  const auto update = [dependent, suits, run = &session, shell = &window] {
+    // A page in the center of the window covers the run.
+    const QWidget* pages = shell->centralWidget();
+    const bool covered = pages != nullptr && !pages->isHidden();
+    const bool enabled = run->isRunning() && !covered && suits();
     for (QAction* one : dependent) {
       one->setEnabled(enabled);
     }
   };
   QObject::connect(&session, &SessionController::runStarted, &actions, update);
   QObject::connect(&session, &SessionController::runEnded, &actions, update);
+  QObject::connect(&docks, &DockManager::viewsShown, &actions, update);
   QObject::connect(&document, &Document::replaced, &actions, update);
   QObject::connect(&document, &Document::methodChanged, &actions, update);
   update();

@@ -38,7 +38,7 @@ struct Workbench {
   QAction* action(ActionId id) const;
   void onTriggered(ActionId id, QObject* context, std::function<void()> run) const;
   void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
-  /// These actions can be used only while a project is open.
+  /// These actions can be used only while a project is open and no page covers it.
   void needRun(std::initializer_list<ActionId> ids) const;
   /// The same, and only while `suits` returns true: called again when a run begins or ends, and
   /// when the method changes.
