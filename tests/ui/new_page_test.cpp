@@ -28,8 +28,12 @@ private Q_SLOTS:
   void cancelOfANewProjectChangesNothing();
   void cancelWhileItIsMadeOpensNothing();
   void aTypedFolderHasARate();
+  void whatIsChosenIsReadAtOnce();
+  void aCalibrationIsReadWhenItIsChosen();
+  void aPageOverARunHasNoTransport();
 
 private:
+  QString found(int row) const { return find<QTableWidget>("newCameras")->item(row, 2)->text(); }
   /// Waits until the page has found out about all that was dropped.
   bool hasRows(int rows) const {
     return waitFor([&] {
@@ -154,6 +158,59 @@ void NewPageTest::aTypedFolderHasARate() {
   QVERIFY(waitFor([&] { return rate->isVisible(); }));
   source->setText(QStringLiteral("rtsp://camera.example/1"));
   QVERIFY(!rate->isVisible());
+}
+
+void NewPageTest::whatIsChosenIsReadAtOnce() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  QVERIFY(QDir().mkpath(file("other")));
+  QVERIFY(recordDemo(file("other").toStdString(), 5));
+  action("actionNew")->trigger();
+  QVERIFY(find<QWidget>("newDropZone")->isVisible());
+  const auto* note = find<QLabel>("newFootageNote");
+  drop({file("left.mkv")});
+  QVERIFY(hasRows(1));
+  QVERIFY(!find<QWidget>("newDropZone")->isVisible());
+  QVERIFY(waitFor([this] { return found(0).contains(QStringLiteral("320×240")); }));
+  QVERIFY2(found(0).contains(QStringLiteral("30")) && found(0).contains(QStringLiteral("8 frames")),
+           qPrintable(found(0)));
+  QVERIFY(!find<QTableWidget>("newCameras")->item(0, 0)->icon().isNull());
+  QVERIFY(!note->isVisible());
+  drop({file("other/left.mkv"), file("nowhere.mkv")});
+  QVERIFY(hasRows(3));
+  QVERIFY(waitFor([&] { return note->isVisible(); }));
+  QVERIFY2(note->text().contains(QStringLiteral("first 5 frames")), qPrintable(note->text()));
+  QVERIFY(waitFor([this] { return found(2).startsWith(QStringLiteral("✗")); }));
+}
+
+void NewPageTest::aCalibrationIsReadWhenItIsChosen() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  const auto* result = find<QLabel>("newCalibrationResult");
+  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
+  QVERIFY(hasRows(2));
+  QVERIFY(waitFor([&] { return result->text().contains(QStringLiteral("Dewpoint, 2 cameras")); }));
+  find<QTableWidget>("newCameras")->selectRow(1);
+  find<QPushButton>("newRemove")->click(); // two cameras are no calibration of one
+  QVERIFY2(result->text().contains(QStringLiteral("camera 1, camera 2")),
+           qPrintable(result->text()));
+  QFile other(file("other.json"));
+  QVERIFY(other.open(QIODevice::WriteOnly));
+  other.write("{\"K\": [1, 2, 3]}");
+  other.close();
+  drop({file("other.json")});
+  QVERIFY(waitFor([&] { return result->text().contains(QStringLiteral("Not recognized")); }));
+  QVERIFY2(result->text().contains(QStringLiteral("Caliscope")), qPrintable(result->text()));
+  find<QPushButton>("newDropCalibration")->click();
+  QVERIFY(!result->isVisible());
+}
+
+void NewPageTest::aPageOverARunHasNoTransport() {
+  openDemo();
+  action("actionNew")->trigger();
+  for (const char* id : {"actionPlay", "actionNextFrame", "actionRestart", "actionSave"}) {
+    QVERIFY2(!action(id)->isEnabled(), id);
+  }
+  find<QPushButton>("newCancel")->click();
+  QVERIFY(waitFor([this] { return action("actionPlay")->isEnabled(); }));
 }
 
 } // namespace dewpoint::tests

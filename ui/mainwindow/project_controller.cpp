@@ -2,11 +2,13 @@
 #include "ui/mainwindow/project_controller.h"
 
 #include "core/project/project.h"
+#include "core/setup/new_project.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/document/project_saver.h"
 #include "ui/mainwindow/recent_menu.h"
 #include "ui/mainwindow/recovery_offer.h"
+#include "ui/mainwindow/thumbnail_keeper.h"
 #include "ui/session/open_request.h"
 #include "ui/start/new_project_page.h"
 #include "ui/start/recent_projects.h"
@@ -50,11 +52,13 @@ QStringList filesOf(const QMimeData& data) {
 
 ProjectController::ProjectController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), recent_(new RecentProjects(this)),
-      recentMenu_(new RecentMenu(*recent_, this)), saver_(new ProjectSaver(bench.document, this)) {
+      recentMenu_(new RecentMenu(*recent_, this)), thumbnails_(new ThumbnailKeeper(bench, this)),
+      saver_(new ProjectSaver(bench.document, this)) {
   makePages();
   connectPages();
   connectActions();
   connectRun();
+  connectOpening();
   connectSaver();
   bench_.window.setAcceptDrops(true);
 }
@@ -70,7 +74,7 @@ void ProjectController::makePages() {
 }
 
 void ProjectController::connectPages() {
-  connect(startPage_, &StartPage::demoWanted, this, [this] { open({}); });
+  connect(startPage_, &StartPage::sceneWanted, this, &ProjectController::openScene);
   connect(startPage_, &StartPage::videosWanted, this, [this] {
     beginNew({});
     newProject_->chooseVideos();
@@ -105,10 +109,29 @@ void ProjectController::connectActions() {
   bench_.onTriggered("actionSaveAs", this, [this] { askSaveAs(); });
   bench_.onTriggered("actionCloseProject", this, unlessUnsaved([this] { close(); }));
   bench_.needRun({"actionSave", "actionSaveAs", "actionCloseProject"});
+}
+
+void ProjectController::connectOpening() {
   connect(&bench_.session, &SessionController::openingChanged, this, [this](bool opening) {
     bench_.action("actionOpen")->setEnabled(!opening);
     bench_.action("actionOpenDemo")->setEnabled(!opening);
+    startPage_->setOpening(opening);
+    if (opening) { // at once: what is opened may take a second
+      bench_.window.setCursor(Qt::BusyCursor);
+    } else {
+      bench_.window.unsetCursor();
+    }
   });
+  connect(&bench_.session, &SessionController::opened, this, [this](const OpenRequest& request) {
+    if (request.calibrate) {
+      bench_.action("actionCalibrateByHand")->setChecked(true);
+    }
+  });
+  connect(thumbnails_, &ThumbnailKeeper::kept, recent_, &RecentProjects::checkFiles);
+}
+
+void ProjectController::openScene(const QString& name, bool calibrate) {
+  bench_.session.open({.what = toPath(name), .calibrate = calibrate});
 }
 
 void ProjectController::connectRun() {
@@ -180,9 +203,11 @@ void ProjectController::save() {
 }
 
 void ProjectController::askSaveAs() {
+  const Project& project = bench_.document.project();
+  const auto proposed = project.file.empty() ? proposedFile(project) : project.file;
   const QString file =
-      askForFileToSave(&bench_.window, tr("Save the project"), QStringLiteral("project.toml"),
-                       tr("Dewpoint projects (*.toml)"));
+      askForFileToSave(&bench_.window, tr("Save the project"),
+                       QString::fromStdString(proposed.string()), tr("Dewpoint projects (*.toml)"));
   if (!file.isEmpty()) {
     saveTo(toPath(file));
   }
@@ -197,6 +222,7 @@ void ProjectController::saveTo(std::filesystem::path file) {
 void ProjectController::connectSaver() {
   connect(saver_, &ProjectSaver::saved, this, [this](const QString& file) {
     recent_->add(file);
+    thumbnails_->keep();
     bench_.messages.showNotice(tr("Saved %1.").arg(file));
     if (const auto next = std::exchange(afterSaving_, {})) {
       whenSettled(next); // it may have been changed while it was saved
@@ -239,6 +265,7 @@ bool ProjectController::mayClose() {
   if (!mayDiscard([this] { bench_.window.close(); })) {
     return false;
   }
+  thumbnails_->keep();
   if (recovery_ != nullptr) {
     recovery_->removeBackup(); // saved, or given up on purpose
   }

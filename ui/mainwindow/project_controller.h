@@ -24,6 +24,7 @@ class RecentProjects;
 class Recovery;
 class RecoveryOffer;
 class StartPage;
+class ThumbnailKeeper;
 
 /// How work begins and ends: the pages in the center of the window, opening, saving and closing
 /// projects, recent ones, dropped files, and the question before unsaved changes are lost.
@@ -53,6 +54,8 @@ private:
   void connectPages();
   void connectActions();
   void connectRun();
+  void connectOpening();
+  void openScene(const QString& name, bool calibrate);
   void connectSaver();
   void beginNew(const QStringList& files);
   void openMade(const Project& project, const QString& note);
@@ -70,6 +73,7 @@ private:
   Workbench bench_;
   RecentProjects* recent_;
   RecentMenu* recentMenu_;
+  ThumbnailKeeper* thumbnails_;
   QStackedWidget* pages_ = nullptr;
   StartPage* startPage_ = nullptr;
   NewProjectPage* newProject_ = nullptr;

@@ -16,6 +16,7 @@ struct OpenRequest {
   SessionRequest what;
   bool keepHistory = false; ///< the project of the document, with other inputs: it stays as it is
   bool unsaved = false;     ///< it is in no file as it is
+  bool calibrate = false;   ///< with its calibration by hand in front
   QString note = {};        ///< shown once it is open
   std::optional<RecoverableWork> recovered = {}; ///< the copy it comes from
 };

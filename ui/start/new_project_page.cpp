@@ -2,8 +2,11 @@
 #include "ui/start/new_project_page.h"
 
 #include "core/setup/footage.h"
+#include "ui/start/calibration_choice.h"
+#include "ui/start/drop_zone.h"
 #include "ui/style/spacing.h"
-#include "ui/text/camera_names.h"
+#include "ui/style/theme.h"
+#include "ui/text/calibration_files.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/decimal_field.h"
@@ -13,12 +16,10 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QTableWidget>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -30,48 +31,40 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kFormWidth = 820;
+constexpr int kFormWidth = 960;     ///< pixels, at most; chosen
 constexpr double kUsualRate = 30.0; ///< frames per second of image folders
-
-enum Column { kName, kSource };
 
 } // namespace
 
 NewProjectPage::NewProjectPage(QWidget* parent)
     : QWidget(parent), title_(new QLabel(this)), lead_(new QLabel(this)),
-      name_(new QLineEdit(this)), nameLabel_(new QLabel(this)), cameras_(new QTableWidget(this)),
-      calibrationLabel_(new QLabel(this)), calibration_(new QLabel(this)),
-      rateLabel_(new QLabel(this)), rate_(new DecimalField(this)),
-      buttons_(new QDialogButtonBox(this)), searches_(std::make_unique<JobQueue>()) {
+      name_(new QLineEdit(this)), nameLabel_(new QLabel(this)), list_(new QStackedWidget(this)),
+      cameras_(new CameraTable(this)), dropZone_(new DropZone(this)), note_(new QLabel(this)),
+      calibration_(new CalibrationChoice(this)), rateLabel_(new QLabel(this)),
+      rate_(new DecimalField(this)), buttons_(new QDialogButtonBox(this)),
+      searches_(std::make_unique<JobQueue>()) {
   setObjectName(QStringLiteral("newProjectPage"));
   QFont big = title_->font();
   big.setPointSizeF(big.pointSizeF() * 1.6);
   big.setWeight(QFont::DemiBold);
   title_->setFont(big);
+  lead_->setWordWrap(true);
   name_->setObjectName(QStringLiteral("newName"));
   nameLabel_->setBuddy(name_);
+  note_->setObjectName(QStringLiteral("newFootageNote"));
+  note_->setWordWrap(true);
   rate_->setObjectName(QStringLiteral("newRate"));
   rate_->setRange(0.1, 10000.0);
   rate_->setValue(kUsualRate);
   rateLabel_->setBuddy(rate_);
-  calibration_->setObjectName(QStringLiteral("newCalibrationFile"));
-  calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  makeTable();
-  makeRows();
+  list_->addWidget(dropZone_);
+  list_->addWidget(cameras_);
+  connect(dropZone_, &QToolButton::clicked, this, &NewProjectPage::chooseVideos);
+  connect(cameras_, &CameraTable::changed, this, &NewProjectPage::refresh);
+  makeButtons();
+  arrange();
   onRetranslate(this, [this] { retranslateUi(); });
   refresh();
-}
-
-void NewProjectPage::makeTable() {
-  cameras_->setObjectName(QStringLiteral("newCameras"));
-  cameras_->setColumnCount(2);
-  cameras_->verticalHeader()->hide();
-  cameras_->horizontalHeader()->setStretchLastSection(true);
-  cameras_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  cameras_->setTabKeyNavigation(false);
-  connect(cameras_, &QTableWidget::itemSelectionChanged, this, &NewProjectPage::refresh);
-  connect(cameras_, &QTableWidget::itemChanged, this,
-          [this](const QTableWidgetItem* item) { lookAtTyped(*item); });
 }
 
 QPushButton* NewProjectPage::addButton(const char* name, const std::function<void()>& act) {
@@ -81,14 +74,12 @@ QPushButton* NewProjectPage::addButton(const char* name, const std::function<voi
   return button;
 }
 
-void NewProjectPage::makeRows() {
+void NewProjectPage::makeButtons() {
   addVideos_ = addButton("newAddVideos", [this] { chooseVideos(); });
   addFolder_ = addButton("newAddFolder", [this] { chooseFolder(); });
   addDevices_ = addButton("newAddDevices", [this] { addConnectedCameras(); });
-  addAddress_ = addButton("newAddAddress", [this] { addAddress(); });
-  remove_ = addButton("newRemove", [this] { removeRow(); });
-  chooseCalibration_ = addButton("newChooseCalibration", [this] { chooseCalibration(); });
-  dropCalibration_ = addButton("newDropCalibration", [this] { setCalibration({}); });
+  addAddress_ = addButton("newAddAddress", [this] { cameras_->addAddress(); });
+  remove_ = addButton("newRemove", [this] { cameras_->removeSelected(); });
   create_ = addButton("newCreate", [this] { createProject(); });
   create_->setDefault(true);
   cancel_ = addButton("newCancel", [this] {
@@ -98,6 +89,9 @@ void NewProjectPage::makeRows() {
   buttons_->layout()->setSpacing(kSpacing);
   buttons_->addButton(create_, QDialogButtonBox::AcceptRole);
   buttons_->addButton(cancel_, QDialogButtonBox::RejectRole);
+}
+
+void NewProjectPage::arrange() {
   const auto row = [](std::initializer_list<QWidget*> widgets, int stretched) {
     auto* layout = new QHBoxLayout;
     layout->setSpacing(kSpacing);
@@ -113,23 +107,25 @@ void NewProjectPage::makeRows() {
   auto* middle = new QWidget(this);
   middle->setMaximumWidth(kFormWidth);
   auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpacing);
   column->addWidget(title_);
   column->addWidget(lead_);
   column->addSpacing(kSpacing);
   column->addLayout(row({addVideos_, addFolder_, addDevices_, addAddress_, remove_}, -1));
-  column->addWidget(cameras_, 1);
+  column->addWidget(list_, 1);
+  column->addWidget(note_);
   column->addLayout(row({rateLabel_, rate_}, -1));
   column->addSpacing(kSpacing);
-  column->addLayout(
-      row({calibrationLabel_, calibration_, dropCalibration_, chooseCalibration_}, 1));
+  column->addWidget(calibration_);
+  column->addSpacing(kSpacing);
   column->addLayout(row({nameLabel_, name_}, 1));
   column->addSpacing(kSpacing);
   column->addWidget(buttons_);
   auto* all = new QHBoxLayout(this);
-  all->setContentsMargins(32, 32, 32, 24);
+  all->setContentsMargins(32, 24, 32, 24);
   all->addStretch(1);
-  all->addWidget(middle, 10);
+  all->addWidget(middle, 100);
   all->addStretch(1);
 }
 
@@ -139,46 +135,42 @@ void NewProjectPage::retranslateUi() {
     which->setToolTip(hint);
   };
   title_->setText(tr("New project"));
-  lead_->setText(tr("One row per camera. Frame k of all recordings has to show the same instant."));
+  lead_->setText(
+      tr("One row per camera. Videos must be synchronized: frame N shows the same moment "
+         "in all of them."));
   button(addVideos_, tr("Add videos…"), tr("Video files, one per camera"));
   button(addFolder_, tr("Add image folder…"), tr("A folder of images, one per frame"));
   button(addDevices_, tr("Add connected cameras"), tr("All cameras connected to this computer"));
   button(addAddress_, tr("Add address"), tr("A device number or a network stream; type it in"));
   button(remove_, tr("Remove"), tr("Take the chosen cameras out"));
-  button(
-      chooseCalibration_, tr("Choose calibration…"),
-      tr("TOML file with the cameras' calibration; names, or else the order, tell which is whose"));
-  button(dropCalibration_, tr("None"), tr("Go without a calibration file"));
   button(create_, tr("Create"), tr("Make the project and show its first images"));
   button(cancel_, tr("Cancel"), tr("Back without making a project"));
-  calibrationLabel_->setText(tr("Calibration:"));
   nameLabel_->setText(tr("Name:"));
-  name_->setPlaceholderText(tr("as the folder is called"));
+  name_->setPlaceholderText(tr("(folder name)"));
   name_->setToolTip(tr("Name of the project"));
   rateLabel_->setText(tr("Images per second:"));
   rate_->setToolTip(tr("Rate of image folders, 0.1 to 10,000 per second"));
-  cameras_->setHorizontalHeaderLabels({tr("Camera"), tr("Images from")});
+  cameras_->setHorizontalHeaderLabels({tr("Camera"), tr("Images from"), tr("Found")});
   cameras_->setAccessibleName(tr("Cameras of the new project"));
-  setCalibration(calibrationFile_);
+  refresh();
 }
 
 void NewProjectPage::begin(const QStringList& files) {
   // Whichever of them the platform puts first.
-  setTabOrder(dropCalibration_, create_);
+  setTabOrder(calibration_->lastButton(), name_);
+  setTabOrder(name_, create_);
   setTabOrder(create_, cancel_);
   forgetWork();
-  imageFolders_.clear();
-  cameras_->setRowCount(0);
+  cameras_->begin();
   name_->clear();
-  setCalibration({});
+  calibration_->setFile({});
   refresh();
   addFiles(files);
   addVideos_->setFocus();
 }
 
-std::vector<NewProjectPage::Place>
-NewProjectPage::placesOf(const std::vector<std::string>& locations) {
-  std::vector<Place> places;
+std::vector<FootagePlace> NewProjectPage::placesOf(const std::vector<std::string>& locations) {
+  std::vector<FootagePlace> places;
   for (const std::string& location : locations) {
     const QString file = QString::fromStdString(location);
     places.push_back({location, showsImages(location),
@@ -188,8 +180,8 @@ NewProjectPage::placesOf(const std::vector<std::string>& locations) {
   return places;
 }
 
-void NewProjectPage::search(std::function<std::vector<Place>()> look,
-                            std::function<void(const std::vector<Place>&)> found) {
+void NewProjectPage::search(std::function<std::vector<FootagePlace>()> look,
+                            std::function<void(const std::vector<FootagePlace>&)> found) {
   ++underWay_;
   refresh();
   searches_->add([this, look = std::move(look), found = std::move(found)] {
@@ -213,76 +205,32 @@ void NewProjectPage::addFiles(const QStringList& files) {
   std::vector<std::string> footage;
   for (const std::string& name : inNaturalOrder(std::move(names))) {
     const QString file = QString::fromStdString(name);
-    if (file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive)) {
-      setCalibration(file);
+    if (endsAsCalibration(file)) {
+      calibration_->setFile(file);
     } else {
       footage.push_back(name);
     }
   }
   if (!footage.empty()) {
     search([footage] { return placesOf(footage); },
-           [this](const std::vector<Place>& places) { addFootage(places); });
+           [this](const std::vector<FootagePlace>& places) { addFootage(places); });
   }
 }
 
-void NewProjectPage::addFootage(const std::vector<Place>& places) {
+void NewProjectPage::addFootage(const std::vector<FootagePlace>& places) {
   QStringList refused;
-  for (const Place& place : places) {
+  for (const FootagePlace& place : places) {
     const QString file = QString::fromStdString(place.location);
     if (!place.showsImages) {
       refused << QFileInfo(file).fileName();
-    } else if (!isListed(file)) { // dropped twice it is still one camera
-      add(place);
+    } else if (!cameras_->isListed(file)) { // dropped twice it is still one camera
+      cameras_->add(place);
     }
   }
   if (!refused.isEmpty()) {
     Q_EMIT failed(tr("Neither a video, nor images, nor a calibration: %1.")
                       .arg(refused.join(QStringLiteral(", "))));
   }
-}
-
-bool NewProjectPage::isListed(const QString& location) const {
-  const auto found = cameras_->findItems(location, Qt::MatchFixedString | Qt::MatchCaseSensitive);
-  return std::ranges::any_of(found, [](auto* item) { return item->column() == kSource; });
-}
-
-void NewProjectPage::add(const Place& place) {
-  const int row = cameras_->rowCount();
-  const QString location = QString::fromStdString(place.location);
-  if (place.isImages) {
-    imageFolders_.insert(location);
-  }
-  const QSignalBlocker known(cameras_); // nothing was typed
-  cameras_->insertRow(row);
-  const QString name = place.isFile ? QFileInfo(location).completeBaseName()
-                                    : cameraName(std::string(), static_cast<std::size_t>(row));
-  cameras_->setItem(row, kName, new QTableWidgetItem(name));
-  cameras_->setItem(row, kSource, new QTableWidgetItem(location));
-  cameras_->resizeColumnToContents(kName);
-  refresh();
-}
-
-void NewProjectPage::lookAtTyped(const QTableWidgetItem& item) {
-  if (item.column() != kSource) {
-    return;
-  }
-  refresh();
-  searches_->add([this, location = item.text()]() -> std::function<void()> {
-    if (guessedSource(location.toStdString()) != SourceKind::Images) {
-      return {};
-    }
-    return [this, location] {
-      imageFolders_.insert(location);
-      refresh();
-    };
-  });
-}
-
-void NewProjectPage::removeRow() {
-  while (!cameras_->selectedItems().isEmpty()) {
-    cameras_->removeRow(cameras_->selectedItems().front()->row());
-  }
-  refresh();
 }
 
 void NewProjectPage::chooseVideos() {
@@ -296,21 +244,15 @@ void NewProjectPage::chooseFolder() {
   const QString folder = askForFolder(this, tr("Choose a folder of images"));
   if (!folder.isEmpty()) {
     search([folder] { return placesOf({folder.toStdString()}); },
-           [this](const std::vector<Place>& places) { add(places.front()); });
+           [this](const std::vector<FootagePlace>& places) { cameras_->add(places.front()); });
   }
-}
-
-void NewProjectPage::addAddress() {
-  add(Place());
-  const int row = cameras_->rowCount() - 1;
-  cameras_->setCurrentCell(row, kSource);
-  cameras_->editItem(cameras_->item(row, kSource));
 }
 
 void NewProjectPage::addConnectedCameras() {
   search([] { return placesOf(connectedCameras()); },
-         [this](const std::vector<Place>& devices) {
-           std::ranges::for_each(devices, [this](const Place& device) { add(device); });
+         [this](const std::vector<FootagePlace>& devices) {
+           std::ranges::for_each(devices,
+                                 [this](const FootagePlace& device) { cameras_->add(device); });
            if (devices.empty()) {
              Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be "
                               "added by its address."));
@@ -318,46 +260,32 @@ void NewProjectPage::addConnectedCameras() {
          });
 }
 
-void NewProjectPage::chooseCalibration() {
-  const QString file =
-      askForFile(this, tr("Choose a calibration"), tr("Calibrations (*.toml);;All files (*)"));
-  if (!file.isEmpty()) {
-    setCalibration(file);
-  }
-}
-
-void NewProjectPage::setCalibration(const QString& file) {
-  calibrationFile_ = file;
-  calibration_->setText(file.isEmpty() ? tr("none: camera positions will be a guess")
-                                       : QFileInfo(file).fileName());
-  calibration_->setToolTip(file);
-  dropCalibration_->setVisible(!file.isEmpty());
-}
-
 void NewProjectPage::refresh() {
-  bool images = false;
-  for (int row = 0; row < cameras_->rowCount(); ++row) {
-    const QTableWidgetItem* source = cameras_->item(row, kSource);
-    images = images || (source != nullptr && imageFolders_.contains(source->text()));
+  const bool any = cameras_->rowCount() > 0;
+  list_->setCurrentWidget(any ? static_cast<QWidget*>(cameras_) : dropZone_);
+  rateLabel_->setVisible(cameras_->hasImageFolders());
+  rate_->setVisible(cameras_->hasImageFolders());
+  remove_->setEnabled(cameras_->hasSelection());
+  create_->setEnabled(any && underWay_ == 0);
+  const QString note = cameras_->differenceText();
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, holdColor(HoldState::Searching, palette()));
+  note_->setPalette(colors);
+  std::vector<std::string> names;
+  for (const NewCamera& camera : cameras_->cameras()) {
+    names.push_back(camera.name);
   }
-  rateLabel_->setVisible(images);
-  rate_->setVisible(images);
-  remove_->setEnabled(!cameras_->selectedItems().isEmpty());
-  create_->setEnabled(cameras_->rowCount() > 0 && underWay_ == 0);
+  calibration_->setCameras(std::move(names));
 }
 
 NewProject NewProjectPage::wanted() const {
   NewProject wanted;
   wanted.name = name_->text().toStdString();
-  const auto text = [this](int row, Column column) {
-    const QTableWidgetItem* item = cameras_->item(row, column);
-    return item == nullptr ? std::string() : item->text().trimmed().toStdString();
-  };
-  for (int row = 0; row < cameras_->rowCount(); ++row) {
-    wanted.cameras.push_back({.name = text(row, kName), .location = text(row, kSource)});
-  }
-  if (!calibrationFile_.isEmpty()) {
-    wanted.calibration = calibrationFile_.toStdString();
+  wanted.cameras = cameras_->cameras();
+  if (!calibration_->file().isEmpty()) {
+    wanted.calibration = calibration_->file().toStdString();
   }
   wanted.framesPerSecond = rate_->value();
   return wanted;

@@ -2,6 +2,7 @@
 #include "ui/start/recent_projects.h"
 
 #include "ui/preferences/preferences.h"
+#include "ui/start/project_thumbnails.h"
 
 #include <QFileInfo>
 
@@ -10,15 +11,31 @@ namespace dewpoint::ui {
 RecentProjects::RecentProjects(QObject* parent)
     : QObject(parent), exists_([](const QString& file) { return QFileInfo::exists(file); }) {}
 
+std::vector<RecentProject> RecentProjects::all() const {
+  std::vector<RecentProject> all;
+  for (const QString& file : Preferences().recentProjects()) {
+    const auto known = known_.find(file);
+    all.push_back(known == known_.end() ? RecentProject{.file = file} : known->second);
+  }
+  return all;
+}
+
 QStringList RecentProjects::files() const {
-  QStringList files = Preferences().recentProjects();
-  files.removeIf([this](const QString& file) { return missing_.contains(file); });
+  QStringList files;
+  for (const RecentProject& project : all()) {
+    if (!project.isMissing) {
+      files << project.file;
+    }
+  }
   return files;
 }
 
 void RecentProjects::add(const QString& file) {
   Preferences().addRecentProject(file);
-  missing_.remove(Preferences().recentProjects().value(0));
+  if (const auto known = known_.find(Preferences().recentProjects().value(0));
+      known != known_.end()) {
+    known->second.isMissing = false;
+  }
   Q_EMIT changed();
 }
 
@@ -33,19 +50,23 @@ void RecentProjects::checkFiles() {
     return;
   }
   checking_.start([this, files, exists = exists_](const BackgroundJob::Progress&) {
-    QSet<QString> missing;
+    Known known;
     for (const QString& file : files) {
-      if (!exists(file)) {
-        missing.insert(file);
+      RecentProject& project = known[file];
+      project.file = file;
+      project.isMissing = !exists(file);
+      if (!project.isMissing) {
+        project.changed = QFileInfo(file).lastModified();
       }
+      project.thumbnail = ProjectThumbnails::read(file);
     }
-    return [this, missing] { applyResult(missing); };
+    return [this, known] { applyResult(known); };
   });
 }
 
-void RecentProjects::applyResult(const QSet<QString>& missing) {
-  if (missing != missing_) {
-    missing_ = missing;
+void RecentProjects::applyResult(const Known& known) {
+  if (known != known_) {
+    known_ = known;
     Q_EMIT changed();
   }
 }

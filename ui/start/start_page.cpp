@@ -1,147 +1,207 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/start_page.h"
 
+#include "ui/start/card_grid.h"
+#include "ui/start/gallery_card.h"
+#include "ui/start/recent_list.h"
 #include "ui/start/recent_projects.h"
-#include "ui/style/symbolic_icon.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/page_title.h"
 
-#include <QEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QToolButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <array>
 
 namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kPageWidth = 760;
-constexpr QSize kChoice(168, 128);
-constexpr int kIcon = 40;
+// Pixels; chosen on the rhythm of the spacing.
+constexpr int kWidestPage = 1280;
+constexpr int kPageMargin = 32;
+constexpr int kColumnGap = 32;
+constexpr int kPartGap = 16;
+constexpr int kOwnWidth = 232; ///< at least
 
-enum Choice { kDemo, kVideos, kCameras, kProject };
+/// A card of the gallery: the scene it opens, and its texts.
+struct GalleryEntry {
+  const char* card;    ///< object name
+  const char* scene;   ///< name of the built-in scene; empty: the demo
+  const char* picture; ///< in the resources
+  bool calibrate;
+  const char* title;
+  const char* line;
+};
+constexpr std::array kGallery = std::to_array<GalleryEntry>({
+    {"startConverge", "converge", "converge", false,
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Watch it converge"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
+                       "A cloud of guesses slides along a line of sight and snaps onto the ball.")},
+    {"startOccluder", "occluder", "occluder", false,
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Hidden for a second"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
+                       "A box passes in front of the ball. One camera is enough to keep it.")},
+    {"startLookAlikes", "look-alikes", "look-alikes", false,
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Three balls alike"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
+                       "Three more balls of the same color lie around. Only one moves.")},
+    {"startOffice", "office", "office", false,
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "People in an office"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
+                       "Four cameras carve everybody out of space, and give each a number.")},
+    {"startOneCamera", "one-camera", "one-camera", false,
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "One camera and a box"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
+                       "No calibration: a box in the image is followed by its colors.")},
+    {"startCalibrate", "", "calibrate", true,
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Calibrate by hand"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
+                       "Drag a grid over the images until it lies on the floor.")},
+});
 
 } // namespace
 
 StartPage::StartPage(RecentProjects& recent, QWidget* parent)
-    : QWidget(parent), projects_(recent), title_(new QLabel(this)), lead_(new QLabel(this)),
-      choices_(new QWidget(this)), recentTitle_(new QLabel(this)), recent_(new QListWidget(this)),
-      hint_(new QLabel(this)) {
+    : QWidget(parent), projects_(recent), page_(new QWidget), title_(new QLabel(page_)),
+      lead_(new QLabel(page_)),
+      demo_(new GalleryCard("startDemo", GalleryCard::Form::Large, page_)),
+      gallery_(new CardGrid(page_)), ownTitle_(makePageTitle(page_)),
+      videos_(new GalleryCard("startVideos", GalleryCard::Form::Row, page_)),
+      cameras_(new GalleryCard("startCameras", GalleryCard::Form::Row, page_)),
+      open_(new GalleryCard("startProject", GalleryCard::Form::Row, page_)),
+      recentTitle_(makePageTitle(page_)), recent_(new RecentList(recent, page_)),
+      hint_(new QLabel(page_)) {
   setObjectName(QStringLiteral("startPage"));
   QFont big = title_->font();
-  big.setPointSizeF(big.pointSizeF() * 2.2);
+  big.setPointSizeF(big.pointSizeF() * 2.0);
   big.setWeight(QFont::DemiBold);
   title_->setFont(big);
+  lead_->setWordWrap(true);
   hint_->setWordWrap(true);
   hint_->setForegroundRole(QPalette::PlaceholderText);
-  auto* row = new QHBoxLayout(choices_);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(16);
-  connect(addChoice("startDemo", QStringLiteral("play")), &QToolButton::clicked, this,
-          &StartPage::demoWanted);
-  connect(addChoice("startVideos", QStringLiteral("video")), &QToolButton::clicked, this,
-          &StartPage::videosWanted);
-  connect(addChoice("startCameras", QStringLiteral("camera")), &QToolButton::clicked, this,
-          &StartPage::camerasWanted);
-  connect(addChoice("startProject", QStringLiteral("open")), &QToolButton::clicked, this,
-          [this] { Q_EMIT projectWanted({}); });
-  recent_->setObjectName(QStringLiteral("startRecent"));
-  recent_->setFrameShape(QFrame::NoFrame);
-  connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-    Q_EMIT projectWanted(item->data(Qt::UserRole).toString());
-  });
-  connect(&projects_, &RecentProjects::changed, this, &StartPage::list);
-  connect(recent_, &QListWidget::itemClicked, recent_, &QListWidget::itemActivated);
-
-  auto* middle = new QWidget(this);
-  middle->setMaximumWidth(kPageWidth);
-  auto* column = new QVBoxLayout(middle);
-  column->setSpacing(16);
-  column->addWidget(title_);
-  column->addWidget(lead_);
-  column->addSpacing(8);
-  column->addWidget(choices_);
-  column->addSpacing(8);
-  column->addWidget(recentTitle_);
-  column->addWidget(recent_, 4);
-  column->addWidget(hint_);
-  column->addStretch(1);
-  auto* all = new QHBoxLayout(this);
-  all->setContentsMargins(32, 48, 32, 32);
-  all->addStretch(1);
-  all->addWidget(middle, 8);
-  all->addStretch(1);
+  makeScenes();
+  makeOwn();
+  arrange();
   onRetranslate(this, [this] { retranslateUi(); });
-  drawIcons();
   refresh();
 }
 
-QToolButton* StartPage::addChoice(const char* name, const QString& icon) {
-  auto* button = new QToolButton(choices_);
-  button->setObjectName(QLatin1String(name));
-  button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-  button->setIconSize({kIcon, kIcon});
-  button->setFixedSize(kChoice);
-  button->setFocusPolicy(Qt::StrongFocus);
-  choices_->layout()->addWidget(button);
-  buttons_.emplace_back(button, icon);
-  return button;
+void StartPage::makeScenes() {
+  const auto opens = [this](GalleryCard* card, const QString& scene, bool calibrate) {
+    connect(card, &QToolButton::clicked, this, [this, card, scene, calibrate] {
+      pressed_ = card;
+      Q_EMIT sceneWanted(scene, calibrate);
+    });
+  };
+  demo_->setPicture(QStringLiteral("demo"));
+  opens(demo_, {}, false);
+  for (const GalleryEntry& entry : kGallery) {
+    auto* card = new GalleryCard(entry.card, GalleryCard::Form::Tile, gallery_);
+    card->setPicture(QLatin1String(entry.picture));
+    opens(card, QLatin1String(entry.scene), entry.calibrate);
+    gallery_->add(card);
+    scenes_.push_back(card);
+  }
+}
+
+void StartPage::makeOwn() {
+  videos_->setSymbol(QStringLiteral("video"));
+  cameras_->setSymbol(QStringLiteral("camera"));
+  open_->setSymbol(QStringLiteral("open"));
+  connect(videos_, &QToolButton::clicked, this, &StartPage::videosWanted);
+  connect(cameras_, &QToolButton::clicked, this, &StartPage::camerasWanted);
+  connect(open_, &QToolButton::clicked, this, [this] { Q_EMIT projectWanted({}); });
+  connect(recent_, &RecentList::wanted, this, &StartPage::projectWanted);
+  connect(&projects_, &RecentProjects::changed, this, &StartPage::showRecentTitle);
+  showRecentTitle();
+}
+
+void StartPage::arrange() {
+  auto* left = new QVBoxLayout;
+  left->setSpacing(kPartGap);
+  left->addWidget(demo_);
+  left->addWidget(gallery_);
+  left->addStretch(1);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(8);
+  right->addWidget(ownTitle_);
+  right->addWidget(videos_);
+  right->addWidget(cameras_);
+  right->addWidget(open_);
+  right->addWidget(hint_);
+  right->addSpacing(kPartGap);
+  right->addWidget(recentTitle_);
+  right->addWidget(recent_);
+  right->addStretch(1);
+  videos_->setMinimumWidth(kOwnWidth);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(kColumnGap);
+  columns->addLayout(left, 3);
+  columns->addLayout(right, 1);
+  auto* middle = new QWidget(page_);
+  middle->setMaximumWidth(kWidestPage);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(title_);
+  column->addSpacing(4);
+  column->addWidget(lead_);
+  column->addSpacing(kPartGap);
+  column->addLayout(columns, 1);
+  auto* all = new QHBoxLayout(page_);
+  all->setContentsMargins(kPageMargin, 24, kPageMargin, 24);
+  all->addStretch(1);
+  all->addWidget(middle, 100);
+  all->addStretch(1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(page_);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll);
 }
 
 void StartPage::retranslateUi() {
   title_->setText(tr("Dewpoint"));
-  lead_->setText(tr("Follow colored things in 3D with ordinary cameras."));
-  const auto name = [this](Choice choice, const QString& text, const QString& hint) {
-    QToolButton* button = buttons_[choice].first;
-    button->setText(text);
-    button->setToolTip(hint);
-    button->setAccessibleName(text);
-    button->setAccessibleDescription(hint);
-  };
-  name(kDemo, tr("Try the demo"), tr("Two simulated cameras follow a moving ball"));
-  name(kVideos, tr("Open videos"), tr("Make a project from recorded videos, one per camera"));
-  name(kCameras, tr("Cameras"), tr("Make a project from connected cameras or network streams"));
-  name(kProject, tr("Open project"), tr("Open a project that was saved before"));
+  lead_->setText(tr("Follow colored objects in 3D with ordinary cameras."));
+  demo_->setTexts(tr("Try the demo"),
+                  tr("Two simulated cameras see a pink ball; a particle filter finds it and "
+                     "follows it through space. Pause, look back, change everything: nothing "
+                     "can break."));
+  for (std::size_t k = 0; k < scenes_.size(); ++k) {
+    scenes_[k]->setTexts(tr(kGallery[k].title), tr(kGallery[k].line));
+  }
+  ownTitle_->setText(tr("Your own"));
+  videos_->setTexts(tr("Open videos…"), tr("One recording per camera"));
+  cameras_->setTexts(tr("Use cameras…"), tr("Connected ones, or network streams"));
+  open_->setTexts(tr("Open a project…"), tr("One that was saved before"));
+  hint_->setText(tr("You can also drop a project or videos onto this window."));
   recentTitle_->setText(tr("Recent projects"));
   recent_->setAccessibleName(tr("Recent projects"));
-  hint_->setText(tr("You can also drop a project or videos onto this window."));
+}
+
+void StartPage::showRecentTitle() {
+  recentTitle_->setVisible(!projects_.all().empty());
 }
 
 void StartPage::refresh() {
-  list();
+  recent_->fill();
+  showRecentTitle();
   projects_.checkFiles();
 }
 
-void StartPage::list() {
-  const QListWidgetItem* now = recent_->currentItem();
-  const QString chosen = now == nullptr ? QString() : now->data(Qt::UserRole).toString();
-  recent_->clear();
-  for (const QString& file : projects_.files()) {
-    const QFileInfo info(file);
-    auto* item = new QListWidgetItem(
-        QStringLiteral("%1   –   %2").arg(info.completeBaseName(), info.absolutePath()), recent_);
-    item->setData(Qt::UserRole, file);
-    item->setToolTip(file);
-    if (file == chosen) {
-      recent_->setCurrentItem(item);
-    }
+void StartPage::setOpening(bool opening) {
+  if (pressed_ != nullptr) {
+    pressed_->setBusy(opening);
   }
-  recentTitle_->setVisible(recent_->count() > 0);
-  recent_->setVisible(recent_->count() > 0);
-}
-
-void StartPage::drawIcons() {
-  for (const auto& [button, icon] : buttons_) {
-    button->setIcon(symbolicIcon(icon, palette()));
-  }
-}
-
-void StartPage::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    drawIcons();
+  if (!opening) {
+    pressed_ = nullptr;
   }
 }
 

@@ -5,15 +5,19 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QLabel;
-class QListWidget;
-class QToolButton;
 
 namespace dewpoint::ui {
 
+class CardGrid;
+class GalleryCard;
+class RecentList;
 class RecentProjects;
 
-/// What the user sees while no project is open: the ways to begin, and where they were last.
+/// What the user sees while no project is open: a gallery of scenes to try, the ways to begin with
+/// videos and cameras of one's own, and what was open last.
 class StartPage : public QWidget {
   Q_OBJECT
 public:
@@ -21,30 +25,39 @@ public:
 
   /// Reads the list of recent projects again, and finds out which of them are still there.
   void refresh();
+  /// Whether something is being opened: the card that was pressed says so.
+  void setOpening(bool opening);
 
 Q_SIGNALS:
-  void demoWanted();
+  /// The built-in scene with this name (empty: the demo); `calibrate`: with its calibration by hand
+  /// open.
+  void sceneWanted(const QString& name, bool calibrate);
   void videosWanted();
   void camerasWanted();
   void projectWanted(const QString& file); ///< empty: to be chosen
 
-protected:
-  void changeEvent(QEvent* event) override;
-
 private:
-  QToolButton* addChoice(const char* name, const QString& icon);
+  void makeScenes();
+  void makeOwn();
+  void arrange();
   void retranslateUi();
-  void drawIcons();
-  void list();
+  void showRecentTitle();
 
   RecentProjects& projects_;
+  QWidget* page_; ///< what is scrolled
   QLabel* title_;
   QLabel* lead_;
-  QWidget* choices_;
-  std::vector<std::pair<QToolButton*, QString>> buttons_;
+  GalleryCard* demo_;
+  CardGrid* gallery_;
+  std::vector<GalleryCard*> scenes_; ///< of the gallery, in the order of kGallery
+  QLabel* ownTitle_;
+  GalleryCard* videos_;
+  GalleryCard* cameras_;
+  GalleryCard* open_;
   QLabel* recentTitle_;
-  QListWidget* recent_;
+  RecentList* recent_;
   QLabel* hint_;
+  GalleryCard* pressed_ = nullptr; ///< the card that was pressed last
 };
 
 } // namespace dewpoint::ui

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "ui/document/document.h"
 #include "ui/session/session_controller.h"
+#include "ui/widgets/dock_title.h"
 #include "ui/workbench/dock_names.h"
 
 #include <QKeyEvent>

@@ -4,6 +4,7 @@
 #include "core/calibration/formats/format_catalog.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
+#include "ui/text/calibration_files.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 #include "ui/widgets/file_choice.h"
@@ -18,8 +19,6 @@
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVariant>
-
-#include <set>
 
 namespace dewpoint::ui {
 namespace {
@@ -68,31 +67,9 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, const Camer
   begin();
 }
 
-QString CalibrationImportDialog::fileFilter() {
-  std::set<QString> endings;
-  QStringList filters;
-  for (const CalibrationFormat& format : calibrationFormats()) {
-    QString ending = QStringLiteral("*") + QLatin1String(format.extension);
-    endings.insert(ending);
-    if (ending == QLatin1String("*.yaml") || ending == QLatin1String("*.yml")) {
-      ending = QStringLiteral("*.yaml *.yml");
-      endings.insert(QStringLiteral("*.yml"));
-      endings.insert(QStringLiteral("*.yaml"));
-    }
-    filters << QStringLiteral("%1 (%2)").arg(QString::fromUtf8(format.title), ending);
-  }
-  QStringList all;
-  for (const QString& ending : endings) {
-    all << ending;
-  }
-  filters.prepend(tr("Calibrations") + QStringLiteral(" (%1)").arg(all.join(QLatin1Char(' '))));
-  filters << tr("All files") + QStringLiteral(" (*)");
-  return filters.join(QStringLiteral(";;"));
-}
-
 void CalibrationImportDialog::chooseFile() {
-  const QString chosen = QFileDialog::getOpenFileName(this, tr("Import a calibration"),
-                                                      QFileInfo(file()).path(), fileFilter());
+  const QString chosen = QFileDialog::getOpenFileName(
+      this, tr("Import a calibration"), QFileInfo(file()).path(), calibrationFileFilter());
   if (!chosen.isEmpty()) {
     setFile(chosen);
   }

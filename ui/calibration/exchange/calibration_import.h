@@ -20,8 +20,6 @@ public:
   CalibrationImportDialog(Document& document, const CameraListModel& cameras,
                           QWidget* parent = nullptr);
 
-  /// For a dialog that chooses a file: every dialect by its name and ending.
-  static QString fileFilter();
   void chooseFile() override;
 
 protected:

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace dewpoint::ui {
+
+class GalleryCard;
+
+/// Cards in rows of equal ones, as many beside each other as there is room for.
+class CardGrid : public QWidget {
+public:
+  explicit CardGrid(QWidget* parent = nullptr);
+
+  /// Becomes its parent.
+  void add(GalleryCard* card);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+
+protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  int columns(int width) const;
+  QSize cardSize(int width) const;
+  void arrange();
+
+  std::vector<GalleryCard*> cards_;
+};
+
+} // namespace dewpoint::ui

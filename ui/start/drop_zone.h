@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QToolButton>
+
+namespace dewpoint::ui {
+
+/// Says where videos can be dropped while there are none yet; pressed, it asks for some. The window
+/// takes what is dropped.
+class DropZone : public QToolButton {
+  Q_OBJECT
+public:
+  explicit DropZone(QWidget* parent = nullptr);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void retranslateUi();
+
+  QString line_;
+};
+
+} // namespace dewpoint::ui

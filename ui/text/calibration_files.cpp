@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/calibration_files.h"
+
+#include "core/calibration/formats/format_catalog.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <set>
+
+namespace dewpoint::ui {
+
+namespace {
+
+/// The endings of a format, with their dots: YAML has two.
+QStringList endingsOf(const CalibrationFormat& format) {
+  const QString ending = QLatin1String(format.extension);
+  return ending == QLatin1String(".yaml") || ending == QLatin1String(".yml")
+             ? QStringList{QStringLiteral(".yaml"), QStringLiteral(".yml")}
+             : QStringList{ending};
+}
+
+QString patterns(const QStringList& endings) {
+  QStringList patterns;
+  std::ranges::transform(endings, std::back_inserter(patterns),
+                         [](const QString& ending) { return QLatin1Char('*') + ending; });
+  return patterns.join(QLatin1Char(' '));
+}
+
+} // namespace
+
+QString calibrationFileFilter() {
+  std::set<QString> all;
+  QStringList rows;
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    const QStringList endings = endingsOf(format);
+    all.insert(endings.begin(), endings.end());
+    rows << QStringLiteral("%1 (%2)").arg(QString::fromUtf8(format.title), patterns(endings));
+  }
+  rows.prepend(QCoreApplication::translate("CalibrationFiles", "Calibrations (%1)")
+                   .arg(patterns(QStringList(all.begin(), all.end()))));
+  rows << QCoreApplication::translate("CalibrationFiles", "All files (*)");
+  return rows.join(QStringLiteral(";;"));
+}
+
+QString calibrationFormatTitles() {
+  QStringList titles;
+  for (const CalibrationFormat& format : calibrationFormats()) {
+    titles << QString::fromUtf8(format.title);
+  }
+  return titles.join(QStringLiteral(", "));
+}
+
+bool endsAsCalibration(const QString& file) {
+  return std::ranges::any_of(calibrationFormats(), [&](const CalibrationFormat& format) {
+    return std::ranges::any_of(endingsOf(format), [&](const QString& ending) {
+      return file.endsWith(ending, Qt::CaseInsensitive);
+    });
+  });
+}
+
+} // namespace dewpoint::ui
