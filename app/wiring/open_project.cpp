@@ -187,7 +187,7 @@ Trajectory truthOfScene(const Scene& scene) {
   return truth;
 }
 
-Result<Project> resolveProject(const std::string& nameOrFile) {
+Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& moved) {
   const std::string name = nameOrFile.empty() ? "demo" : nameOrFile;
   std::error_code problem;
   const bool isFile = std::filesystem::is_regular_file(name, problem); // a folder is no project
@@ -198,7 +198,7 @@ Result<Project> resolveProject(const std::string& nameOrFile) {
   if (std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end() && !isFile) {
     return sceneNamed(name).map([&](const Scene& scene) { return projectOfScene(scene, name); });
   }
-  auto project = loadProject(name);
+  auto project = loadProject(name, moved);
   if (project && !project->scene.empty()) {
     if (auto filled = fillFromNamedScene(*project); !filled) {
       return tl::make_unexpected(filled.error());
@@ -265,7 +265,7 @@ Result<SessionInputs> openProject(const SessionRequest& request) {
     const auto filled = project.scene.empty() ? Status() : fillFromNamedScene(project);
     return filled.and_then([&] { return openInputs(std::move(project)); });
   }
-  return resolveProject(request.file.string()).and_then([](Project project) {
+  return resolveProject(request.file.string(), request.moved).and_then([](Project project) {
     return openInputs(std::move(project));
   });
 }

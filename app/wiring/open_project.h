@@ -18,8 +18,8 @@ Project projectOfScene(const Scene& scene, const std::string& sceneName);
 Trajectory truthOfScene(const Scene& scene);
 
 /// A project file, or the name of a built-in scene ("demo", the default when empty). Cameras of a
-/// simulated project are filled in from its scene.
-Result<Project> resolveProject(const std::string& nameOrFile);
+/// simulated project are filled in from its scene. `moved` as of loadProject().
+Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& moved = {});
 
 /// Opens the sources of a resolved project, and its truth where it is known.
 Result<SessionInputs> openInputs(Project project);

@@ -31,6 +31,10 @@ constexpr double kSpeck = 1.0 / 5000.0;
 constexpr double kLow = 0.4;             ///< F1 score, or share of the target
 constexpr double kDistinguishable = 3.0; ///< colorDistance()
 constexpr double kOneObject = 0.5;       ///< of all that matches beside the target
+/// How much larger or smaller the area of an object is that may be the target's like: it may stand
+/// nearer or farther away. Chosen.
+constexpr double kAlikeFactor = 3.0;
+constexpr int kMostAlike = 6; ///< of more nobody follows each. Chosen
 
 template <class Third> Third third(double at, double size) {
   return static_cast<Third>(std::clamp(static_cast<int>(3.0 * at / size), 0, 2));
@@ -91,6 +95,28 @@ void addRegions(int camera, const cv::Mat& image, const cv::Mat& targetMask,
   }
 }
 
+/// Whether nobody could tell this from the target.
+bool isAlike(const FoundRegion& region, const ColorEvidence& evidence) {
+  return region.area < kAlikeFactor * evidence.targetArea &&
+         kAlikeFactor * region.area > evidence.targetArea &&
+         colorDistance(region.color, evidence.typicalColor) <= kDistinguishable;
+}
+
+/// As ColorAssessment::alike; only images in which the target is told from the rest count.
+int countAlike(const ColorEvidence& evidence, const std::vector<FoundRegion>& found) {
+  int most = 0;
+  for (std::size_t camera = 0; camera < evidence.targetMasks.size(); ++camera) {
+    const cv::Mat& mask = evidence.targetMasks[camera];
+    const auto count = std::ranges::count_if(found, [&](const FoundRegion& region) {
+      return region.region.camera == static_cast<int>(camera) && isAlike(region, evidence);
+    });
+    if (count > most && cv::countNonZero(mask) > 0) {
+      most = static_cast<int>(count);
+    }
+  }
+  return 1 + most;
+}
+
 Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence& evidence,
                          const std::vector<FoundRegion>& found) {
   const BgrColor& color = evidence.typicalColor;
@@ -121,8 +147,13 @@ Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence&
     return Suggestion::UseStrongerColor;
   }
   double all = 0.0;
+  double alike = 0.0;
   for (const FoundRegion& region : found) {
     all += region.area;
+    alike += isAlike(region, evidence) ? region.area : 0.0;
+  }
+  if (assessment.alike > 1 && assessment.alike <= kMostAlike && alike > kOneObject * all) {
+    return Suggestion::FollowAll;
   }
   if (!found.empty() && found.front().area > kOneObject * all) {
     return colorDistance(found.front().color, color) > kDistinguishable
@@ -186,6 +217,7 @@ ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evid
     }
   }
   std::ranges::stable_sort(found, std::greater(), &FoundRegion::area);
+  assessment.alike = countAlike(evidence, found);
   assessment.suggestion = suggestionFor(assessment, evidence, found);
   found.resize(std::min(found.size(), ColorAssessment::kMostDistractors));
   for (FoundRegion& region : found) {

@@ -58,6 +58,7 @@ enum class Suggestion : std::uint8_t {
   LessExposure,      ///< the target is nearly white: its color is lost
   UseStrongerColor,  ///< the target is nearly gray
   UseAnotherColor,   ///< several objects in the room have this color
+  FollowAll,         ///< a few objects of this color and size: each may be a target (`alike`)
   ClickObjectItself, ///< what was clicked fills much of an image: a wall, not an object
   ClickMore,         ///< what was clicked is a speck, of which little matches
 };
@@ -75,6 +76,8 @@ struct ColorAssessment {
   /// of it would cost more than it wins. Nothing while missesTarget() is false.
   std::optional<double> backgroundShareOfWhole;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
+  /// Objects of the target's color and about its size in one image, the target among them.
+  int alike = 1;
   /// A sample hardly matches what was found for all.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;

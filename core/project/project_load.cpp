@@ -9,14 +9,13 @@
 #include "core/project/project_corrections.h"
 #include "core/project/project_format.h"
 #include "core/project/project_migration.h"
+#include "core/project/project_paths.h"
 #include "core/project/project_people.h"
 #include "core/project/project_room.h"
 #include "core/project/project_targets.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people_state.h"
 
-#include <cstdlib>
-#include <cstring>
 #include <iterator>
 
 namespace dewpoint::project {
@@ -24,25 +23,17 @@ namespace {
 
 using std::filesystem::path;
 
-/// `${NAME}` replaced by the environment variable of that name.
-std::string expanded(TableReader& reader, const char* key, std::string text) {
-  for (auto begin = text.find("${"); begin != std::string::npos; begin = text.find("${", begin)) {
-    const auto end = text.find('}', begin);
-    const std::string name =
-        text.substr(begin + 2, end == std::string::npos ? end : end - begin - 2);
-    const char* value = end == std::string::npos ? nullptr : std::getenv(name.c_str());
-    if (value == nullptr) {
-      reader.fail(ErrorCode::BadValue, key, "the environment variable " + name + " is not set");
-      return text;
-    }
-    text.replace(begin, end - begin + 1, value);
-    begin += std::strlen(value); // what it stands for is not expanded again
+/// The text with its variables replaced.
+std::string expanded(TableReader& reader, const char* key, const std::string& text) {
+  const auto found = withVariables(text);
+  if (!found) {
+    reader.fail(found.error().code, key, found.error().detail);
   }
-  return text;
+  return found.value_or(text);
 }
 
-/// A path of the file, absolute; relative ones count from the project's folder.
-path readPath(TableReader& reader, const char* key, const path& folder) {
+/// A path of the file, absolute.
+path readPath(TableReader& reader, const char* key, const ProjectPlace& place) {
   std::string text;
   reader.text(key, text);
   if (text.empty()) {
@@ -51,11 +42,11 @@ path readPath(TableReader& reader, const char* key, const path& folder) {
     }
     return {};
   }
-  return (folder / expanded(reader, key, text)).lexically_normal();
+  return place.pathOf(expanded(reader, key, text));
 }
 
 /// Where the images come from: exactly one of the source keys.
-void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) {
+void readSource(TableReader& reader, const ProjectPlace& place, ProjectCamera& camera) {
   const bool hasVideo = reader.has("video");
   int sources = 0;
   for (const auto& [key, kind] : kSourceKeys) {
@@ -65,7 +56,7 @@ void readSource(TableReader& reader, const path& folder, ProjectCamera& camera) 
     ++sources;
     camera.source = kind;
     if (kind == SourceKind::Video || kind == SourceKind::Images) {
-      camera.location = readPath(reader, key, folder).string();
+      camera.location = readPath(reader, key, place).string();
     } else {
       reader.text(key, camera.location);
       camera.location = expanded(reader, key, camera.location);
@@ -90,9 +81,10 @@ bool hasSource(const toml::table& camera) {
                              [&](const auto& key) { return camera.contains(key.first); });
 }
 
-ProjectCamera readCamera(const toml::table& table, const std::string& file, const path& folder,
-                         std::size_t index, bool ofScene, const CameraRig& calibrated,
-                         bool withoutCalibration, std::optional<Error>& error) {
+ProjectCamera readCamera(const toml::table& table, const std::string& file,
+                         const ProjectPlace& place, std::size_t index, bool ofScene,
+                         const CameraRig& calibrated, bool withoutCalibration,
+                         std::optional<Error>& error) {
   const std::string prefix = fmt::format("camera {}.", index + 1);
   TableReader reader(table, file, prefix);
   ProjectCamera camera;
@@ -102,9 +94,9 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file, cons
   if (ofScene) {
     camera.adjusted = true; // its images are the scene's
   } else {
-    readSource(reader, folder, camera);
+    readSource(reader, place, camera);
   }
-  camera.emptyRoom = readPath(reader, "empty_room", folder).string();
+  camera.emptyRoom = readPath(reader, "empty_room", place).string();
   if (const toml::table* calibration = reader.table("calibration")) {
     auto read = cameraFromToml(*calibration, file, prefix + "calibration.");
     if (read) {
@@ -146,7 +138,7 @@ void readParameters(const toml::table& table, const std::string& file, Project& 
   }
 }
 
-void readHead(TableReader& reader, const path& folder, Project& project) {
+void readHead(TableReader& reader, const ProjectPlace& place, Project& project) {
   std::int64_t format = kProjectFormat;
   reader.require("format");
   reader.integer("format", format, 1, std::int64_t{1} << 30);
@@ -164,17 +156,17 @@ void readHead(TableReader& reader, const path& folder, Project& project) {
   }
   reader.integer("seed", project.seed, 0, std::numeric_limits<std::int64_t>::max());
   reader.number("frames_per_second", project.framesPerSecond, 0.0, 100000.0);
-  if (const path truth = readPath(reader, "truth", folder); !truth.empty()) {
+  if (const path truth = readPath(reader, "truth", place); !truth.empty()) {
     project.truth = truth;
   }
   reader.text("scene", project.scene);
   if (project.scene.ends_with(".toml")) {
-    project.scene = readPath(reader, "scene", folder).string();
+    project.scene = readPath(reader, "scene", place).string();
   }
 }
 
-CameraRig readCalibrationFile(TableReader& reader, const path& folder) {
-  const path file = readPath(reader, "calibration", folder);
+CameraRig readCalibrationFile(TableReader& reader, const ProjectPlace& place) {
+  const path file = readPath(reader, "calibration", place);
   if (file.empty()) {
     return {};
   }
@@ -186,9 +178,9 @@ CameraRig readCalibrationFile(TableReader& reader, const path& folder) {
   return std::move(*rig);
 }
 
-void readParts(TableReader& reader, const std::string& file, Project& project) {
-  const path folder = project.file.parent_path();
-  const CameraRig calibrated = readCalibrationFile(reader, folder);
+void readParts(TableReader& reader, const std::string& file, const ProjectPlace& place,
+               Project& project) {
+  const CameraRig calibrated = readCalibrationFile(reader, place);
   project.parameters = ParameterValues(methodParameters(project.method));
   std::optional<Error> error;
   if (const toml::table* parameters = reader.table("parameters");
@@ -201,7 +193,7 @@ void readParts(TableReader& reader, const std::string& file, Project& project) {
     reader.recordError(error);
   }
   for (const toml::table* table : reader.tables("camera")) {
-    project.cameras.push_back(readCamera(*table, file, folder, project.cameras.size(),
+    project.cameras.push_back(readCamera(*table, file, place, project.cameras.size(),
                                          !project.scene.empty() && !hasSource(*table), calibrated,
                                          !methodFamily(project.method).needsCalibration, error));
     reader.recordError(error);
@@ -230,7 +222,7 @@ void readWindow(TableReader& reader, const std::string& file, Project& project) 
 
 } // namespace
 
-Result<Project> loadProject(const std::filesystem::path& file) {
+Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles& moved) {
   auto table = readTomlFile(file);
   if (!table) {
     return tl::make_unexpected(table.error());
@@ -244,8 +236,9 @@ Result<Project> loadProject(const std::filesystem::path& file) {
   project.file = std::filesystem::absolute(file);
   project.name = file.stem().string();
   TableReader reader(*table, file.string(), "");
-  readHead(reader, project.file.parent_path(), project);
-  readParts(reader, file.string(), project);
+  const ProjectPlace place{project.file.parent_path(), moved};
+  readHead(reader, place, project);
+  readParts(reader, file.string(), place, project);
   readMarkers(reader, file.string(), project);
   readRoom(reader, file.string(), project);
   readPeople(reader, file.string(), project);

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/project/moved_files.h"
 #include "core/project/project.h"
 
 #include <filesystem>
 
 namespace dewpoint::project {
 
-/// Reads and checks a project file (TOML). The error names the file and the key.
-Result<Project> loadProject(const std::filesystem::path& file);
+/// Reads and checks a project file (TOML); `moved`: where some of the files it names are by now.
+/// The error names the file and the key.
+Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles& moved = {});
 
 } // namespace dewpoint::project

@@ -54,6 +54,9 @@ struct BackToHead {};
 /// stops it.
 struct Rerun {
   std::int64_t from = 0;
+  /// The frame that is shown stays shown: of the frames that are tracked meanwhile none is
+  /// published, unless it takes longer than a moment.
+  bool keepsView = false;
 };
 /// Likelihood maps (TargetSnapshot::maps).
 struct ShowMaps {

@@ -135,6 +135,7 @@ void Playback::rerun(const RerunState& range, std::optional<std::int64_t> thenVi
     next.thenView = thenView ? thenView : underWay->thenView;
   }
   state_ = next;
+  missing_ = Missing::Nothing; // of a snapshot that is over
   leaveHead(range.from);
 }
 

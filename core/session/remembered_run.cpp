@@ -61,6 +61,18 @@ void RememberedRun::change(const RunChange& said) {
   travel_->changed(*run_, said);
 }
 
+Status RememberedRun::goBack(std::int64_t frame, bool isLive) {
+  const History& history = travel_->history();
+  const History::Checkpoint* copy = history.checkpointFor(frame);
+  const bool knewNothing = history.before(frame) == nullptr &&
+                           (copy != nullptr ? copy->state.iterations == 0 : frame == 0);
+  if (knewNothing && !isLive) { // live: what was there before may be forgotten
+    return replace(*definition_, 0).map([this] { travel_->forgetCopies(); });
+  }
+  const auto reached = travel_->goBack(*run_, frame, [] { return true; });
+  return reached ? Status() : Status(tl::make_unexpected(reached.error()));
+}
+
 void RememberedRun::catchUp() {
   if (const RunDefinitionPtr then = run_->definition(); *then != *definition_) {
     run_->apply(definition_);

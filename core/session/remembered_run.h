@@ -48,6 +48,10 @@ public:
   bool change(RunDefinition wanted);
   /// A correction in the frame the run stands at, of its people or of a position.
   void change(const RunChange& said);
+  /// Makes the run what it was right before it began a frame. Where it knew nothing yet, it is a
+  /// new one, of the definition of now: so tracking a recording again from its beginning gives what
+  /// a run that has just been opened gives. Nothing is forgotten of what was recorded.
+  Status goBack(std::int64_t frame, bool isLive);
   /// After going back: what has changed since then holds from the frame begun now.
   void catchUp();
   void setThreads(int threads);

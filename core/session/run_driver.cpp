@@ -40,6 +40,7 @@ void RunDriver::start() {
 }
 
 Result<FrameSetPtr> RunDriver::nextFrames() {
+  recorder_.await();
   // What a live run goes over again is in the library; when it is through, the cameras go on.
   if (source_->isLive() && !playback_.rerunning()) {
     return source_->next();
@@ -90,11 +91,6 @@ void RunDriver::iterateFrame(FrameStep step) {
   if (const auto again = playback_.reach(head())) {
     show(*again);
   }
-}
-
-void RunDriver::record() {
-  recorder_.record(run(), kept_.record());
-  playback_.record();
 }
 
 void RunDriver::advance(bool oneIteration) {
@@ -193,7 +189,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     }
     travel().forgetCopies();
   } else if (isPast) {
-    if (const auto reached = travel().goBack(run(), from, [] { return true; }); !reached) {
+    if (const auto reached = kept_.goBack(from, source_->isLive()); !reached) {
       note(reached.error());
       playback_.endInput();
       return;
@@ -203,6 +199,7 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
   if (isPast) {
     travel().forgetFrom(from);
     log_.goBack(from);
+    recorder_.goBack(from);
     playback_.rerun(range, thenView ? playback_.viewed() : std::nullopt);
   } else {
     playback_.trackOnFrom(from);
@@ -386,6 +383,7 @@ void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnap
   }
   std::ranges::move(motionWatch_.notices(), std::back_inserter(snapshot.notices));
   recorder_.addFigures(snapshot);
+  recorder_.compare(definition());
   log_.setFinished(playback_.hasInputEnded());
 }
 

@@ -110,7 +110,10 @@ private:
   bool takeFrame();
   void iterateFrame(FrameStep step = FrameStep::WholeFrame);
   void showNext();
-  void record();
+  void record() {
+    recorder_.record(run(), kept_.record());
+    playback_.record();
+  }
 
   void rerun(std::int64_t from, const command::SetMethod* method, bool thenView);
   /// Where tracking by another method begins so that it can be tracked at `from`.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace dewpoint::session {
 namespace {
@@ -70,7 +71,22 @@ void RunLog::setThreads(int threads) {
 void RunLog::change(const Project& project) {
   const std::lock_guard lock(mutex_);
   project_ = project;
-  trajectory_.header.hasCorrected = trajectoryHeader(project).hasCorrected;
+  TrajectoryHeader header = trajectoryHeader(project);
+  if (frames_.empty()) {
+    trajectory_.header = std::move(header);
+  } else {
+    trajectory_.header.hasCorrected = header.hasCorrected;
+  }
+}
+
+void RunLog::setOldResults(OldResults old) {
+  const std::lock_guard lock(mutex_);
+  oldResults_ = std::move(old);
+}
+
+OldResults RunLog::oldResults() const {
+  const std::lock_guard lock(mutex_);
+  return oldResults_;
 }
 
 void RunLog::countIteration(double seconds) {

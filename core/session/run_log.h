@@ -3,6 +3,7 @@
 
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
+#include "core/session/run/result_settings.h"
 #include "core/session/run/run_report.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/thinned_log.h"
@@ -28,7 +29,8 @@ public:
   /// Forgets the run; what follows belongs to this project, as it is now, and is filtered by so
   /// many threads.
   void restart(const Project& project, int threads = 1);
-  /// The project has other parameters, or corrections, from now on.
+  /// The project has other parameters, or corrections, from now on. If nothing is recorded yet, all
+  /// of the run is of this project, and so is the header of its trajectory.
   void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
   /// Samples of one frame; they replace those of the same frame, if it was the last one.
@@ -85,6 +87,9 @@ public:
     bool restarted = false;
   };
   BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// The results so far that other settings gave than those of now.
+  void setOldResults(OldResults old);
+  OldResults oldResults() const;
   Latency latency() const;
   /// What run.json tells of this run.
   std::pair<Project, RunFigures> run() const;
@@ -99,6 +104,7 @@ private:
   std::vector<BoxSample> boxes_;
   Project project_;
   RunFigures figures_;
+  OldResults oldResults_;
 };
 
 } // namespace dewpoint::session

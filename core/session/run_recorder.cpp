@@ -33,11 +33,17 @@ void RunRecorder::restart() {
   frameTimes_.clear();
   iterationTimes_.clear();
   budget_ = {};
+  settings_.clear();
 }
 
 void RunRecorder::arrive() {
   arrival_ = Clock::now();
   append(frameTimes_, arrival_, kFrameTimesKept);
+}
+
+void RunRecorder::arriveNow() {
+  arrival_ = Clock::now();
+  awaited_.reset(); // it was taken long ago
 }
 
 void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
@@ -120,6 +126,19 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
   if (run.definition()->family().writesBodies() && !trackedFrame.targets.empty()) {
     log_.append(peopleFrame(trackedFrame));
   }
+  const auto awaited = std::exchange(awaited_, std::nullopt);
+  if (run.frameIterations() < run.iterationsPerFrame()) {
+    return; // it is under way, and goes on with the settings of then
+  }
+  settings_.track(trackedFrame.frame, run.definition());
+  if (awaited) {
+    append(workTimes_, Seconds(Clock::now() - *awaited).count(), kFrameTimesKept);
+  }
+}
+
+void RunRecorder::compare(const RunDefinition& now) const {
+  log_.setOldResults({settings_.differentFrom(now), settings_.newest(),
+                      upperMedian({workTimes_.begin(), workTimes_.end()})});
 }
 
 void RunRecorder::addFigures(TrackSnapshot& snapshot) const {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/session/run/frame_loop.h"
+#include "core/session/run/result_settings.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/run_log.h"
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -22,12 +24,16 @@ public:
 
   /// The run begins again.
   void restart();
+  /// It tracks again from this frame on.
+  void goBack(std::int64_t frame) { settings_.goBack(frame); }
   /// Frames will not come as evenly as they did: their rate is measured again.
   void interrupt() { frameTimes_.clear(); }
+  /// A frame is about to be taken.
+  void await() { awaited_ = Clock::now(); }
   /// A frame was taken.
   void arrive();
   /// The frame that is tracked next has waited: what a paused run waits for is not its delay.
-  void arriveNow() { arrival_ = Clock::now(); }
+  void arriveNow();
 
   void iterated(const TrackingRun& run, double microseconds) override;
   Status tracked(const TrackingRun& run) override;
@@ -36,6 +42,8 @@ public:
 
   /// Frame rate, time of an iteration, latency and time budget.
   void addFigures(TrackSnapshot& snapshot) const;
+  /// Tells the log which results are not of the settings of now.
+  void compare(const RunDefinition& now) const;
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -51,6 +59,9 @@ private:
   std::deque<Clock::time_point> frameTimes_;
   std::deque<double> iterationTimes_; ///< microseconds
   BudgetFigures budget_;
+  ResultSettings settings_;
+  std::optional<Clock::time_point> awaited_; ///< since when the run's frame takes time
+  std::deque<double> workTimes_;             ///< of frames, seconds
 };
 
 } // namespace dewpoint::session

@@ -49,6 +49,9 @@ Session::BoxesPiece Session::boxesSince(std::uint64_t& generation, std::size_t& 
 BoxTrack Session::boxTrack() const {
   return impl_->loop.log().boxTrack();
 }
+OldResults Session::oldResults() const {
+  return impl_->loop.log().oldResults();
+}
 Trajectory Session::trajectory() const {
   return impl_->loop.log().trajectory();
 }

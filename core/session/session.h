@@ -5,6 +5,7 @@
 #include "core/session/frames/frame_tap.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
+#include "core/session/run/result_settings.h"
 #include "core/session/run/run_report.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session_inputs.h"
@@ -81,6 +82,8 @@ public:
   BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
   /// The boxes so far.
   BoxTrack boxTrack() const;
+  /// The results that other settings gave than those of the newest snapshot.
+  OldResults oldResults() const;
   /// The trajectory so far.
   Trajectory trajectory() const;
   /// Writes it as CSV; how many samples it held.
@@ -119,6 +122,8 @@ public:
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
   void backToHead() { send(command::BackToHead{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
+  /// The same, while what is shown stays shown.
+  void renewFrom(std::int64_t frame) { send(command::Rerun{frame, true}); }
   void setMasksWanted(bool wanted) { send(command::ShowMasks{wanted}); }
   void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
   void setShapesWanted(bool wanted) { send(command::ShowShapes{wanted}); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/capture/frame_source.h"
+#include "core/project/moved_files.h"
 #include "core/project/project.h"
 #include "core/trajectory/trajectory.h"
 
@@ -41,6 +42,7 @@ struct SessionRequest {
 
   std::filesystem::path file;
   std::optional<Project> project;
+  MovedFiles moved; ///< of `file`: where files are that it names elsewhere
 };
 
 } // namespace dewpoint::session

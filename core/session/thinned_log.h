@@ -54,6 +54,7 @@ public:
     return found;
   }
   std::size_t size() const { return entries_.size(); }
+  bool empty() const { return entries_.empty(); }
 
 private:
   struct Entry {

@@ -11,6 +11,8 @@ namespace dewpoint::session {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenSnapshots(30);
+/// How long a rerun may keep the view; one that takes longer shows where it is.
+constexpr std::chrono::seconds kLongestKeptView(2);
 
 } // namespace
 
@@ -80,7 +82,9 @@ TrackingLoop::Publish TrackingLoop::usual() const {
 }
 
 void TrackingLoop::publish(Publish how) {
-  if (how == Publish::NowAndThen && Clock::now() - published_ < kBetweenSnapshots) {
+  const auto now = Clock::now();
+  const bool isViewKept = playback().rerunning() && now < viewKeptUntil_;
+  if (isViewKept || (how == Publish::NowAndThen && now - published_ < kBetweenSnapshots)) {
     return;
   }
   auto snapshot = std::make_shared<TrackSnapshot>();
@@ -216,7 +220,11 @@ TrackingLoop::Publish TrackingLoop::handle(const command::BackToHead&) {
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::Rerun& request) {
-  driver_.rerun(request.from);
+  driver_.rerun(request.from, request.keepsView);
+  viewKeptUntil_ = Clock::now();
+  if (request.keepsView) {
+    viewKeptUntil_ += kLongestKeptView;
+  }
   return Publish::Now;
 }
 

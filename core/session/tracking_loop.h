@@ -85,6 +85,7 @@ private:
   Clock::time_point published_;
   PlaybackPace pace_;
   Clock::time_point nextStepDue_ = Clock::now();
+  Clock::time_point viewKeptUntil_; ///< a rerun shows nothing before
 };
 
 } // namespace dewpoint::session

@@ -219,7 +219,17 @@ TEST(ColorLearning, ATwinIsNamedWhereItIs) {
   EXPECT_EQ(twin.vertical, VerticalThird::Top);
   EXPECT_EQ(twin.color, ColorWord::Pink);
   EXPECT_TRUE(twin.box.contains({290, 30}));
-  EXPECT_EQ(seen->assessment.suggestion, Suggestion::RemoveDistractor);
+  EXPECT_EQ(seen->assessment.suggestion, Suggestion::FollowAll);
+  EXPECT_EQ(seen->assessment.alike, 2);
+}
+
+TEST(ColorLearning, WhatIsMuchLargerIsNoTwin) {
+  cv::Mat image = room({{{120, 100}, kPink}});
+  image(cv::Rect(200, 0, 120, 220)).setTo(kPink);
+  const auto learned = learnColor({clickAt(image, {120, 100})}, {image});
+  ASSERT_TRUE(learned);
+  EXPECT_EQ(learned->assessment.alike, 1);
+  EXPECT_EQ(learned->assessment.suggestion, Suggestion::RemoveDistractor);
 }
 
 TEST(ColorLearning, WhatIsExcludedMatchesLess) {

@@ -12,7 +12,6 @@
 #include "ui/export/view_picture.h"
 #include "ui/mainwindow/view_pictures.h"
 #include "ui/selection/selection.h"
-#include "ui/widgets/message_bar.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -136,8 +135,11 @@ void ExportTest::writesInTheBackground() {
     QVERIFY(!start->isEnabled());
     QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
     QVERIFY2(QFileInfo(file).size() > 0, qPrintable(file));
-    const QString said = window_->findChild<MessageBar*>()->text();
+    // Where the user looks, not behind the dialog.
+    const QString said = field<QLabel>("exportOutcome")->text();
     QVERIFY2(said.contains(file), qPrintable(said));
+    QVERIFY(field<QPushButton>("exportShowFolder")->isVisible());
+    QVERIFY(!messageText().contains(file));
   }
 }
 
@@ -147,7 +149,9 @@ void ExportTest::saysWhatFailed() {
   auto* start = field<QPushButton>("exportStart");
   QTest::mouseClick(start, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
-  QVERIFY(window_->findChild<MessageBar*>()->text().contains(QStringLiteral("no/folder/a.csv")));
+  QVERIFY(field<QLabel>("exportOutcome")->text().contains(QStringLiteral("no/folder/a.csv")));
+  QVERIFY(field<QLabel>("exportOutcome")->isVisible());
+  QVERIFY(!field<QPushButton>("exportShowFolder")->isVisible());
 }
 
 void ExportTest::asksBeforeAFileIsReplaced() {

@@ -49,6 +49,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionPreviousFrame",
     "actionNow",
     "actionRerun",
+    "actionTrackAgain",
     "actionSlower",
     "actionFaster",
     "actionNormalSpeed",

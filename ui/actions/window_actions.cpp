@@ -150,6 +150,9 @@ std::vector<ActionDeclaration> runActions() {
                          "Track again from the moment shown, with the method, parameters "
                          "and colors of now; pausing stops it"),
        "rerun", Qt::CTRL | Qt::Key_R},
+      {"actionTrackAgain", group, QT_TRANSLATE_NOOP("Actions", "Track again"),
+       QT_TRANSLATE_NOOP("Actions", "Track all again that is of earlier settings"), nullptr,
+       Qt::CTRL | Qt::SHIFT | Qt::Key_R},
       {"actionSlower", group, QT_TRANSLATE_NOOP("Actions", "Slower"),
        QT_TRANSLATE_NOOP("Actions", "Play the recording more slowly, down to 1/30"), nullptr,
        Qt::Key_BracketLeft},

@@ -11,6 +11,7 @@
 #include "ui/color/color_choice.h"
 #include "ui/color/color_picker.h"
 #include "ui/color/color_sample_list.h"
+#include "ui/color/follow_all_button.h"
 #include "ui/color/learn_modes.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
@@ -45,8 +46,8 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     : QWidget(parent), document_(document), pick_(pick), learner_(new ColorLearner(document, this)),
       boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), modes_(new LearnModes(this)),
       choice_(new ColorChoice(this)), picker_(new ColorPicker(this)),
-      assessmentText_(new QLabel(this)), samples_(new ColorSampleList(this)),
-      assessSoon_(new QTimer(this)) {
+      assessmentText_(new QLabel(this)), followAll_(new FollowAllButton(document, this)),
+      samples_(new ColorSampleList(this)), assessSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   assessmentText_->setObjectName(QStringLiteral("colorVerdict"));
   assessmentText_->setWordWrap(true);
@@ -60,6 +61,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   column->addWidget(name_);
   column->addWidget(modes_);
   column->addWidget(assessmentText_);
+  column->addWidget(followAll_, 0, Qt::AlignLeft);
   column->addWidget(choice_);
   column->addWidget(picker_, 1);
   column->addWidget(samples_);
@@ -211,6 +213,7 @@ void ColorPanel::refresh() {
   }
   samples_->setSamples(document_.project(), target_);
   modes_->setRefinable(any, any && !targets[static_cast<std::size_t>(target_)].samples.empty());
+  followAll_->offer(assessed_ ? &assessment_ : nullptr, target_);
   if (assessed_) {
     updateAssessment();
   } else {
@@ -291,7 +294,11 @@ void ColorPanel::updateAssessment() {
   for (const auto& camera : document_.project().cameras) {
     cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
-  QString text = colorAssessmentText(assessment_, cameras);
+  ColorAssessment shown = assessment_;
+  if (shown.suggestion == Suggestion::FollowAll && !followAll_->offers()) {
+    shown.suggestion = Suggestion::None; // each has its target
+  }
+  QString text = colorAssessmentText(shown, cameras);
   if (hasTarget()) {
     const double given = document_.project().targets[static_cast<std::size_t>(target_)].radius;
     const QString radius = isPart_ ? markedPartText(given) : clickRadiusText(given, shownRadius_);
@@ -308,6 +315,7 @@ void ColorPanel::showAssessment(const ColorAssessment& assessment) {
   assessedFrame_ = snapshot_ ? snapshot_->frame : -1;
   outlined_ = true;
   assessment_ = assessment;
+  followAll_->offer(&assessment_, target_);
   updateAssessment();
   pick_.clearRegions();
   for (const auto& [camera, all] : assessedRegions(assessment, found_)) {

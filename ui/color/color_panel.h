@@ -27,6 +27,7 @@ class BoxPicker;
 class ColorChoice;
 class ColorPicker;
 class ColorSampleList;
+class FollowAllButton;
 class Document;
 class ImagePickTool;
 class LearnModes;
@@ -89,6 +90,7 @@ private:
   ColorChoice* choice_;
   ColorPicker* picker_;
   QLabel* assessmentText_;
+  FollowAllButton* followAll_;
   ColorSampleList* samples_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;

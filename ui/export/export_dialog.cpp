@@ -3,6 +3,7 @@
 
 #include "core/trajectory/export/export_catalog.h"
 #include "ui/export/export_form.h"
+#include "ui/export/export_outcome.h"
 #include "ui/export/export_text.h"
 #include "ui/export/trajectory_figure.h"
 #include "ui/text/retranslation.h"
@@ -61,6 +62,10 @@ void ExportDialog::makeFields() {
   units_->setWordWrap(true);
   size_ = named(new QLabel(this), "exportSize");
   size_->setWordWrap(true);
+  old_ = named(new QLabel(this), "exportOldResults");
+  old_->setWordWrap(true);
+  old_->hide();
+  outcome_ = new ExportOutcome(this);
   question_ = named(new QLabel(this), "exportQuestion");
   question_->setWordWrap(true);
   question_->hide();
@@ -83,6 +88,7 @@ void ExportDialog::arrangeFields() {
   right->setSpacing(8);
   right->addWidget(units_);
   right->addWidget(size_);
+  right->addWidget(old_);
   right->addWidget(preview_, 1);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
@@ -110,6 +116,7 @@ void ExportDialog::arrangeFields() {
   layout->addLayout(columns, 1);
   layout->addLayout(place);
   layout->addWidget(question_);
+  layout->addWidget(outcome_);
   layout->addLayout(buttons);
 }
 
@@ -120,6 +127,8 @@ void ExportDialog::retranslate() {
   preview_->setToolTip(tr("First lines of the file"));
   units_->setAccessibleName(tr("Units and axes"));
   size_->setAccessibleName(tr("Size"));
+  old_->setText(tr("Some of these results are of earlier settings."));
+  outcome_->retranslate();
   file_->setAccessibleName(tr("File"));
   file_->setToolTip(tr("File to write"));
   browse_->setText(tr("Browse…"));
@@ -167,8 +176,26 @@ void ExportDialog::connectFields() {
   connect(jobs_, &ExportJobs::finished, this, &ExportDialog::showFinished);
   connect(jobs_, &ExportJobs::failed, this, [this](const QString& sentence) {
     setRunning(false);
-    Q_EMIT failed(sentence);
+    reportFailed(sentence);
   });
+}
+
+void ExportDialog::reportDone(const QString& sentence, const QString& file) {
+  if (isVisible()) {
+    outcome_->show(sentence, file);
+  }
+  Q_EMIT done(sentence);
+}
+
+void ExportDialog::reportFailed(const QString& sentence) {
+  if (isVisible()) {
+    outcome_->show(sentence);
+  }
+  Q_EMIT failed(sentence);
+}
+
+void ExportDialog::setHasOldResults(bool has) {
+  old_->setVisible(has);
 }
 
 void ExportDialog::follow() {
@@ -201,6 +228,7 @@ void ExportDialog::hideEvent(QHideEvent* event) {
   soon_->stop(); // nobody looks at it; an export goes on
   follow_->stop();
   forgetQuestion();
+  outcome_->clear();
   jobs_->stopPreview();
   endPreview();
 }
@@ -311,6 +339,7 @@ void ExportDialog::start() {
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
   form_->setTargetsOf(*trajectory_);
   soon_->stop();
+  outcome_->clear();
   setRunning(true);
   jobs_->run(trajectory_, chosen, file());
 }
@@ -350,7 +379,7 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
     if (startedAt_ == questions_) {
       askToReplace(name);
     } else { // something changed, or the dialog was closed: nobody sees the question, or it is moot
-      Q_EMIT failed(tr("%1 exists already; nothing was written.").arg(name));
+      reportFailed(tr("%1 exists already; nothing was written.").arg(name));
     }
     if (isVisible()) {
       soon_->start(); // the preview was stopped for it
@@ -358,20 +387,10 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
     return;
   }
   if (summary.cancelled) {
-    Q_EMIT done(tr("The export was canceled."));
+    reportDone(tr("The export was canceled."));
     return;
   }
-  const QString name = QString::fromStdString(summary.files.back().string());
-  if (summary.rows == 0) {
-    Q_EMIT done(tr("Wrote the figure %1.").arg(name));
-  } else if (summary.files.size() > 1) {
-    Q_EMIT done(tr("Exported %1 rows to %2 files; the last is %3.")
-                    .arg(summary.rows)
-                    .arg(summary.files.size())
-                    .arg(name));
-  } else {
-    Q_EMIT done(tr("Exported %1 rows to %2.").arg(summary.rows).arg(name));
-  }
+  reportDone(exportedText(summary), QString::fromStdString(summary.files.back().string()));
 }
 
 } // namespace dewpoint::ui

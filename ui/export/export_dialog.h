@@ -21,6 +21,7 @@ class QTimer;
 namespace dewpoint::ui {
 
 class ExportForm;
+class ExportOutcome;
 
 /// Exports the trajectory: what, how, and a preview of the file. Not modal: tracking goes on, and
 /// the preview follows it. Exports run in the background; signals report the result.
@@ -34,6 +35,8 @@ public:
   void refresh();
   /// Proposes to export these seconds only; nothing: takes that proposal back.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
+  /// Whether some of the run is of earlier settings: the preview says so.
+  void setHasOldResults(bool has);
   /// Proposes a file in this folder.
   void proposeIn(const QString& folder);
   /// Another project: what was chosen for the last one is forgotten; a file in this folder is
@@ -41,6 +44,7 @@ public:
   void startAnew(const QString& folder);
 
 Q_SIGNALS:
+  /// How an export went. While the dialog is shown it says so itself.
   void done(const QString& sentence);
   void failed(const QString& sentence);
 
@@ -70,6 +74,9 @@ private:
   void endPreview();
   void showPreview(const ExportPreview& preview);
   void showFinished(const ExportSummary& summary);
+  /// `file`: what was written.
+  void reportDone(const QString& sentence, const QString& file = {});
+  void reportFailed(const QString& sentence);
   std::filesystem::path file() const;
 
   std::function<Trajectory()> trajectorySource_;
@@ -82,7 +89,9 @@ private:
   QPlainTextEdit* preview_;
   QLabel* units_;
   QLabel* size_;
+  QLabel* old_;
   QLabel* question_;
+  ExportOutcome* outcome_;
   QLineEdit* file_;
   QPushButton* browse_;
   QProgressBar* progress_;

@@ -8,6 +8,7 @@
 #include "ui/export/box_export_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/selection/selection.h"
+#include "ui/session/result_keeper.h"
 #include "ui/timeline/timeline.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/workbench.h"
@@ -27,10 +28,25 @@ QString homeOf(const Document& document) {
   return file.empty() ? QDir::homePath() : QString::fromStdString(file.parent_path().string());
 }
 
-/// Tells in the window how exports went.
-template <class Dialog> void connectMessages(const Workbench& bench, Dialog* dialog) {
-  QObject::connect(dialog, &Dialog::done, &bench.messages, &MessageBar::showNotice);
-  QObject::connect(dialog, &Dialog::failed, &bench.messages, &MessageBar::showError);
+/// Tells in the window how exports went whose dialog was closed; one that is shown says it itself.
+void connectMessages(const Workbench& bench, ExportDialog* dialog) {
+  MessageBar* messages = &bench.messages;
+  QObject::connect(dialog, &ExportDialog::done, messages, [dialog, messages](const QString& text) {
+    if (!dialog->isVisible()) {
+      messages->showNotice(text);
+    }
+  });
+  QObject::connect(dialog, &ExportDialog::failed, messages,
+                   [dialog, messages](const QString& text) {
+                     if (!dialog->isVisible()) {
+                       messages->showError(text);
+                     }
+                   });
+}
+
+void connectMessages(const Workbench& bench, BoxExportDialog* dialog) {
+  QObject::connect(dialog, &BoxExportDialog::done, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(dialog, &BoxExportDialog::failed, &bench.messages, &MessageBar::showError);
 }
 
 void exportBoxes(const Workbench& bench) {
@@ -63,6 +79,11 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     };
     QObject::connect(&bench.document, &Document::replaced, dialog, startAnew);
     startAnew();
+    const auto sayOld = [dialog, results = &bench.session.results()] {
+      dialog->setHasOldResults(!results->old().frames.empty());
+    };
+    QObject::connect(&bench.session.results(), &ResultKeeper::oldResultsChanged, dialog, sayOld);
+    sayOld();
   }
   const auto& selectedRange = bench.selection.selectedRange();
   dialog->setSelectedRange(selectedRange

@@ -70,4 +70,21 @@ QString exportSizeText(const ExportPreview& preview) {
            locale.toString(static_cast<qulonglong>(preview.rows)), rateText(preview.rate), gaps);
 }
 
+QString exportedText(const ExportSummary& summary) {
+  const QString name = QString::fromStdString(summary.files.back().string());
+  if (summary.rows == 0) {
+    return QCoreApplication::translate("ExportDialog", "Wrote the figure %1.").arg(name);
+  }
+  if (summary.files.size() > 1) {
+    return QCoreApplication::translate("ExportDialog",
+                                       "Exported %1 rows to %2 files; the last is %3.")
+        .arg(summary.rows)
+        .arg(summary.files.size())
+        .arg(name);
+  }
+  return QCoreApplication::translate("ExportDialog", "Exported %1 rows to %2.")
+      .arg(summary.rows)
+      .arg(name);
+}
+
 } // namespace dewpoint::ui

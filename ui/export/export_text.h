@@ -9,6 +9,7 @@
 
 namespace dewpoint::trajectory {
 struct ExportPreview;
+struct ExportSummary;
 } // namespace dewpoint::trajectory
 
 namespace dewpoint::ui {
@@ -19,5 +20,7 @@ QString exportFormatName(std::string_view id);
 QString exportUnitsText(const ExportPreview& preview);
 /// "2 targets, 180 rows at 30 per second, 12 places unknown"
 QString exportSizeText(const ExportPreview& preview);
+/// "Exported 180 rows to trajectory.csv."; of a summary with at least one file.
+QString exportedText(const ExportSummary& summary);
 
 } // namespace dewpoint::ui

@@ -22,6 +22,7 @@
 #include "ui/export/export_installer.h"
 #include "ui/help/help_installer.h"
 #include "ui/mainwindow/history_dock.h"
+#include "ui/mainwindow/old_results_offer.h"
 #include "ui/mainwindow/project_controller.h"
 #include "ui/mainwindow/run_actions.h"
 #include "ui/mainwindow/run_alerts.h"
@@ -135,6 +136,7 @@ void MainWindow::installFeatures() {
   installExport(bench, *timeline);
   installExperiments(bench);
   new RunAlerts(bench, calibration->hand());
+  new OldResultsOffer(bench);
   installRunActions(bench);
   history_ = new HistoryDock(bench);
   menus_ = new WindowMenus(bench, {[this](QMenu* menu) { projects_->fillRecentMenu(menu); },

@@ -6,6 +6,7 @@
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
 #include "ui/document/project_saver.h"
+#include "ui/mainwindow/missing_files_offer.h"
 #include "ui/mainwindow/recent_menu.h"
 #include "ui/mainwindow/recovery_offer.h"
 #include "ui/mainwindow/thumbnail_keeper.h"
@@ -156,6 +157,7 @@ void ProjectController::connectRun() {
   });
   connect(run, &SessionController::openFailed, &bench_.messages, &MessageBar::showError);
   connect(run, &SessionController::openFailed, recent_, &RecentProjects::checkFiles);
+  new MissingFilesOffer(bench_);
 }
 
 void ProjectController::open(const std::filesystem::path& file) {

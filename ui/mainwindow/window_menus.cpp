@@ -67,6 +67,7 @@ void WindowMenus::make() {
        nullptr,
        "actionNow",
        "actionRerun",
+       "actionTrackAgain",
        nullptr,
        "actionAddMark",
        "actionRemoveMark",

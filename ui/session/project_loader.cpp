@@ -2,12 +2,27 @@
 #include "ui/session/project_loader.h"
 
 #include "core/session/session.h"
+#include "core/setup/missing_files.h"
 #include "ui/session/open_request.h"
 #include "ui/text/error_sentence.h"
 
 #include <utility>
 
 namespace dewpoint::ui {
+
+namespace {
+
+/// Of a project that cannot be opened.
+MissingFiles missingOf(const SessionRequest& what) {
+  auto missing = what.project ? Result<std::vector<MissingFile>>(missingFilesOf(*what.project))
+                 : what.file.empty() ? Result<std::vector<MissingFile>>()
+                                     : missingFilesOf(what.file, what.moved);
+  return missing && !missing->empty()
+             ? std::make_shared<const std::vector<MissingFile>>(std::move(*missing))
+             : nullptr;
+}
+
+} // namespace
 
 ProjectLoader::ProjectLoader(ProjectOpener opener, QObject* parent)
     : QObject(parent), opener_(std::move(opener)) {}
@@ -27,17 +42,19 @@ void ProjectLoader::open(OpenRequest request) {
     // What nobody wants any more is closed in a thread, too.
     const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(what)),
                                                         DetachedDelete());
-    return [this, result] { finish(result); };
+    const MissingFiles missing = *result ? nullptr : missingOf(what);
+    return [this, result, missing] { finish(result, missing); };
   });
 }
 
-void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result) {
+void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result,
+                           const MissingFiles& missing) {
   opening_ = false;
   const std::unique_ptr<OpenRequest> request = std::move(wanted_);
   if (*result) {
     Q_EMIT opened(*request, std::make_shared<SessionInputs>(std::move(**result)));
   } else {
-    Q_EMIT failed(errorSentence(result->error()));
+    Q_EMIT failed(*request, errorSentence(result->error()), missing);
   }
   Q_EMIT openingChanged(opening_);
 }

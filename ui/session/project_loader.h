@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace dewpoint::session {
 class Session;
@@ -15,9 +16,15 @@ struct SessionInputs;
 struct SessionRequest;
 } // namespace dewpoint::session
 
+namespace dewpoint::setup {
+struct MissingFile;
+} // namespace dewpoint::setup
+
 namespace dewpoint::ui {
 
 struct OpenRequest;
+/// Null: none.
+using MissingFiles = std::shared_ptr<const std::vector<MissingFile>>;
 
 /// Opens a project as the application wires it. Called in a thread.
 using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
@@ -45,10 +52,11 @@ Q_SIGNALS:
   void openingChanged(bool opening);
   /// What was requested is open. The inputs are the receiver's to move from.
   void opened(const OpenRequest& request, std::shared_ptr<SessionInputs> inputs);
-  void failed(const QString& sentence);
+  /// `missing`: files that were looked for and are not there, perhaps the reason.
+  void failed(const OpenRequest& request, const QString& sentence, const MissingFiles& missing);
 
 private:
-  void finish(const std::shared_ptr<Result<SessionInputs>>& result);
+  void finish(const std::shared_ptr<Result<SessionInputs>>& result, const MissingFiles& missing);
 
   ProjectOpener opener_;
   bool opening_ = false;

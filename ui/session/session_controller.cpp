@@ -11,6 +11,7 @@
 #include "ui/session/empty_room_loader.h"
 #include "ui/session/logged_records.h"
 #include "ui/session/open_request.h"
+#include "ui/session/result_keeper.h"
 #include "ui/session/session_bridge.h"
 
 #include <QRandomGenerator>
@@ -24,27 +25,36 @@ namespace dewpoint::ui {
 SessionController::SessionController(ProjectOpener opener, Document& document, Selection& selection,
                                      QObject* parent)
     : QObject(parent), loader_(new ProjectLoader(std::move(opener), this)),
-      emptyRooms_(new EmptyRoomLoader(this)), document_(document), selection_(selection) {
+      emptyRooms_(new EmptyRoomLoader(this)), results_(new ResultKeeper(this)), document_(document),
+      selection_(selection) {
   connect(loader_, &ProjectLoader::opened, this, &SessionController::applyOpened);
-  connect(loader_, &ProjectLoader::failed, this, &SessionController::openFailed);
+  connect(loader_, &ProjectLoader::failed, this,
+          [this](const OpenRequest& request, const QString& sentence, const MissingFiles& missing) {
+            Q_EMIT openFailed(sentence);
+            if (missing && !request.keepHistory) {
+              Q_EMIT filesMissing(request, missing);
+            }
+          });
   connect(loader_, &ProjectLoader::openingChanged, this, &SessionController::openingChanged);
   connect(emptyRooms_, &EmptyRoomLoader::failed, this, &SessionController::failed);
   connect(emptyRooms_, &EmptyRoomLoader::loaded, this,
           [this](const auto& files, const auto& rooms) {
             if (bridge_ != nullptr) {
               bridge_->session().setEmptyRooms(files, rooms);
+              results_->edited();
             }
           });
-  connect(&selection_, &Selection::frameRequested, this, [this](qint64 frame) {
-    if (bridge_ != nullptr) {
-      bridge_->session().showFrame(frame);
+  connect(results_, &ResultKeeper::renewed, this, [this] {
+    if (const auto wanted = std::exchange(showsWhenRenewed_, std::nullopt)) {
+      show(*wanted);
+    }
+    if (std::exchange(playsWhenRenewed_, false)) {
+      play();
     }
   });
-  connect(&selection_, &Selection::liveFrameRequested, this, [this] {
-    if (bridge_ != nullptr) {
-      bridge_->session().backToHead();
-    }
-  });
+  connect(&selection_, &Selection::frameRequested, this,
+          [this](qint64 frame) { show(std::optional(frame)); });
+  connect(&selection_, &Selection::liveFrameRequested, this, [this] { show(std::nullopt); });
   connectDocument();
 }
 
@@ -58,17 +68,20 @@ void SessionController::connectDocument() {
   connect(&document_, &Document::parameterChanged, this, [this] {
     if (bridge_ != nullptr) {
       bridge_->session().setParameters(document_.project().parameters);
+      results_->edited();
     }
   });
   connect(&document_, &Document::methodChanged, this, &SessionController::applyMethod);
   connect(&document_, &Document::targetsChanged, this, [this] {
     if (bridge_ != nullptr) {
       bridge_->session().setTargets(document_.project().targets);
+      results_->edited();
     }
   });
   connect(&document_, &Document::volumeChanged, this, [this] {
     if (bridge_ != nullptr) {
       bridge_->session().setVolumeOfInterest(document_.project().volumeOfInterest);
+      results_->edited();
     }
   });
   connect(&document_, &Document::peopleChanged, this, [this] {
@@ -133,6 +146,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   inputs.threads = Preferences().filterThreads();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());
+  results_->watch(&bridge_->session());
   connect(bridge_, &SessionBridge::snapshotChanged, this, &SessionController::publish);
   bridge_->session().setPace(pace_);
   Q_EMIT runStarted();
@@ -155,6 +169,8 @@ void SessionController::close() {
 void SessionController::endRun() {
   SessionBridge* over = std::exchange(bridge_, nullptr);
   emptyRooms_->forget();
+  results_->watch(nullptr);
+  forgetRequests();
   shown_.reset();
   filledFrom_.reset();
   filled_.reset();
@@ -186,6 +202,7 @@ void SessionController::publish(const TrackSnapshotPtr& snapshot) {
   auto frames = session.framesSince(frames_.generation, frames_.position);
   Q_EMIT framesLogged({std::move(frames.records), frames.restarted});
   Q_EMIT snapshotChanged(snapshot);
+  results_->see(*snapshot, frames.restarted);
   auto iterations = session.logSince(iterations_.generation, iterations_.position);
   Q_EMIT iterationsLogged({std::move(iterations.records), iterations.restarted});
 }
@@ -194,13 +211,14 @@ void SessionController::applyMethod() {
   if (bridge_ == nullptr) {
     return;
   }
+  results_->leaveAlone();
   const Project& project = document_.project();
   Session& session = bridge_->session();
-  // Whoever looks at an earlier frame wants to see the other method from there; what was tracked
-  // of a recording is tracked again.
-  const bool tracked = shown_ && shown_->frameCount && shown_->history.head >= 0;
-  if (selection_.isPast() || tracked) {
-    session.setMethodFrom(selection_.isPast() ? selection_.currentFrame() : 0, project.method,
+  // What was tracked of a recording is tracked again: how long the other method takes is not known
+  // before. Of live cameras whoever looks at an earlier frame wants to see it from there.
+  const bool isRecorded = shown_ && shown_->frameCount;
+  if (selection_.isPast() || (isRecorded && shown_->history.head >= 0)) {
+    session.setMethodFrom(isRecorded ? 0 : selection_.currentFrame(), project.method,
                           project.parameters);
   } else {
     session.setMethod(project.method, project.parameters);
@@ -215,6 +233,7 @@ void SessionController::applyCalibration() {
   const auto newest = bridge_->session().newest();
   if (newest->rig && haveSameImages(rig, *newest->rig)) {
     bridge_->session().setCameras(rig); // the run goes on
+    results_->edited();
   } else {
     reopen();
   }
@@ -225,9 +244,34 @@ bool SessionController::isPlaying() const {
 }
 
 void SessionController::play() {
-  if (bridge_ != nullptr) {
-    bridge_->session().play();
+  if (bridge_ == nullptr) {
+    return;
   }
+  if (results_->isRenewing()) {
+    playsWhenRenewed_ = true; // the frames that are tracked again lead to where it goes on
+    return;
+  }
+  results_->leaveAlone();
+  bridge_->session().play();
+}
+
+void SessionController::show(std::optional<qint64> frame) {
+  if (bridge_ == nullptr) {
+    return;
+  }
+  if (results_->isRenewing()) {
+    showsWhenRenewed_ = frame; // to show it now would end the tracking
+  } else if (frame) {
+    bridge_->session().showFrame(*frame);
+  } else {
+    bridge_->session().backToHead();
+  }
+}
+
+void SessionController::forgetRequests() {
+  results_->leaveAlone();
+  playsWhenRenewed_ = false;
+  showsWhenRenewed_.reset();
 }
 
 void SessionController::setPace(const Pace& pace) {
@@ -248,14 +292,16 @@ void SessionController::togglePlay() {
   Session& session = bridge_->session();
   const PlayState state = shown_ ? shown_->state : PlayState::Paused;
   if (state == PlayState::Playing) {
+    playsWhenRenewed_ = false;
     session.pause();
     return;
   }
   if (state == PlayState::Ended) {
     Q_EMIT restarting();
+    forgetRequests();
     session.restart();
   }
-  session.play();
+  play();
 }
 
 void SessionController::restart(bool newSeed) {
@@ -263,6 +309,7 @@ void SessionController::restart(bool newSeed) {
     return;
   }
   Q_EMIT restarting();
+  forgetRequests();
   if (newSeed) {
     // 31 bits: short enough to be read out and typed.
     bridge_->session().restart(QRandomGenerator::global()->generate() >> 1U);
@@ -279,12 +326,14 @@ void SessionController::useFilterThreads() {
 
 void SessionController::rerun() {
   if (bridge_ != nullptr && selection_.currentFrame() >= 0) {
+    results_->leaveAlone();
     bridge_->session().rerunFrom(selection_.currentFrame());
   }
 }
 
 void SessionController::startAfterLearning(bool isNew) {
-  if (shown_ && !isPlaying() && isNew) {
+  const bool isTracked = shown_ && shown_->frameCount && shown_->history.head > 0;
+  if (shown_ && !isPlaying() && isNew && !isTracked) {
     togglePlay(); // at the end: from the beginning
   }
 }

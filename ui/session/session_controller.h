@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace dewpoint::session {
 struct TrackSnapshot;
@@ -18,6 +19,7 @@ namespace dewpoint::ui {
 
 class EmptyRoomLoader;
 class Document;
+class ResultKeeper;
 class Selection;
 class SessionBridge;
 struct LoggedFrames;
@@ -27,8 +29,8 @@ using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// The run of the window: opens it, ends it, passes on changes of the document and the selection,
 /// and gives the views what they show. Decides when a run begins to play, from which frame on
-/// another method holds, and whether another calibration keeps the run or opens it again; what is
-/// tracked again after a change is decided by the machine itself (RunDriver in core/session).
+/// another method holds, and whether another calibration keeps the run or opens it again; that
+/// results are those of the settings shown is the work of the ResultKeeper.
 class SessionController : public QObject {
   Q_OBJECT
 public:
@@ -61,14 +63,19 @@ public:
   /// How fast this run and those to come are played.
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
+  /// Shows a frame, or where the run stands: nothing.
+  void show(std::optional<qint64> frame);
   /// From the beginning, with another seed or the same.
   void restart(bool newSeed);
   /// The filter of the run goes on with as many threads as the preferences say.
   void useFilterThreads();
   /// Tracks again from the current frame.
   void rerun();
-  /// The color of a target was learned: whoever points at the first object to follow wants to see
-  /// it tracked; a sample more or less takes no run away.
+  /// Which results are of earlier settings.
+  ResultKeeper& results() { return *results_; }
+  /// The color of a target was learned: whoever points at an object to follow wants to see it
+  /// tracked. A recording of which more was tracked than its beginning is left to the rule for
+  /// changes, and stays where it is.
   void startAfterLearning(bool isNew);
   /// The same of a target's box. More boxes are given on the same image, and a run that the user
   /// has stopped stays where it is: only the first of all plays.
@@ -78,6 +85,8 @@ Q_SIGNALS:
   void openingChanged(bool opening);
   /// The sentence why nothing was opened.
   void openFailed(const QString& sentence);
+  /// It may be because these files are not there: to open it again with where they are.
+  void filesMissing(const OpenRequest& request, const MissingFiles& missing);
   /// The run before is gone, and the document is about to change.
   void replacing(const OpenRequest& request);
   /// The document holds what was opened; the run begins with the next turn of the event loop.
@@ -113,18 +122,24 @@ private:
   void start(const OpenRequest& request, SessionInputs inputs);
   void endRun();
   void publish(const TrackSnapshotPtr& snapshot);
+  /// What was to come after frames are tracked again does not come.
+  void forgetRequests();
   void reopen();
   void applyMethod();
   void applyCalibration();
 
   ProjectLoader* loader_;
   EmptyRoomLoader* emptyRooms_;
+  ResultKeeper* results_;
   Document& document_;
   Selection& selection_;
   SessionBridge* bridge_ = nullptr;
   int starts_ = 0; ///< of runs, and closings: a start that was overtaken does not happen
   bool playOnOpen_ = true;
   Pace pace_;
+  // Requested while frames were tracked again, and done after that.
+  bool playsWhenRenewed_ = false;
+  std::optional<std::optional<qint64>> showsWhenRenewed_;
   TrackSnapshotPtr shown_;
   TrackSnapshotPtr filledFrom_; ///< what filled_ was made of
   TrackSnapshotPtr filled_;

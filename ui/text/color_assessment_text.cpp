@@ -38,8 +38,8 @@ QString separationSentence(int score) {
   return ColorText::tr(text).arg(score);
 }
 
-QString suggestionSentence(Suggestion suggestion) {
-  switch (suggestion) {
+QString suggestionSentence(const ColorAssessment& assessment) {
+  switch (assessment.suggestion) {
   case Suggestion::AddSamples:
     return ColorText::tr(
         "Much of the target does not match: Shift-click its light and its dark side.");
@@ -55,6 +55,10 @@ QString suggestionSentence(Suggestion suggestion) {
     return ColorText::tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
     return ColorText::tr("Several things have this color: another one would help.");
+  case Suggestion::FollowAll:
+    return ColorText::tr("%n things have this color and size: follow all of them, or cover the "
+                         "others.",
+                         nullptr, assessment.alike);
   case Suggestion::ClickObjectItself:
     return ColorText::tr(
         "This fills much of the image: click the thing itself, or drag a box on it.");
@@ -115,7 +119,7 @@ QString colorAssessmentText(const ColorAssessment& assessment,
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
                           camera < cameras.size() ? cameras[camera] : QString());
   }
-  if (const QString suggestion = suggestionSentence(assessment.suggestion); !suggestion.isEmpty()) {
+  if (const QString suggestion = suggestionSentence(assessment); !suggestion.isEmpty()) {
     sentences << suggestion;
   }
   return sentences.join(QLatin1Char(' '));

@@ -27,6 +27,11 @@ public:
   /// What there is along time; null: no run, and nothing.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void append(const std::vector<FrameRecord>& records, bool restarted);
+  /// The frames whose results are of earlier settings.
+  void setOldResults(const std::vector<FrameSpan>& frames) {
+    model_.oldResults = frames;
+    update();
+  }
   void clear();
 
   /// Goes by this number of frames from the current frame, or the one requested.

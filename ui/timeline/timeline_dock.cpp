@@ -7,6 +7,7 @@
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"
 #include "ui/session/logged_records.h"
+#include "ui/session/result_keeper.h"
 #include "ui/timeline/timeline.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/workbench/dock_manager.h"
@@ -25,9 +26,9 @@ void showMenu(const Workbench& bench, const QPoint& place) {
   menu->setObjectName(QStringLiteral("menuTimeline"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const ActionId id : std::initializer_list<ActionId>{
-           "actionRerun", "actionNow", nullptr, "actionAddMark", "actionRemoveMark",
-           "actionPreviousMark", "actionNextMark", nullptr, "actionCorrectPosition",
-           "actionRemoveCorrection", nullptr, "actionZoomToSpan"}) {
+           "actionRerun", "actionTrackAgain", "actionNow", nullptr, "actionAddMark",
+           "actionRemoveMark", "actionPreviousMark", "actionNextMark", nullptr,
+           "actionCorrectPosition", "actionRemoveCorrection", nullptr, "actionZoomToSpan"}) {
     id.isSeparator() ? (void)menu->addSeparator() : menu->addAction(bench.action(id));
   }
   menu->popup(place);
@@ -47,10 +48,12 @@ void connectActions(const Workbench& bench, Timeline* timeline) {
   bench.action("actionNow")->setEnabled(false); // the current frame decides
 }
 
-/// Whoever changes something while looking back is told what that changes.
+/// Whoever changes something while looking back at live cameras is told what that changes; of a
+/// recording what is shown follows the change (ResultKeeper).
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool again = changes.boxes && bench.document.methodFamily().tracksAgainOnEdit;
-  if (bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
+  const bool isLive = bench.session.shown() && !bench.session.shown()->frameCount;
+  if (isLive && bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(
         Timeline::tr("The change holds from now on. “%1” shows what it makes of this moment.")
             .arg(bench.action("actionRerun")->text()));
@@ -70,6 +73,10 @@ Timeline* installTimeline(const Workbench& bench) {
                      timeline->append(frames.records, frames.restarted);
                    });
   bench.connectView(timeline);
+  QObject::connect(&bench.session.results(), &ResultKeeper::oldResultsChanged, timeline,
+                   [timeline, results = &bench.session.results()] {
+                     timeline->setOldResults(results->old().frames);
+                   });
   QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,
                    [bench, timeline](const TrackSnapshotPtr& snapshot) {
                      bench.action("actionNow")->setEnabled(snapshot && snapshot->past);

@@ -74,6 +74,12 @@ bool TimelineModel::isCorrected(std::size_t target, qint64 frame) const {
   });
 }
 
+bool TimelineModel::isOld(qint64 frame) const {
+  return std::ranges::any_of(oldResults, [frame](const FrameSpan& range) {
+    return range.first <= frame && frame <= range.last;
+  });
+}
+
 QString TimelineModel::describe(qint64 frame) const {
   const QLocale locale;
   QString text = QCoreApplication::translate("Timeline", "Frame %1, %2")
@@ -81,6 +87,9 @@ QString TimelineModel::describe(qint64 frame) const {
   const FrameRecord* record = at(frame);
   if (record == nullptr) {
     return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");
+  }
+  if (isOld(frame)) {
+    text += QLatin1Char('\n') + QCoreApplication::translate("Timeline", "of earlier settings");
   }
   for (std::size_t k = 0; k < record->targets.size(); ++k) {
     const FrameRecord::Entry& entry = record->targets[k];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/session/run/result_settings.h"
 #include "core/session/run/snapshot.h"
 
 #include <QString>
@@ -18,6 +19,8 @@ struct TimelineModel {
   QStringList cameras;
   std::vector<ProjectMarker> markers;
   std::vector<PositionCorrection> corrections; ///< by rising frame
+  std::vector<FrameSpan> oldResults;           ///< those of earlier settings, by rising frame
+  bool isOld(qint64 frame) const;
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;

@@ -6,6 +6,7 @@
 #include "ui/text/reason_text.h"
 #include "ui/timeline/correction_marks.h"
 #include "ui/timeline/timeline_ribbon.h"
+#include "ui/timeline/timeline_veils.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -303,15 +304,9 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
       paintDropouts(painter, model, scale, rows.camera(row++), camera, palette);
     }
   }
-  if (model.history.first > scale.first()) { // forgotten: known, but not to be shown any more
-    QColor veil = palette.color(QPalette::Window);
-    veil.setAlphaF(0.6F);
-    QRectF gone = rows.ribbons.united(rows.cameras);
-    gone.setRight(
-        std::clamp(scale.x(static_cast<double>(model.history.first)), gone.left(), gone.right()));
-    painter.fillRect(gone, veil);
-  }
+  paintForgotten(painter, model, scale, rows, palette);
   painter.setRenderHint(QPainter::Antialiasing);
+  paintOldResults(painter, model, scale, rows, palette);
   paintSelectedRange(painter, scale, rows, selection, palette);
   paintCorrections(painter, model, scale, rows, palette);
   paintMarkers(painter, model, scale, rows, palette);

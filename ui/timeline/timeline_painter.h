@@ -32,7 +32,8 @@ struct TimelineRows {
 };
 
 /// Draws a timeline: ribbons (held: a thin line; ambiguous: dotted; searching: hatched; lost:
-/// crossed), drop-outs, markers, the range, the play head, and a thin line where the pointer is
+/// crossed; of earlier settings: pale), drop-outs, markers, the range, the play head, and a thin
+/// line where the pointer is
 /// (`hovered`, a frame; negative: none).
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,

@@ -95,11 +95,6 @@ std::vector<ViewDock*> DockManager::at(DockPlace place) const {
   return found;
 }
 
-ViewDock* DockManager::first(DockPlace place) const {
-  const std::vector<ViewDock*> found = at(place);
-  return found.empty() ? nullptr : found.front();
-}
-
 void DockManager::layOut() {
   restoreMaximized();
   suitsSize_ = true;

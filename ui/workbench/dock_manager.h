@@ -75,7 +75,10 @@ protected:
 
 private:
   std::vector<ViewDock*> at(DockPlace place) const;
-  ViewDock* first(DockPlace place) const;
+  ViewDock* first(DockPlace place) const {
+    const std::vector<ViewDock*> found = at(place);
+    return found.empty() ? nullptr : found.front();
+  }
   void arrange();
   void arrangeCameras(ViewDock* scene);
   /// Cameras stand in so many columns from now on; what is hidden or in front stays so.

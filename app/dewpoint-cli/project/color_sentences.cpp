@@ -47,6 +47,8 @@ const char* advice(Suggestion suggestion) {
     return "The target is nearly gray: a stronger color would help.";
   case Suggestion::UseAnotherColor:
     return "Several things have this color: another one would help.";
+  case Suggestion::FollowAll:
+    return "Several things have this color and size: make each a target, or cover the others.";
   case Suggestion::ClickObjectItself:
     return "This fills much of the image: point at the thing itself, or give a box on it.";
   case Suggestion::ClickMore:

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/change_rule.h"
+
+namespace dewpoint::session {
+
+double ChangeRule::expectedSeconds(const OldResults& old) {
+  // What comes after an old result was tracked on from it.
+  return old.frames.empty()
+             ? 0.0
+             : static_cast<double>(old.newest - old.frames.front().first + 1) * old.secondsPerFrame;
+}
+
+ChangeRule::Decision ChangeRule::decide(const Situation& situation) {
+  const OldResults& old = situation.old;
+  if (situation.isLive || old.frames.empty()) {
+    return {};
+  }
+  const std::int64_t from = old.frames.front().first;
+  if (situation.isPlaying && !situation.isRerunning) {
+    return {Action::Mark, from};
+  }
+  if (situation.isEdited) {
+    return {expectedSeconds(old) < kQuick ? Action::TrackAgain : Action::Offer, from};
+  }
+  // A rerun under way may be what makes them new.
+  return {situation.isRerunning ? Action::Mark : Action::Offer, from};
+}
+
+} // namespace dewpoint::session

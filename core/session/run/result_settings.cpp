@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/result_settings.h"
+
+#include <algorithm>
+
+namespace dewpoint::session {
+namespace {
+
+/// But for their names, and for what their colors were learned from.
+bool areTrackedAlike(Target a, const Target& b) {
+  a.name = b.name;
+  a.samples = b.samples;
+  return a == b;
+}
+
+/// The values in use: whether somebody gave them or the cameras did decides nothing.
+bool haveSameValues(const ParameterValues& a, const ParameterValues& b) {
+  return std::ranges::all_of(a.declarations(), [&](const ParameterDeclaration& declaration) {
+    return a.at(declaration.key) == b.at(declaration.key);
+  });
+}
+
+bool haveSameTargets(const RunDefinition& a, const RunDefinition& b) {
+  return a.family().tracksAgainOnEdit || a.family().findsTargets() ||
+         std::ranges::equal(a.targets, b.targets, areTrackedAlike);
+}
+
+} // namespace
+
+bool giveSameResults(const RunDefinition& a, const RunDefinition& b) {
+  return &a == &b || (a.method == b.method && haveSameValues(a.parameters, b.parameters) &&
+                      haveSameTargets(a, b) && (a.rig == b.rig || *a.rig == *b.rig) &&
+                      areSameRooms(a.emptyRooms, b.emptyRooms) &&
+                      a.volumeOfInterest == b.volumeOfInterest && a.seed == b.seed);
+}
+
+void ResultSettings::goBack(std::int64_t frame) {
+  while (!stretches_.empty() && stretches_.back().frames.first >= frame) {
+    stretches_.pop_back();
+  }
+  if (!stretches_.empty()) {
+    stretches_.back().frames.last = std::min(stretches_.back().frames.last, frame - 1);
+  }
+}
+
+void ResultSettings::track(std::int64_t frame, const RunDefinitionPtr& definition) {
+  goBack(frame);
+  const bool continues = !stretches_.empty() && stretches_.back().frames.last == frame - 1 &&
+                         (stretches_.back().definition == definition ||
+                          giveSameResults(*stretches_.back().definition, *definition));
+  if (continues) {
+    stretches_.back().frames.last = frame;
+  } else {
+    stretches_.push_back({{frame, frame}, definition});
+  }
+}
+
+std::vector<FrameSpan> ResultSettings::differentFrom(const RunDefinition& now) const {
+  std::vector<FrameSpan> different;
+  for (const Stretch& stretch : stretches_) {
+    if (giveSameResults(*stretch.definition, now)) {
+      continue;
+    }
+    if (!different.empty() && different.back().last == stretch.frames.first - 1) {
+      different.back().last = stretch.frames.last;
+    } else {
+      different.push_back(stretch.frames);
+    }
+  }
+  return different;
+}
+
+} // namespace dewpoint::session

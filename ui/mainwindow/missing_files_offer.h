@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/project_loader.h"
+#include "ui/workbench/workbench.h"
+
+namespace dewpoint::ui {
+
+/// Offers to locate the files of a project that cannot be opened because they were moved. The
+/// project opens with where they are; that is saved when the user saves it.
+class MissingFilesOffer : public QObject {
+  Q_OBJECT
+public:
+  explicit MissingFilesOffer(const Workbench& bench);
+
+private:
+  void offer(const OpenRequest& request, const MissingFiles& missing);
+  void locate(const OpenRequest& request, const MissingFiles& missing);
+
+  Workbench bench_;
+};
+
+} // namespace dewpoint::ui

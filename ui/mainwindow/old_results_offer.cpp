@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/mainwindow/old_results_offer.h"
+
+#include "ui/session/result_keeper.h"
+#include "ui/widgets/message_bar.h"
+
+#include <QAction>
+#include <QMainWindow>
+
+namespace dewpoint::ui {
+
+OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
+  ResultKeeper* results = &bench_.session.results();
+  connect(results, &ResultKeeper::offered, this, &OldResultsOffer::offer);
+  const auto update = [this, results] {
+    bench_.action("actionTrackAgain")->setEnabled(!results->old().frames.empty());
+  };
+  connect(results, &ResultKeeper::oldResultsChanged, this, update);
+  bench_.onTriggered("actionTrackAgain", results, [results] { results->trackAgain(); });
+  update();
+}
+
+void OldResultsOffer::offer(bool offers) {
+  if (offers) {
+    shown_ = tr("Settings changed since this run.");
+    ResultKeeper* results = &bench_.session.results();
+    bench_.messages.ask(shown_, {{tr("Track again"), [results] { results->trackAgain(); }}});
+  } else if (!shown_.isEmpty() && bench_.messages.text() == shown_) {
+    bench_.messages.dismiss();
+  }
+}
+
+} // namespace dewpoint::ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/timeline/timeline_veils.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr float kForgottenVeil = 0.6F;
+constexpr float kOldVeil = 0.72F;
+constexpr float kHatching = 0.35F;
+constexpr double kHatchSpacing = 7.0; ///< pixels between the lines, wider than any ribbon's pattern
+
+QColor withAlpha(QColor color, float alpha) {
+  color.setAlphaF(alpha);
+  return color;
+}
+
+void hatch(QPainter& painter, const QRectF& area) {
+  painter.save();
+  painter.setClipRect(area, Qt::IntersectClip);
+  // Lines of all ribbons continue each other: they belong to the widget.
+  const double reach = area.right() + area.bottom();
+  double at = kHatchSpacing * std::floor((area.left() + area.top()) / kHatchSpacing);
+  for (; at < reach; at += kHatchSpacing) {
+    painter.drawLine(QPointF(at - area.top(), area.top()),
+                     QPointF(at - area.bottom(), area.bottom()));
+  }
+  painter.restore();
+}
+
+} // namespace
+
+void paintForgotten(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                    const TimelineRows& rows, const QPalette& palette) {
+  if (model.history.first <= scale.first()) {
+    return;
+  }
+  QRectF gone = rows.ribbons.united(rows.cameras);
+  gone.setRight(
+      std::clamp(scale.x(static_cast<double>(model.history.first)), gone.left(), gone.right()));
+  painter.fillRect(gone, withAlpha(palette.color(QPalette::Window), kForgottenVeil));
+}
+
+void paintOldResults(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
+                     const TimelineRows& rows, const QPalette& palette) {
+  painter.setPen(QPen(withAlpha(palette.color(QPalette::Text), kHatching), 1.0));
+  for (const FrameSpan& range : model.oldResults) {
+    const double begin = std::max(rows.ribbons.left(), scale.x(static_cast<double>(range.first)));
+    const double end =
+        std::min(rows.ribbons.right(), scale.x(static_cast<double>(range.last) + 1.0));
+    for (int k = 0; k < model.targets.size() && begin < end; ++k) {
+      const QRectF ribbon = rows.ribbon(k);
+      const QRectF area(begin, ribbon.top(), end - begin, ribbon.height());
+      painter.fillRect(area, withAlpha(palette.color(QPalette::Base), kOldVeil));
+      hatch(painter, area);
+    }
+  }
+}
+
+} // namespace dewpoint::ui
