@@ -73,7 +73,7 @@ void readSource(TableReader& reader, const ProjectPlace& place, ProjectCamera& c
   }
   reader.boolean("mirror", camera.mirrored);
   reader.number("late_by", camera.delay, -kLatest, kLatest);
-  camera.times = readPath(reader, "times", folder).string();
+  camera.times = readPath(reader, "times", place).string();
 }
 
 bool hasSource(const toml::table& camera) {
