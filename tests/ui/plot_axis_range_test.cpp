@@ -83,6 +83,9 @@ void PlotAxisRangeTest::anotherAxisShowsAll() {
 }
 
 void PlotAxisRangeTest::aRunThatWentBackBeforeThePartIsSeenWhole() {
+  run(10);
+  range_.show(&series_, 20.0, 40.0); // where the run has not been yet
+  QCOMPARE(range_.advance(&series_), Range(20.0, 40.0));
   run(200);
   range_.show(&series_, 120.0, 160.0);
   series_.removeFrom(140); // the part still begins within the run

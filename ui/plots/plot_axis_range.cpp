@@ -33,10 +33,12 @@ PlotAxisRange::Range PlotAxisRange::shown(const PlotSeries* series) const {
 }
 
 PlotAxisRange::Range PlotAxisRange::advance(const PlotSeries* series) {
-  const bool isBefore = series != nullptr && series->size() > 0 && part_ &&
-                        series->key(series->size() - 1, axis_) < part_->first;
-  if (isBefore) {
-    showAll();
+  if (part_ && series != nullptr && series->size() > 0) {
+    const double newest = series->key(series->size() - 1, axis_);
+    if (newest < newest_ && newest < part_->first) {
+      showAll();
+    }
+    newest_ = newest;
   }
   const Range now = shown(series);
   if (part_) {
@@ -65,6 +67,7 @@ void PlotAxisRange::show(const PlotSeries* series, double lower, double upper) {
   const double from = std::clamp(lower, first, end - width);
   following_ = from + width >= last;
   part_ = Range(from, from + width);
+  newest_ = last;
 }
 
 } // namespace dewpoint::ui

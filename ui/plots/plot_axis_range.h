@@ -35,6 +35,7 @@ private:
   double leastIterations_ = 60.0;
   std::optional<Range> part_; ///< nothing: all
   bool following_ = false;    ///< the part moves along with the newest
+  double newest_ = 0.0;       ///< position of the newest, when the part was shown last
 };
 
 } // namespace dewpoint::ui
