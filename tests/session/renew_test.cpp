@@ -46,7 +46,7 @@ std::vector<Change> changes() {
        [](Project& project) {
          project.targets.push_back(project.targets[0]);
          project.targets.back().name = "another";
-         project.targets.back().color->hueMin += 1.0;
+         project.targets.back().color.hueMin += 1.0;
        },
        tellTargets},
       {"volume",

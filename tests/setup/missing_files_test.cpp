@@ -125,6 +125,7 @@ video = "left.mp4"
   left.name = "left";
   left.intrinsics.width = 640;
   left.intrinsics.height = 480;
+  left.intrinsics.focalX = left.intrinsics.focalY = 500.0;
   ASSERT_TRUE(saveCalibration({left}, rig).has_value());
   const auto calibration = std::ranges::find(*missing, Kind::Calibration, &MissingFile::kind);
   ASSERT_NE(calibration, missing->end());

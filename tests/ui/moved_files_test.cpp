@@ -90,9 +90,11 @@ void MovedFilesTest::opensOnceOneVideoIsLocated() {
 }
 
 void MovedFilesTest::aMovedCalibrationIsLocated() {
-  std::ofstream(path("byhand.toml")) << "format = 2\ncalibration = \"calibration.toml\"\n"
-                                        "[[camera]]\nname = \"left\"\nvideo = \"left.mkv\"\n"
-                                        "[[camera]]\nname = \"right\"\nvideo = \"right.mkv\"\n";
+  const CameraRig rig = demoScene().cameras;
+  std::ofstream(path("byhand.toml"))
+      << "format = 2\ncalibration = \"calibration.toml\"\n"
+      << "[[camera]]\nname = \"" << rig[0].name << "\"\nvideo = \"left.mkv\"\n"
+      << "[[camera]]\nname = \"" << rig[1].name << "\"\nvideo = \"right.mkv\"\n";
   QVERIFY(QFile::rename(file("calibration.toml"), file("rig.toml")));
   window_->openProject(path("byhand.toml"));
   QVERIFY(offersToLocate());

@@ -3,6 +3,7 @@
 
 #include "core/session/camera_overlay.h"
 #include "ui/cameraview/overlay_painter.h"
+#include "ui/cameraview/particle_ramp.h"
 #include "ui/style/halo.h"
 #include "ui/style/theme.h"
 
@@ -17,6 +18,7 @@ namespace dewpoint::ui {
 
 namespace {
 
+constexpr float kMaskTint = 0.25F; ///< as in the images
 constexpr QSize kPictureSize(104, 64);
 constexpr double kCorner = 5.0;
 constexpr double kBallRadius = 15.0;
@@ -121,17 +123,21 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   paintScene(painter, QRectF(rect()), ball);
   const QColor color = targetColor(0);
   if (sign_ == LegendSign::Mask) {
-    QPainterPath elsewhere;
-    elsewhere.addRect(QRectF(rect()));
-    QPainterPath inside;
-    inside.addEllipse(ball, kBallRadius, kBallRadius);
-    painter.fillPath(elsewhere.subtracted(inside), QColor(0, 0, 0, 150));
-    painter.fillPath(inside, color);
+    QColor tint = color;
+    tint.setAlphaF(kMaskTint);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tint);
+    painter.drawEllipse(ball, kBallRadius, kBallRadius);
+    withHalo(painter, color, 1.4, [&] {
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(ball, kBallRadius, kBallRadius);
+    });
   } else if (sign_ == LegendSign::Ray) {
     withHalo(painter, color, 1.6, [&] { painter.drawLine(QPointF(0, 10), QPointF(width(), 48)); });
   }
   // Pixels of the image are those of the picture; their centers lie at integers.
-  paintOverlay(painter, overlayOf(sign_, ball), {QPointF(-0.5, -0.5), 1.0}, color);
+  paintOverlay(painter, overlayOf(sign_, ball), {QPointF(-0.5, -0.5), 1.0}, color,
+               ParticleRamp::heat());
 }
 
 } // namespace dewpoint::ui

@@ -23,6 +23,7 @@ class FollowAllButtonTest : public ::testing::Test {
 protected:
   FollowAllButtonTest() {
     Project project;
+    project.scene = "demo";
     project.parameters = ParameterValues(methodParameters(project.method));
     project.targets.push_back({"ball", 0.02, {300.0, 340.0, 0.2, 0.9, 0.1, 0.9}});
     project.targets.front().samples.resize(1);
