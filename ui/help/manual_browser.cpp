@@ -107,7 +107,7 @@ QVariant ManualBrowser::loadResource(int type, const QUrl& name) {
   if (type != QTextDocument::ImageResource) {
     return QTextBrowser::loadResource(type, name);
   }
-  const QString file = source().resolved(name).toLocalFile();
+  const QString file = name.toLocalFile(); // the address of the page is in it
   const QSize whole = QImageReader(file).size();
   if (whole.isEmpty()) {
     return {};

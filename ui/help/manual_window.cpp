@@ -84,7 +84,8 @@ ManualWindow::ManualWindow(const QString& folder, const QString& expected, QWidg
   };
   connect(list_, &QListWidget::itemClicked, this, showItem);
   connect(list_, &QListWidget::itemActivated, this, showItem);
-  connect(text_, &QTextBrowser::sourceChanged, this, &ManualWindow::follow);
+  connect(text_, &QTextBrowser::sourceChanged, this,
+          [this](const QUrl& url) { choose(url.fileName()); });
   connect(text_, &QTextBrowser::backwardAvailable, back_, &QWidget::setEnabled);
   connect(text_, &QTextBrowser::forwardAvailable, forward_, &QWidget::setEnabled);
   connect(back_, &QToolButton::clicked, text_, &QTextBrowser::backward);
@@ -129,11 +130,11 @@ QString ManualWindow::shownPage() const {
   return text_->source().fileName();
 }
 
-void ManualWindow::follow() {
+void ManualWindow::choose(const QString& page) {
   const QSignalBlocker quiet(list_);
   list_->setCurrentRow(-1);
   for (int row = 0; row < list_->count(); ++row) {
-    if (list_->item(row)->data(Qt::UserRole).toString() == shownPage()) {
+    if (list_->item(row)->data(Qt::UserRole).toString() == page) {
       list_->setCurrentRow(row);
     }
   }

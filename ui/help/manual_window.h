@@ -33,7 +33,8 @@ protected:
 private:
   void retranslateUi();
   void fillList();
-  void follow();
+  /// In the list.
+  void choose(const QString& page);
   void drawIcons();
 
   QString folder_;

@@ -146,7 +146,10 @@ void MainWindow::installFeatures() {
   installTransportBar(bench);
   messageRow_ = new MessageRow(messages_, this);
   placeMessageRow();
-  connect(messageRow_, &MessageRow::heightChanging, docks_, &DockManager::keepHeightsBelow);
+  connect(messageRow_, &MessageRow::heightChanging, docks_,
+          [this] { docks_->keepHeightsBelow(true); });
+  connect(messageRow_, &MessageRow::heightChanged, docks_,
+          [this] { docks_->keepHeightsBelow(false); });
   menus_->make();
   connectRun();
   birdsEye->prepare();

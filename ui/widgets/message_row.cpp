@@ -47,6 +47,7 @@ void MessageRow::fit() {
     Q_EMIT heightChanging();
     setFixedHeight(wanted);
     updateGeometry();
+    Q_EMIT heightChanged();
   }
   bar_->setGeometry(0, 0, width(), wanted);
 }

@@ -24,6 +24,7 @@ public:
 Q_SIGNALS:
   /// Its height is about to change.
   void heightChanging();
+  void heightChanged();
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

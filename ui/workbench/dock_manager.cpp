@@ -18,8 +18,7 @@
 namespace dewpoint::ui {
 
 namespace {
-/// How often in a row sizes are given: what one row of docks gets changes what another can have.
-constexpr int kAdjustments = 2;
+constexpr int kAdjustments = 2; ///< sizes given in a row: those of one row of docks change others
 /// Versions of a layout: somebody has arranged the views, or they suit the size of the window.
 constexpr int kByHand = 0;
 constexpr int kForSize = 1;
@@ -28,7 +27,7 @@ constexpr int kForSize = 1;
 DockManager::DockManager(QMainWindow& window, Document& document, const SessionController& session,
                          QObject* parent)
     : QObject(parent), window_(window), document_(document), session_(session),
-      names_(new DockNames(window, this)) {
+      names_(new DockNames(window, this)), heightsBelow_(window) {
   window_.setDockNestingEnabled(true);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.installEventFilter(this);
@@ -37,7 +36,11 @@ DockManager::DockManager(QMainWindow& window, Document& document, const SessionC
 ViewDock* DockManager::make(const DockDeclaration& declaration) {
   auto* dock = new ViewDock(declaration, &window_);
   connect(dock, &ViewDock::maximizeWanted, this, [this, dock] { toggleMaximized(dock); });
-  const auto movedByUser = [this] { suitsSize_ = suitsSize_ && arranging_; };
+  const auto movedByUser = [this] {
+    suitsSize_ = suitsSize_ && arranging_;
+    heightsBelow_.forget();
+  };
+  connect(dock, &QDockWidget::visibilityChanged, &heightsBelow_, &HeldHeights::forget);
   connect(dock, &QDockWidget::dockLocationChanged, this, movedByUser);
   connect(dock, &QDockWidget::visibilityChanged, this, &DockManager::distributeDockSizesSoon);
   connect(dock, &QDockWidget::topLevelChanged, this, [this, movedByUser] {
@@ -284,25 +287,12 @@ void DockManager::distributeCameras(const ImageGrid& grid, int height) {
   window_.resizeDocks({cameras.begin(), cameras.end()}, heights, Qt::Vertical);
 }
 
-void DockManager::keepHeightsBelow() {
+void DockManager::keepHeightsBelow(bool kept) {
   distributeDockSizesSoon();
   if (suitsSize_ || maximized_ != nullptr) {
     return;
   }
-  QList<QDockWidget*> below;
-  QList<int> heights;
-  for (ViewDock* dock : docks()) {
-    if (window_.dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating() &&
-        !dock->isHidden() && !dock->isBehind()) {
-      below.push_back(dock);
-      heights.push_back(heightWithTabs(window_, *dock));
-    }
-  }
-  for (int k = 0; k < kAdjustments; ++k) {
-    QMetaObject::invokeMethod(
-        this, [this, below, heights] { window_.resizeDocks(below, heights, Qt::Vertical); },
-        Qt::QueuedConnection);
-  }
+  kept ? heightsBelow_.hold() : heightsBelow_.release();
 }
 
 bool DockManager::eventFilter(QObject* watched, QEvent* event) {
@@ -311,12 +301,17 @@ bool DockManager::eventFilter(QObject* watched, QEvent* event) {
   }
   switch (event->type()) {
   case QEvent::Resize:
+    heightsBelow_.forget();
+    [[fallthrough]];
   case QEvent::Show:
     distributeDockSizesSoon();
     break;
   case QEvent::MouseButtonPress:
     // What is the window's own, between its docks.
     separator_ = window_.childAt(static_cast<QMouseEvent*>(event)->position().toPoint()) == nullptr;
+    break;
+  case QEvent::MouseButtonRelease:
+    heightsBelow_.forget();
     break;
   case QEvent::MouseMove:
     suitsSize_ =

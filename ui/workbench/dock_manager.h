@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/workbench/held_heights.h"
 #include "ui/workbench/image_grid.h"
 #include "ui/workbench/view_dock.h"
 #include "ui/workbench/view_shares.h"
@@ -44,8 +45,9 @@ public:
   /// Gives the views the sizes that suit the window, once the layout has settled; nothing when
   /// somebody has arranged them otherwise.
   void distributeDockSizesSoon();
-  /// Room above the views comes or goes: the images take it, and what lies below them stays.
-  void keepHeightsBelow();
+  /// Room above the views comes or goes (`kept`), or has (not `kept`): the images take it, and what
+  /// lies below them stays.
+  void keepHeightsBelow(bool kept);
   /// Puts the layout into the document: that of all views, also while one fills the window or a
   /// page hides them.
   void storeLayout();
@@ -96,11 +98,12 @@ private:
   Document& document_;
   const SessionController& session_;
   DockNames* names_;
-  int cameraColumns_ = 0;  ///< in which the cameras stand; 0: not arranged yet
-  bool suitsSize_ = true;  ///< nobody has arranged the views otherwise
-  bool arranging_ = false; ///< what moves now, nobody has moved
-  bool separator_ = false; ///< the pointer was pressed on one
-  int adjustments_ = 0;    ///< so often are sizes given soon
+  int cameraColumns_ = 0;    ///< in which the cameras stand; 0: not arranged yet
+  bool suitsSize_ = true;    ///< nobody has arranged the views otherwise
+  bool arranging_ = false;   ///< what moves now, nobody has moved
+  bool separator_ = false;   ///< the pointer was pressed on one
+  int adjustments_ = 0;      ///< so often are sizes given soon
+  HeldHeights heightsBelow_; ///< of what lies below, while messages come and go
   ViewDock* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
   /// Which docks were put away when one was maximized.

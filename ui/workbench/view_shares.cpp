@@ -6,7 +6,6 @@
 
 #include <QMainWindow>
 #include <QStatusBar>
-#include <QTabBar>
 #include <QToolBar>
 
 #include <algorithm>
@@ -58,20 +57,6 @@ ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>&
                              shares.timeline - 2 * kDockSeparator)
                        .expandedTo({1, 1});
   return shares;
-}
-
-int heightWithTabs(const QMainWindow& window, const ViewDock& dock) {
-  constexpr int kNear = 8; // pixels between tabs and what they belong to, at most
-  const QRect place = dock.geometry();
-  for (const QTabBar* tabs : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
-    const QRect bar = tabs->geometry();
-    const int gap = place.top() - bar.bottom() - 1;
-    if (tabs->isVisible() && gap >= -1 && gap < kNear && bar.left() < place.center().x() &&
-        bar.right() > place.left()) {
-      return place.bottom() + 1 - bar.top();
-    }
-  }
-  return place.height();
 }
 
 std::vector<double> imageAspectsOf(const Project& project, std::size_t cameras) {

@@ -34,9 +34,6 @@ inline constexpr int kDockSeparator = 6;
 ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
                         const ViewDock& scene, const ViewDock& timeline);
 
-/// The height that a dock takes in the window, with the tabs above it if it has any.
-int heightWithTabs(const QMainWindow& window, const ViewDock& dock);
-
 /// Width / height of the images of each camera, as far as they are known.
 std::vector<double> imageAspectsOf(const project::Project& project, std::size_t cameras);
 

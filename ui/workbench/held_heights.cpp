@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/held_heights.h"
+
+#include <QDockWidget>
+#include <QLayout>
+#include <QMainWindow>
+
+namespace dewpoint::ui {
+
+HeldHeights::HeldHeights(QMainWindow& window, QObject* parent) : QObject(parent), window_(window) {}
+
+void HeldHeights::hold() {
+  if (heights_.empty()) {
+    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+      if (window_.dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating() &&
+          !dock->isHidden() && !dock->visibleRegion().isEmpty()) { // not behind a tab
+        heights_.emplace_back(dock, dock->height());
+      }
+    }
+  }
+  for (const auto& [dock, height] : heights_) {
+    if (dock != nullptr) {
+      dock->setFixedHeight(height);
+    }
+  }
+}
+
+void HeldHeights::release() {
+  window_.layout()->activate();
+  for (const auto& [dock, height] : heights_) {
+    if (dock != nullptr) {
+      dock->setMinimumHeight(0);
+      dock->setMaximumHeight(QWIDGETSIZE_MAX);
+    }
+  }
+}
+
+} // namespace dewpoint::ui
