@@ -12,10 +12,6 @@
         <translation>Start</translation>
     </message>
     <message>
-        <source>Project</source>
-        <translation>Projekt</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>Neues Projekt…</translation>
     </message>
@@ -152,28 +148,12 @@
         <translation>Zeigen, wo die Kameras die Zielfarbe sehen</translation>
     </message>
     <message>
-        <source>Look from above</source>
-        <translation>Blick von oben</translation>
-    </message>
-    <message>
         <source>Bird&apos;s-eye view from above: the XY plane</source>
         <translation>Vogelperspektive von oben: die XY-Ebene</translation>
     </message>
     <message>
-        <source>Look from the front</source>
-        <translation>Blick von vorn</translation>
-    </message>
-    <message>
         <source>Bird&apos;s-eye view from the front: the XZ plane</source>
         <translation>Vogelperspektive von vorn: die XZ-Ebene</translation>
-    </message>
-    <message>
-        <source>Look freely</source>
-        <translation>Freier Blick</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
-        <translation>Vogelperspektive von schräg oben, frei drehbar</translation>
     </message>
     <message>
         <source>Search actions…</source>
@@ -184,16 +164,8 @@
         <translation>Jede Aktion nach ihrem Namen finden</translation>
     </message>
     <message>
-        <source>Arrange the views anew</source>
-        <translation>Ansichten neu anordnen</translation>
-    </message>
-    <message>
         <source>Put all views back where they were at first</source>
         <translation>Alle Ansichten dorthin, wo sie anfangs waren</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Colors of the system</source>
@@ -595,6 +567,190 @@
         <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
         <translation>Den Quader, in dem Ziele gesucht werden, in den Bildern und in der Vogelperspektive zeigen</translation>
     </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished">Datei</translation>
+    </message>
+    <message>
+        <source>Track again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Track all again that is of earlier settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to 1/30</source>
+        <translation>Die Aufnahme langsamer abspielen, bis hinab zu 1/30</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to eight times</source>
+        <translation>Die Aufnahme schneller abspielen, bis zu achtmal so schnell</translation>
+    </message>
+    <message>
+        <source>Normal speed</source>
+        <translation>Normale Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Play the recording as fast as it was filmed</source>
+        <translation>Die Aufnahme so schnell abspielen, wie sie gefilmt wurde</translation>
+    </message>
+    <message>
+        <source>Slowly until it converges</source>
+        <translation>Langsam, bis es konvergiert</translation>
+    </message>
+    <message>
+        <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
+        <translation>Die ersten Iterationen eines Laufs einzeln abspielen, bis jedes Ziel gehalten ist (höchstens fünf Sekunden)</translation>
+    </message>
+    <message>
+        <source>Show magnifier</source>
+        <translation>Lupe zeigen</translation>
+    </message>
+    <message>
+        <source>Enlarge the particles of a target in a corner of the image where they are too close together to be seen</source>
+        <translation>Die Partikel eines Ziels in einer Ecke des Bildes vergrößern, wo sie zu dicht beieinander liegen, um sichtbar zu sein</translation>
+    </message>
+    <message>
+        <source>Show lines of sight</source>
+        <translation>Sichtlinien zeigen</translation>
+    </message>
+    <message>
+        <source>Draw a line in the bird&apos;s-eye view from each camera to the target: broken where it is hidden from the camera</source>
+        <translation>In der Vogelperspektive eine Linie von jeder Kamera zum Ziel zeichnen: gestrichelt, wo es für die Kamera verdeckt ist</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Enlarge the camera image under the pointer, or that of the selected camera (the wheel does the same)</source>
+        <translation>Das Kamerabild unter dem Mauszeiger vergrößern, oder das der gewählten Kamera (das Rad tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Show more of the camera image under the pointer, or of that of the selected camera</source>
+        <translation>Mehr vom Kamerabild unter dem Mauszeiger zeigen, oder von dem der gewählten Kamera</translation>
+    </message>
+    <message>
+        <source>Fit image</source>
+        <translation>Bild einpassen</translation>
+    </message>
+    <message>
+        <source>Show all of the camera image again (double click does the same)</source>
+        <translation>Wieder das ganze Kamerabild zeigen (ein Doppelklick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>Ansicht von oben</translation>
+    </message>
+    <message>
+        <source>Front view</source>
+        <translation>Ansicht von vorn</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view in perspective, free to orbit</source>
+        <translation>Vogelperspektive in Perspektive, frei drehbar</translation>
+    </message>
+    <message>
+        <source>Fit everything in view</source>
+        <translation>Alles einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole room in the bird&apos;s-eye view again (double click does the same)</source>
+        <translation>Wieder den ganzen Raum in der Vogelperspektive zeigen (ein Doppelklick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the window fill the screen, or give it its frame back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot position</source>
+        <translation>Position zeigen</translation>
+    </message>
+    <message>
+        <source>Position along x, y and z with a band of two standard deviations, and the truth where it is known</source>
+        <translation>Position entlang x, y und z mit einem Band von zwei Standardabweichungen, dazu die Wahrheit, wo sie bekannt ist</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the manual at the page of the view that is in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quick start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you see in the window, and how to begin in five steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What crosses, ellipses and dots in the images mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the reference of the tracking methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collect what helps to find a fault, ready to be copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version, license, and how to cite Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -783,6 +939,17 @@
     </message>
 </context>
 <context>
+    <name>CalibrationFiles</name>
+    <message>
+        <source>Calibrations (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
@@ -944,6 +1111,13 @@
     <message>
         <source>camera %1</source>
         <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>CameraView</name>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
     </message>
 </context>
 <context>
@@ -1133,6 +1307,33 @@
     <message>
         <source>A range for all of the target would match %1 % of the background.</source>
         <translation>Ein Bereich für das ganze Ziel würde auf %1 % des Hintergrunds passen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Convergence</name>
+    <message>
+        <source>How far apart the particles are after each iteration of the frame shown: the filter has converged where the curve becomes level.</source>
+        <translation>Wie weit die Partikel nach jeder Iteration des gezeigten Bildes auseinanderliegen: Wo die Kurve flach wird, ist der Filter konvergiert.</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Convergence in frame %1 (%2)</source>
+        <comment>number of a frame, unit</comment>
+        <translation>Konvergenz in Bild %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -1477,6 +1678,21 @@
     </message>
 </context>
 <context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Wrote the figure %1.</source>
+        <translation type="unfinished">Die Abbildung %1 wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2 files; the last is %3.</source>
+        <translation type="unfinished">%1 Zeilen in %2 Dateien exportiert; die letzte ist %3.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2.</source>
+        <translation type="unfinished">%1 Zeilen nach %2 exportiert.</translation>
+    </message>
+</context>
+<context>
     <name>GlContext</name>
     <message>
         <source>no OpenGL context can be made on this display</source>
@@ -1583,36 +1799,95 @@
 <context>
     <name>Method</name>
     <message>
-        <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
-        <translation>Der Farb-Partikelfilter von Barrera et al. (2005): für Lehre und Vergleich.</translation>
+        <source>A box in one video</source>
+        <translation>Ein Rahmen in einem Video</translation>
     </message>
     <message>
-        <source>The filter over triangulated positions of Barrera et al. (2005), section III-C: to study how a particle filter moves.</source>
-        <translation>Das Filter über triangulierte Positionen von Barrera et al. (2005), Abschnitt III-C: um zu untersuchen, wie sich ein Partikelfilter bewegt.</translation>
+        <source>A particle filter on color histograms</source>
+        <translation>Ein Partikelfilter auf Farbhistogrammen</translation>
     </message>
     <message>
-        <source>The surest and most accurate: for all that moves, any number of cameras and targets.</source>
-        <translation>Das sicherste und genaueste: für alles, was sich bewegt, mit beliebig vielen Kameras und Zielen.</translation>
+        <source>A particle filter on positions</source>
+        <translation>Ein Partikelfilter auf Positionen</translation>
     </message>
     <message>
-        <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
-        <translation>Folgt einem Rahmen in den Bildern einer Kamera nach den Farben seiner Teile: findet ihn wieder, wenn er verdeckt war, und folgt seiner Größe.</translation>
+        <source>A plain particle filter on color</source>
+        <translation>Ein einfacher Partikelfilter auf Farbe</translation>
     </message>
     <message>
-        <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
-        <translation>Der Farbhistogramm-Filter von Sugandi u. a. (2009) für einen Rahmen in den Bildern einer Kamera: zum Lehren und Vergleichen.</translation>
+        <source>Anything colored, in 3D</source>
+        <translation>Alles Farbige, in 3D</translation>
     </message>
     <message>
-        <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
-        <translation>Mehrere Personen nach Bewegung und Farbe, jede mit eigenem Filter (Mohedano u. a. 2009, MS+C): hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
+        <source>Anything you draw a box around</source>
+        <translation>Alles, worum Sie einen Rahmen ziehen</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
-        <translation>Mehrere Personen nur nach Bewegung (Mohedano u. a. 2009, MS): erfasst mehr vom Körper als MS+C, verwechselt aber Personen, die sich nahe kommen.</translation>
+        <source>Balls, hands, anything colored</source>
+        <translation>Bälle, Hände, alles Farbige</translation>
     </message>
     <message>
-        <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
-        <translation>Mehrere Personen, die gehen, sich treffen und Ähnliches tragen: Orte auf dem Boden, unterschieden danach, was jede in den Bildern verdeckt.</translation>
+        <source>Follows its colors and its size, and finds it again after it was hidden.</source>
+        <translation>Folgt seinen Farben und seiner Größe und findet es wieder, wenn es verdeckt war.</translation>
+    </message>
+    <message>
+        <source>For comparison: confuses people who come close.</source>
+        <translation>Zum Vergleich: verwechselt Personen, die sich nahe kommen.</translation>
+    </message>
+    <message>
+        <source>For comparison: tells people apart by different clothes.</source>
+        <translation>Zum Vergleich: unterscheidet Personen an verschiedener Kleidung.</translation>
+    </message>
+    <message>
+        <source>For teaching: follows a box in one video.</source>
+        <translation>Für die Lehre: folgt einem Rahmen in einem Video.</translation>
+    </message>
+    <message>
+        <source>For teaching: shows how a particle filter works.</source>
+        <translation>Für die Lehre: zeigt, wie ein Partikelfilter arbeitet.</translation>
+    </message>
+    <message>
+        <source>For teaching: shows how particles follow measurements.</source>
+        <translation>Für die Lehre: zeigt, wie Partikel Messungen folgen.</translation>
+    </message>
+    <message>
+        <source>From papers, for teaching and comparison</source>
+        <translation>Aus Artikeln, für Lehre und Vergleich</translation>
+    </message>
+    <message>
+        <source>People by motion alone</source>
+        <translation>Personen nur nach Bewegung</translation>
+    </message>
+    <message>
+        <source>People by motion and color</source>
+        <translation>Personen nach Bewegung und Farbe</translation>
+    </message>
+    <message>
+        <source>People in a room</source>
+        <translation>Personen in einem Raum</translation>
+    </message>
+    <message>
+        <source>People who walk and meet</source>
+        <translation>Personen, die gehen und sich treffen</translation>
+    </message>
+    <message>
+        <source>Positions on the floor of several people, also in similar clothes.</source>
+        <translation>Positionen mehrerer Personen auf dem Boden, auch in ähnlicher Kleidung.</translation>
+    </message>
+    <message>
+        <source>The most accurate: decides by itself between a ball and any other shape.</source>
+        <translation>Das genaueste: entscheidet selbst zwischen einem Ball und jeder anderen Form.</translation>
+    </message>
+</context>
+<context>
+    <name>MethodObstacle</name>
+    <message>
+        <source>Needs calibrated cameras.</source>
+        <translation>Braucht kalibrierte Kameras.</translation>
+    </message>
+    <message>
+        <source>Needs at least two cameras.</source>
+        <translation>Braucht mindestens zwei Kameras.</translation>
     </message>
 </context>
 <context>
@@ -2063,6 +2338,33 @@
     </message>
 </context>
 <context>
+    <name>ParameterGroup</name>
+    <message>
+        <source>Area and people</source>
+        <translation>Fläche und Personen</translation>
+    </message>
+    <message>
+        <source>Essential</source>
+        <translation>Wesentliches</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Für Fachleute</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Search and start</source>
+        <translation>Suche und Start</translation>
+    </message>
+</context>
+<context>
     <name>ParameterRow</name>
     <message>
         <source>%1
@@ -2075,6 +2377,14 @@ Von %2 bis %3%4; Vorgabe %5%4.</translation>
 From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>%1
 Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Changed: the default is %1.</source>
+        <translation>Geändert: Die Vorgabe ist %1.</translation>
+    </message>
+    <message>
+        <source>Reset to %1 (Backspace on the slider)</source>
+        <translation>Auf %1 zurücksetzen (Rücktaste auf dem Schieberegler)</translation>
     </message>
 </context>
 <context>
@@ -2090,6 +2400,17 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>learning: %1 %</source>
         <translation>lernt: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>PlotAxisStrip</name>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>Iteration</translation>
     </message>
 </context>
 <context>
@@ -2112,6 +2433,18 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title of a plot, unit of its axis</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>PlotReadout</name>
+    <message>
+        <source>truth</source>
+        <translation>Wahrheit</translation>
     </message>
 </context>
 <context>
@@ -2195,6 +2528,14 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <source>its color, but not its shape</source>
         <translation>seine Farbe, aber nicht seine Form</translation>
     </message>
+    <message>
+        <source>hidden here</source>
+        <translation>hier verdeckt</translation>
+    </message>
+    <message>
+        <source>not in this picture</source>
+        <translation>nicht in diesem Bild</translation>
+    </message>
 </context>
 <context>
     <name>RunPlots</name>
@@ -2250,6 +2591,18 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <source>to the reference</source>
         <translation>zur Vorlage</translation>
     </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -2285,6 +2638,14 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <source>corrected</source>
         <translation>korrigiert</translation>
     </message>
+    <message>
+        <source>of earlier settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How well each target is held appears here when tracking runs.</source>
+        <translation>Wie gut jedes Ziel gehalten wird, erscheint hier, sobald die Verfolgung läuft.</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -2295,6 +2656,14 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exportieren</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished">Start</translation>
     </message>
 </context>
 <context>
@@ -2377,6 +2746,57 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
         <translation>Ein Fall braucht zwei Augenblicke: einen, in dem der Ball zu fallen beginnt, und einen, in dem er noch fällt.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::AboutDialog</name>
+    <message>
+        <source>Show license</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide license</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dewpoint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How to cite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole text of the license, or hide it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy citation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the line for your list of references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2999,6 +3419,68 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CalibrationChoice</name>
+    <message>
+        <source>Calibration:</source>
+        <translation type="unfinished">Kalibrierung:</translation>
+    </message>
+    <message>
+        <source>Choose calibration…</source>
+        <translation type="unfinished">Kalibrierung wählen…</translation>
+    </message>
+    <message>
+        <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go without a calibration file</source>
+        <translation type="unfinished">Ohne Kalibrierungsdatei</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation type="unfinished">Eine Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognized: %1. It cannot be used: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be used: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not recognized. Dewpoint reads: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ Recognized: %1, %n cameras</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None: camera positions will be a guess</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CalibrationDock</name>
     <message>
         <source>Ways to calibrate</source>
@@ -3085,14 +3567,6 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <message>
         <source>Choose a folder</source>
         <translation>Ordner wählen</translation>
-    </message>
-    <message>
-        <source>Calibrations</source>
-        <translation>Kalibrierungen</translation>
-    </message>
-    <message>
-        <source>All files</source>
-        <translation>Alle Dateien</translation>
     </message>
     <message>
         <source>Import a calibration</source>
@@ -3681,6 +4155,54 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraTable</name>
+    <message>
+        <source>rtsp://192.168.0.10/stream, or a device number such as 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %3 frames per second · %n frames</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live: tried when the project is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos differ in length: using the first %n frames.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos differ in size: each camera keeps its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
@@ -3720,6 +4242,38 @@ bei %4, %5, %6</translation>
         <source>Color</source>
         <translation>Farbe</translation>
     </message>
+    <message>
+        <source>Take a box here</source>
+        <translation>Hier Rahmen nehmen</translation>
+    </message>
+    <message>
+        <source>Follow what is here, from a box around it</source>
+        <translation>Verfolgen, was hier ist, von einem Rahmen darum an</translation>
+    </message>
+    <message>
+        <source>Learn the color here</source>
+        <translation>Hier Farbe lernen</translation>
+    </message>
+    <message>
+        <source>The target has the color of what is here</source>
+        <translation>Das Ziel hat die Farbe dessen, was hier ist</translation>
+    </message>
+    <message>
+        <source>Add a sample here</source>
+        <translation>Hier Probe hinzufügen</translation>
+    </message>
+    <message>
+        <source>The target has the color of what is here, too (Shift and a click do the same)</source>
+        <translation>Das Ziel hat auch die Farbe dessen, was hier ist (Umschalt-Klick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>This is not the target</source>
+        <translation>Das ist nicht das Ziel</translation>
+    </message>
+    <message>
+        <source>Exclude the color of what is here (Alt and a click do the same)</source>
+        <translation>Die Farbe dessen, was hier ist, ausschließen (Alt-Klick tut dasselbe)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorLearner</name>
@@ -3755,10 +4309,6 @@ bei %4, %5, %6</translation>
         <translation>Die Bilder werden betrachtet …</translation>
     </message>
     <message>
-        <source>Learn</source>
-        <translation>Lernen</translation>
-    </message>
-    <message>
         <source>No target yet</source>
         <translation>Noch kein Ziel</translation>
     </message>
@@ -3781,22 +4331,6 @@ bei %4, %5, %6</translation>
     <message>
         <source>Click the thing to follow</source>
         <translation>Klicke an, was verfolgt werden soll</translation>
-    </message>
-    <message>
-        <source>Click the target</source>
-        <translation>Klicke das Ziel an</translation>
-    </message>
-    <message>
-        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
-        <translation>Klicke dann das Ziel in einem Kamerabild an, oder ziehe einen Rahmen darum. Umschalt-Klick fügt eine Probe hinzu, Alt-Klick oder Strg+Umschalt-Klick schließt aus, was nicht das Ziel ist.</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Rahmen</translation>
-    </message>
-    <message>
-        <source>Then click the thing in any camera image, or drag a box around it. Shift does the same without this button.</source>
-        <translation>Dann das Ding in einem Kamerabild anklicken oder einen Rahmen darum ziehen. Mit Umschalt geht dasselbe ohne diese Schaltfläche.</translation>
     </message>
     <message>
         <source>Click the thing or drag a box around it</source>
@@ -3942,6 +4476,10 @@ bei %4, %5, %6</translation>
         <source>Remove correction</source>
         <translation>Korrektur entfernen</translation>
     </message>
+    <message>
+        <source>Say that the target is here in the frame shown: tracking goes on from there</source>
+        <translation>Sagen, dass das Ziel im gezeigten Bild hier ist: Von dort wird weiter verfolgt</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
@@ -3979,6 +4517,14 @@ bei %4, %5, %6</translation>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>Diese Ansicht lösen oder zurücksetzen (Doppelklick auf den Titel: ganzes Fenster)</translation>
     </message>
+    <message>
+        <source>Show all views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the other views their places back (Esc, or double click here)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::Document</name>
@@ -3989,6 +4535,25 @@ bei %4, %5, %6</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Mit „%1“ verfolgen</translation>
+    </message>
+    <message>
+        <source>Reset “%1”</source>
+        <translation>„%1“ zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>Alle Parameter zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DropZone</name>
+    <message>
+        <source>Drop videos here, or add them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One per camera; also folders of images, and a calibration file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4180,18 +4745,6 @@ bei %4, %5, %6</translation>
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Wrote the figure %1.</source>
-        <translation>Die Abbildung %1 wurde geschrieben.</translation>
-    </message>
-    <message>
-        <source>Exported %1 rows to %2 files; the last is %3.</source>
-        <translation>%1 Zeilen in %2 Dateien exportiert; die letzte ist %3.</translation>
-    </message>
-    <message>
-        <source>Exported %1 rows to %2.</source>
-        <translation>%1 Zeilen nach %2 exportiert.</translation>
-    </message>
-    <message>
         <source>First lines of the file</source>
         <translation>Erste Zeilen der Datei</translation>
     </message>
@@ -4274,6 +4827,10 @@ bei %4, %5, %6</translation>
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Some of these results are of earlier settings.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4421,6 +4978,46 @@ bei %4, %5, %6</translation>
     <message>
         <source>millimeters</source>
         <translation>Millimeter</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExportOutcome</name>
+    <message>
+        <source>Show in folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder of the file that was written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file manager was found. The file is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FollowAllButton</name>
+    <message numerus="yes">
+        <source>Follow all %n of them</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add a target of the same color and size for each of the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow all of one color</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::GalleryCard</name>
+    <message>
+        <source>Opening…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4633,6 +5230,104 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::LearnModes</name>
+    <message>
+        <source>What a click in an image does</source>
+        <translation>Was ein Klick in ein Bild bewirkt</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Add sample</source>
+        <translation>Probe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Not this</source>
+        <translation>Dies nicht</translation>
+    </message>
+    <message>
+        <source>Then click the thing in a camera image, or drag a box around it.
+Shift-click does the same at any time.</source>
+        <translation>Dann das Ding in einem Kamerabild anklicken oder einen Rahmen darum ziehen.
+Umschalt-Klick tut jederzeit dasselbe.</translation>
+    </message>
+    <message>
+        <source>Then click the target in a camera image, or drag a box on it:
+its color is learned again.</source>
+        <translation>Dann das Ziel in einem Kamerabild anklicken oder einen Rahmen darum ziehen:
+Seine Farbe wird neu gelernt.</translation>
+    </message>
+    <message>
+        <source>Learn the color first: click the target in a camera image.</source>
+        <translation>Erst die Farbe lernen: das Ziel in einem Kamerabild anklicken.</translation>
+    </message>
+    <message>
+        <source>Then click another part of the target, or the target in other light.
+Shift-click does the same at any time.</source>
+        <translation>Dann einen anderen Teil des Ziels anklicken, oder das Ziel in anderem Licht.
+Umschalt-Klick tut jederzeit dasselbe.</translation>
+    </message>
+    <message>
+        <source>Then click what matches but is not the target.
+Alt-click or Ctrl+Shift-click does the same at any time.</source>
+        <translation>Dann anklicken, was passt, aber nicht das Ziel ist.
+Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
+    </message>
+    <message>
+        <source>Click: add a sample · Alt: not this · Esc</source>
+        <translation>Klick: Probe hinzufügen · Alt: dies nicht · Esc</translation>
+    </message>
+    <message>
+        <source>Click what is not the target · Esc</source>
+        <translation>Anklicken, was nicht das Ziel ist · Esc</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Alt: not this · Esc</source>
+        <translation>Klick: lernen · Umschalt: hinzufügen · Alt: dies nicht · Esc</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::LegendPicture</name>
+    <message>
+        <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cross: the estimate, the weighted mean of the particles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle: the particle of highest weight (View › Show best particle).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::MainWindow</name>
     <message>
         <source>Dewpoint</source>
@@ -4726,6 +5421,29 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ManualWindow</name>
+    <message>
+        <source>Manual – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manual was not found. It is expected in the folder %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::MarkerEditor</name>
     <message>
         <source>Name of the mark</source>
@@ -4756,14 +5474,51 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::MessageRow</name>
+    <message>
+        <source>Messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MissingFilesOffer</name>
+    <message>
+        <source>%1 (camera %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not found in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of this project were not found: %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened with the located files. Save the project to keep where they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::NewProjectPage</name>
     <message>
         <source>New project</source>
         <translation>Neues Projekt</translation>
-    </message>
-    <message>
-        <source>One row per camera. Frame k of all recordings has to show the same instant.</source>
-        <translation>Eine Zeile je Kamera. Bild k aller Aufnahmen muss denselben Augenblick zeigen.</translation>
     </message>
     <message>
         <source>Video files, one per camera</source>
@@ -4786,18 +5541,6 @@ bei %4, %5, %6</translation>
         <translation>Die gewählten Kameras herausnehmen</translation>
     </message>
     <message>
-        <source>TOML file with the cameras&apos; calibration; names, or else the order, tell which is whose</source>
-        <translation>TOML-Datei mit der Kalibrierung der Kameras; die Namen, sonst die Reihenfolge, sagen, welche zu welcher gehört</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Go without a calibration file</source>
-        <translation>Ohne Kalibrierungsdatei</translation>
-    </message>
-    <message>
         <source>Make the project and show its first images</source>
         <translation>Das Projekt machen und seine ersten Bilder zeigen</translation>
     </message>
@@ -4808,14 +5551,6 @@ bei %4, %5, %6</translation>
     <message>
         <source>Back without making a project</source>
         <translation>Zurück, ohne ein Projekt zu machen</translation>
-    </message>
-    <message>
-        <source>Calibration:</source>
-        <translation>Kalibrierung:</translation>
-    </message>
-    <message>
-        <source>as the folder is called</source>
-        <translation>wie der Ordner heißt</translation>
     </message>
     <message>
         <source>Name of the project</source>
@@ -4854,18 +5589,6 @@ bei %4, %5, %6</translation>
         <translation>An diesen Rechner ist keine Kamera angeschlossen. Eine Netzwerkkamera lässt sich mit ihrer Adresse hinzufügen.</translation>
     </message>
     <message>
-        <source>Choose a calibration</source>
-        <translation>Eine Kalibrierung wählen</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.toml);;All files (*)</source>
-        <translation>Kalibrierungen (*.toml);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>none: camera positions will be a guess</source>
-        <translation>keine: Die Kamerapositionen werden geraten</translation>
-    </message>
-    <message>
         <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
         <translation>Ohne Kalibrierung sind die Kamerapositionen geraten: In den Bildern lässt sich verfolgen, aber Positionen im Raum bedeuten noch nichts.</translation>
     </message>
@@ -4894,10 +5617,6 @@ bei %4, %5, %6</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Choose calibration…</source>
-        <translation>Kalibrierung wählen…</translation>
-    </message>
-    <message>
         <source>Create</source>
         <translation>Erstellen</translation>
     </message>
@@ -4913,6 +5632,44 @@ bei %4, %5, %6</translation>
         <source>Neither a video, nor images, nor a calibration: %1.</source>
         <translation>Weder ein Video noch Bilder noch eine Kalibrierung: %1.</translation>
     </message>
+    <message>
+        <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(folder name)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OldResultsOffer</name>
+    <message>
+        <source>Settings changed since this run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Track again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OverlayLegend</name>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ParameterPanel</name>
@@ -4925,10 +5682,6 @@ bei %4, %5, %6</translation>
         <translation>&amp;Verfahren</translation>
     </message>
     <message>
-        <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
-        <translation>Wie die Ziele verfolgt werden. Ein anderes Verfahren beginnt neu; der Rest bleibt.</translation>
-    </message>
-    <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
     </message>
@@ -4939,6 +5692,38 @@ bei %4, %5, %6</translation>
     <message>
         <source>Parameters</source>
         <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>More than “%1”: %2 is used.</source>
+        <translation>Mehr als „%1“: Verwendet wird %2.</translation>
+    </message>
+    <message>
+        <source>Less than “%1”, which has no effect then.</source>
+        <translation>Weniger als „%1“, das dann nicht wirkt.</translation>
+    </message>
+    <message>
+        <source>How the targets are tracked. Another method starts again; the rest stays.</source>
+        <translation>Wie die Ziele verfolgt werden. Ein anderes Verfahren beginnt neu; der Rest bleibt.</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Give all parameters of this method their defaults</source>
+        <translation>Allen Parametern dieses Verfahrens ihre Vorgaben geben</translation>
+    </message>
+    <message>
+        <source>Volume of interest</source>
+        <translation>Suchraum</translation>
+    </message>
+    <message>
+        <source>Targets are searched for in a box alone.</source>
+        <translation>Ziele werden nur in einem Quader gesucht.</translation>
+    </message>
+    <message>
+        <source>Something here differs from its default.</source>
+        <translation>Hier weicht etwas von seiner Vorgabe ab.</translation>
     </message>
 </context>
 <context>
@@ -5274,6 +6059,14 @@ bei %4, %5, %6</translation>
         <source>%1 could not be written.</source>
         <translation>%1 konnte nicht geschrieben werden.</translation>
     </message>
+    <message>
+        <source>Plots appear when tracking runs.</source>
+        <translation>Kurven erscheinen, sobald die Verfolgung läuft.</translation>
+    </message>
+    <message>
+        <source>The target whose numbers are plotted: the one selected in Target, or the first.</source>
+        <translation>Das Ziel, dessen Zahlen gezeigt werden: das unter „Ziel“ gewählte oder das erste.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlotStack</name>
@@ -5473,6 +6266,37 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ProblemReport</name>
+    <message>
+        <source>Report a problem – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the text, to be pasted into a mail or a form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ProjectController</name>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
@@ -5513,6 +6337,96 @@ bei %4, %5, %6</translation>
     <message>
         <source>Recovered. Save the project to keep it.</source>
         <translation>Wiederhergestellt. Speichern Sie das Projekt, um es zu behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::QuickStart</name>
+    <message>
+        <source>The cameras confirm where the target is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something else fits about as well. Press X and drag the target to where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not found yet, or not seen for less than a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not seen for a second. The line at the bottom says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quick start – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you see</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How sure it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How to begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the demo first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All signs…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the legend of all that is drawn over the images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Manual…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentList</name>
+    <message>
+        <source>The file is gone</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5581,6 +6495,61 @@ bei %4, %5, %6</translation>
     <message>
         <source>Done: %1. Undo takes it back.</source>
         <translation>Erledigt: %1. „Rückgängig“ nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunDetails</name>
+    <message>
+        <source>median %1, 99 of 100 within %2, longest %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none is set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, kept in %2 % of the iterations of this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time per iteration, median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From a frame to its estimate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time budget per iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation type="unfinished">Effektive Stichprobengröße</translation>
+    </message>
+    <message>
+        <source>Iterations since the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames skipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept of the past</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 particles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5678,46 +6647,35 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::SpeedButton</name>
+    <message>
+        <source>1/%1 ×</source>
+        <comment>speed</comment>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <comment>speed</comment>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played. Live cameras are always tracked as they come.</source>
+        <translation>Wie schnell die Aufnahme abgespielt wird. Livekameras werden immer so verfolgt, wie ihre Bilder kommen.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::StartPage</name>
     <message>
         <source>Dewpoint</source>
         <translation>Dewpoint</translation>
     </message>
     <message>
-        <source>Follow colored things in 3D with ordinary cameras.</source>
-        <translation>Farbige Dinge mit gewöhnlichen Kameras in 3D verfolgen.</translation>
-    </message>
-    <message>
         <source>Try the demo</source>
         <translation>Demo ausprobieren</translation>
-    </message>
-    <message>
-        <source>Two simulated cameras follow a moving ball</source>
-        <translation>Zwei simulierte Kameras verfolgen einen bewegten Ball</translation>
-    </message>
-    <message>
-        <source>Open videos</source>
-        <translation>Videos öffnen</translation>
-    </message>
-    <message>
-        <source>Make a project from recorded videos, one per camera</source>
-        <translation>Ein Projekt aus aufgenommenen Videos machen, eines je Kamera</translation>
-    </message>
-    <message>
-        <source>Cameras</source>
-        <translation>Kameras</translation>
-    </message>
-    <message>
-        <source>Make a project from connected cameras or network streams</source>
-        <translation>Ein Projekt aus angeschlossenen Kameras oder Netzwerkströmen machen</translation>
-    </message>
-    <message>
-        <source>Open project</source>
-        <translation>Projekt öffnen</translation>
-    </message>
-    <message>
-        <source>Open a project that was saved before</source>
-        <translation>Ein früher gespeichertes Projekt öffnen</translation>
     </message>
     <message>
         <source>Recent projects</source>
@@ -5726,6 +6684,90 @@ bei %4, %5, %6</translation>
     <message>
         <source>You can also drop a project or videos onto this window.</source>
         <translation>Ein Projekt oder Videos lassen sich auch auf dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Watch it converge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden for a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A box passes in front of the ball. One camera is enough to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three balls alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three more balls of the same color lie around. Only one moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People in an office</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four cameras carve everybody out of space, and give each a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One camera and a box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration: a box in the image is followed by its colors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a grid over the images until it lies on the floor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow colored objects in 3D with ordinary cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open videos…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One recording per camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use cameras…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected ones, or network streams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One that was saved before</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5743,10 +6785,6 @@ bei %4, %5, %6</translation>
         <translation>am Ende</translation>
     </message>
     <message>
-        <source>frame 0000 / 0000</source>
-        <translation>Bild 0000 / 0000</translation>
-    </message>
-    <message>
         <source>Frame shown, of all frames</source>
         <translation>Gezeigtes Bild, von allen Bildern</translation>
     </message>
@@ -5757,26 +6795,6 @@ bei %4, %5, %6</translation>
     <message>
         <source>Frames tracked per second</source>
         <translation>Verfolgte Bilder je Sekunde</translation>
-    </message>
-    <message>
-        <source>%1 per iteration</source>
-        <translation>%1 je Iteration</translation>
-    </message>
-    <message>
-        <source>Median time of one filter iteration</source>
-        <translation>Mittlere Dauer (Median) einer Filteriteration</translation>
-    </message>
-    <message>
-        <source>ESS %1 / %2</source>
-        <translation>ESS %1 / %2</translation>
-    </message>
-    <message>
-        <source>spread %1</source>
-        <translation>Streuung %1</translation>
-    </message>
-    <message>
-        <source>Root mean square distance of the particles to their mean</source>
-        <translation>Mittlerer quadratischer Abstand (RMS) der Partikel von ihrem Mittel</translation>
     </message>
     <message>
         <source>Estimated position of the target in the room</source>
@@ -5793,22 +6811,6 @@ bei %4, %5, %6</translation>
     <message>
         <source>x %1  y %2  z %3</source>
         <translation>x %1  y %2  z %3</translation>
-    </message>
-    <message>
-        <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
-        <translation>Vom Bild bis zur Schätzung: Median %1, 99 von 100 in %2, längstens %3</translation>
-    </message>
-    <message>
-        <source>Effective sample size, of all particles. Method “dewpoint” uses as many particles as it needs and as the time budget allows.</source>
-        <translation>Effektive Stichprobengröße, von allen Partikeln. Das Verfahren „dewpoint“ nimmt so viele Partikel, wie es braucht und das Zeitbudget erlaubt.</translation>
-    </message>
-    <message>
-        <source>No time budget is set.</source>
-        <translation>Es ist kein Zeitbudget gesetzt.</translation>
-    </message>
-    <message>
-        <source>Time budget %1: kept in %2 % of the iterations of this run</source>
-        <translation>Zeitbudget %1: in %2 % der Iterationen dieses Laufs eingehalten</translation>
     </message>
     <message>
         <source>tracking again</source>
@@ -5831,10 +6833,6 @@ bei %4, %5, %6</translation>
         <translation>anklicken oder einen Rahmen darum ziehen</translation>
     </message>
     <message>
-        <source>Effective sample size, of all particles</source>
-        <translation>Effektive Stichprobengröße, von allen Partikeln</translation>
-    </message>
-    <message>
         <source>x %1  y %2  %3 × %4</source>
         <translation>x %1  y %2  %3 × %4</translation>
     </message>
@@ -5853,6 +6851,30 @@ bei %4, %5, %6</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
         <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Etwas anderes passt etwa genauso gut. Verloren: seit einer Sekunde nicht gehalten.</translation>
+    </message>
+    <message>
+        <source>± %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation type="unfinished">%1 m/s</translation>
+    </message>
+    <message>
+        <source>Speed of the target in the room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times, particles, and what is kept of the past</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5954,6 +6976,38 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>radius %1</source>
+        <translation>Radius %1</translation>
+    </message>
+    <message>
+        <source>radius %1 (found)</source>
+        <translation>Radius %1 (gefunden)</translation>
+    </message>
+    <message>
+        <source>radius unknown</source>
+        <translation>Radius unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Add target</source>
+        <translation>Ziel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
     </message>
 </context>
 <context>
@@ -6203,6 +7257,10 @@ Effektive Stichprobengröße %8 von %9</translation>
         <source>Remove the correction</source>
         <translation>Die Korrektur entfernen</translation>
     </message>
+    <message>
+        <source>Speed and height appear when tracking runs.</source>
+        <translation>Geschwindigkeit und Höhe erscheinen, sobald die Verfolgung läuft.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::UncertaintyMapForm</name>
@@ -6318,16 +7376,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::ViewButtons</name>
     <message>
-        <source>Above</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
         <source>Front</source>
         <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>Frei</translation>
     </message>
     <message>
         <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
@@ -6338,8 +7388,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Blick von vorn: X nach rechts, Z nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
     </message>
     <message>
-        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Perspektive. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Den Raum in Perspektive sehen. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>See everything again, in the same view. Double click does it too.</source>
+        <translation>Wieder alles sehen, in derselben Ansicht. Ein Doppelklick tut es auch.</translation>
     </message>
 </context>
 <context>
@@ -6367,10 +7433,6 @@ Effektive Stichprobengröße %8 von %9</translation>
 </context>
 <context>
     <name>dewpoint::ui::VolumeForm</name>
-    <message>
-        <source>Volume of interest</source>
-        <translation>Suchraum</translation>
-    </message>
     <message>
         <source>From X, Y, Z</source>
         <translation>Von X, Y, Z</translation>
@@ -6826,10 +7888,6 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>&amp;Lauf</translation>
     </message>
     <message>
-        <source>&amp;Project</source>
-        <translation>&amp;Projekt</translation>
-    </message>
-    <message>
         <source>Open recent</source>
         <translation>Zuletzt geöffnet</translation>
     </message>
@@ -6842,16 +7900,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Ansichten</translation>
     </message>
     <message>
-        <source>Colors</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Show this view</source>
@@ -6860,6 +7910,22 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>Speak this language</source>
         <translation>Diese Sprache sprechen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

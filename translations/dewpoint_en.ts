@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>ColorText</name>
+    <message numerus="yes">
+        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BoxPanel</name>
     <message numerus="yes">
         <source>%n boxes, in pixels of the image</source>
@@ -12,12 +22,66 @@
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CalibrationChoice</name>
+    <message numerus="yes">
+        <source>✓ Recognized: %1, %n cameras</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::CameraTable</name>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %3 frames per second · %n frames</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos differ in length: using the first %n frames.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FollowAllButton</name>
+    <message numerus="yes">
+        <source>Follow all %n of them</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::GapList</name>
     <message numerus="yes">
         <source>%n frames</source>
         <translation>
             <numerusform>%n frame</numerusform>
             <numerusform>%n frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MissingFilesOffer</name>
+    <message numerus="yes">
+        <source>%n files of this project were not found: %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -12,10 +12,6 @@
         <translation>Reproducir</translation>
     </message>
     <message>
-        <source>Project</source>
-        <translation>Proyecto</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>Proyecto nuevo…</translation>
     </message>
@@ -152,28 +148,12 @@
         <translation>Mostrar dónde ven las cámaras el color del objetivo</translation>
     </message>
     <message>
-        <source>Look from above</source>
-        <translation>Ver desde arriba</translation>
-    </message>
-    <message>
         <source>Bird&apos;s-eye view from above: the XY plane</source>
         <translation>Vista de pájaro desde arriba: el plano XY</translation>
     </message>
     <message>
-        <source>Look from the front</source>
-        <translation>Ver desde el frente</translation>
-    </message>
-    <message>
         <source>Bird&apos;s-eye view from the front: the XZ plane</source>
         <translation>Vista de pájaro desde el frente: el plano XZ</translation>
-    </message>
-    <message>
-        <source>Look freely</source>
-        <translation>Vista libre</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
-        <translation>Vista de pájaro oblicua, con giro libre</translation>
     </message>
     <message>
         <source>Search actions…</source>
@@ -184,16 +164,8 @@
         <translation>Encontrar cualquier acción por su nombre</translation>
     </message>
     <message>
-        <source>Arrange the views anew</source>
-        <translation>Recolocar las vistas</translation>
-    </message>
-    <message>
         <source>Put all views back where they were at first</source>
         <translation>Poner todas las vistas donde estaban al principio</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Como el sistema</translation>
     </message>
     <message>
         <source>Colors of the system</source>
@@ -595,6 +567,190 @@
         <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
         <translation>Mostrar la caja en la que se buscan objetivos, en las imágenes y en la vista de pájaro</translation>
     </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished">Archivo</translation>
+    </message>
+    <message>
+        <source>Track again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Track all again that is of earlier settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Más lento</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to 1/30</source>
+        <translation>Reproducir la grabación más despacio, hasta 1/30</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Más rápido</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to eight times</source>
+        <translation>Reproducir la grabación más rápido, hasta ocho veces</translation>
+    </message>
+    <message>
+        <source>Normal speed</source>
+        <translation>Velocidad normal</translation>
+    </message>
+    <message>
+        <source>Play the recording as fast as it was filmed</source>
+        <translation>Reproducir la grabación a la velocidad a la que se filmó</translation>
+    </message>
+    <message>
+        <source>Slowly until it converges</source>
+        <translation>Despacio hasta que converja</translation>
+    </message>
+    <message>
+        <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
+        <translation>Reproducir una a una las primeras iteraciones de una ejecución, hasta que todos los objetivos estén seguidos (cinco segundos como máximo)</translation>
+    </message>
+    <message>
+        <source>Show magnifier</source>
+        <translation>Mostrar lupa</translation>
+    </message>
+    <message>
+        <source>Enlarge the particles of a target in a corner of the image where they are too close together to be seen</source>
+        <translation>Ampliar en una esquina de la imagen las partículas de un objetivo donde están demasiado juntas para verse</translation>
+    </message>
+    <message>
+        <source>Show lines of sight</source>
+        <translation>Mostrar líneas de visión</translation>
+    </message>
+    <message>
+        <source>Draw a line in the bird&apos;s-eye view from each camera to the target: broken where it is hidden from the camera</source>
+        <translation>Dibujar en la vista de pájaro una línea de cada cámara al objetivo: discontinua si está oculto para la cámara</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Acercar</translation>
+    </message>
+    <message>
+        <source>Enlarge the camera image under the pointer, or that of the selected camera (the wheel does the same)</source>
+        <translation>Ampliar la imagen de cámara bajo el puntero, o la de la cámara elegida (la rueda hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Alejar</translation>
+    </message>
+    <message>
+        <source>Show more of the camera image under the pointer, or of that of the selected camera</source>
+        <translation>Mostrar más de la imagen de cámara bajo el puntero, o de la de la cámara elegida</translation>
+    </message>
+    <message>
+        <source>Fit image</source>
+        <translation>Ajustar imagen</translation>
+    </message>
+    <message>
+        <source>Show all of the camera image again (double click does the same)</source>
+        <translation>Mostrar de nuevo toda la imagen de cámara (doble clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>Vista desde arriba</translation>
+    </message>
+    <message>
+        <source>Front view</source>
+        <translation>Vista desde el frente</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vista 3D</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view in perspective, free to orbit</source>
+        <translation>Vista de pájaro en perspectiva, con giro libre</translation>
+    </message>
+    <message>
+        <source>Fit everything in view</source>
+        <translation>Ajustar todo a la vista</translation>
+    </message>
+    <message>
+        <source>Show the whole room in the bird&apos;s-eye view again (double click does the same)</source>
+        <translation>Mostrar de nuevo toda la sala en la vista de pájaro (doble clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the window fill the screen, or give it its frame back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot position</source>
+        <translation>Mostrar posición</translation>
+    </message>
+    <message>
+        <source>Position along x, y and z with a band of two standard deviations, and the truth where it is known</source>
+        <translation>Posición en x, y y z con una banda de dos desviaciones típicas, y la verdad donde se conoce</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the manual at the page of the view that is in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quick start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you see in the window, and how to begin in five steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What crosses, ellipses and dots in the images mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the reference of the tracking methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collect what helps to find a fault, ready to be copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version, license, and how to cite Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -783,6 +939,17 @@
     </message>
 </context>
 <context>
+    <name>CalibrationFiles</name>
+    <message>
+        <source>Calibrations (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
@@ -944,6 +1111,13 @@
     <message>
         <source>camera %1</source>
         <translation>cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>CameraView</name>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
     </message>
 </context>
 <context>
@@ -1133,6 +1307,33 @@
     <message>
         <source>A range for all of the target would match %1 % of the background.</source>
         <translation>Un rango para todo el objetivo coincidiría con el %1 % del fondo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Convergence</name>
+    <message>
+        <source>How far apart the particles are after each iteration of the frame shown: the filter has converged where the curve becomes level.</source>
+        <translation>Cuánto distan entre sí las partículas tras cada iteración del fotograma mostrado: el filtro ha convergido donde la curva se aplana.</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Convergencia</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>dispersión</translation>
+    </message>
+    <message>
+        <source>Convergence in frame %1 (%2)</source>
+        <comment>number of a frame, unit</comment>
+        <translation>Convergencia en el fotograma %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -1477,6 +1678,21 @@
     </message>
 </context>
 <context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Wrote the figure %1.</source>
+        <translation type="unfinished">Se escribió la figura %1.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2 files; the last is %3.</source>
+        <translation type="unfinished">Se exportaron %1 filas a %2 archivos; el último es %3.</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2.</source>
+        <translation type="unfinished">Se exportaron %1 filas a %2.</translation>
+    </message>
+</context>
+<context>
     <name>GlContext</name>
     <message>
         <source>no OpenGL context can be made on this display</source>
@@ -1583,36 +1799,95 @@
 <context>
     <name>Method</name>
     <message>
-        <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
-        <translation>El filtro de partículas de color de Barrera et al. (2005): para enseñar y comparar.</translation>
+        <source>A box in one video</source>
+        <translation>Un recuadro en un vídeo</translation>
     </message>
     <message>
-        <source>The filter over triangulated positions of Barrera et al. (2005), section III-C: to study how a particle filter moves.</source>
-        <translation>El filtro sobre posiciones trianguladas de Barrera et al. (2005), sección III-C: para estudiar cómo se mueve un filtro de partículas.</translation>
+        <source>A particle filter on color histograms</source>
+        <translation>Un filtro de partículas sobre histogramas de color</translation>
     </message>
     <message>
-        <source>The surest and most accurate: for all that moves, any number of cameras and targets.</source>
-        <translation>El más seguro y preciso: para todo lo que se mueve, con cualquier número de cámaras y objetivos.</translation>
+        <source>A particle filter on positions</source>
+        <translation>Un filtro de partículas sobre posiciones</translation>
     </message>
     <message>
-        <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
-        <translation>Sigue un recuadro en las imágenes de una cámara por los colores de sus partes: lo reencuentra tras una ocultación y sigue su tamaño.</translation>
+        <source>A plain particle filter on color</source>
+        <translation>Un filtro de partículas sencillo sobre el color</translation>
     </message>
     <message>
-        <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
-        <translation>El filtro de histogramas de color de Sugandi et al. (2009), para un recuadro en las imágenes de una cámara: para enseñar y comparar.</translation>
+        <source>Anything colored, in 3D</source>
+        <translation>Cualquier cosa de color, en 3D</translation>
     </message>
     <message>
-        <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
-        <translation>Varias personas por movimiento y color, cada una con su propio filtro (Mohedano et al. 2009, MS+C): las distingue cuando su ropa es distinta.</translation>
+        <source>Anything you draw a box around</source>
+        <translation>Cualquier cosa que rodee con un recuadro</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
-        <translation>Varias personas solo por movimiento (Mohedano et al. 2009, MS): abarca más del cuerpo que MS+C, pero confunde a quienes se acercan.</translation>
+        <source>Balls, hands, anything colored</source>
+        <translation>Pelotas, manos, cualquier cosa de color</translation>
     </message>
     <message>
-        <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
-        <translation>Varias personas que caminan, se encuentran y visten de modo parecido: lugares en el suelo, distinguidas por lo que cada una cubre en las imágenes.</translation>
+        <source>Follows its colors and its size, and finds it again after it was hidden.</source>
+        <translation>Sigue sus colores y su tamaño, y lo reencuentra tras una ocultación.</translation>
+    </message>
+    <message>
+        <source>For comparison: confuses people who come close.</source>
+        <translation>Para comparar: confunde a quienes se acercan.</translation>
+    </message>
+    <message>
+        <source>For comparison: tells people apart by different clothes.</source>
+        <translation>Para comparar: distingue a las personas si su ropa es distinta.</translation>
+    </message>
+    <message>
+        <source>For teaching: follows a box in one video.</source>
+        <translation>Para enseñar: sigue un recuadro en un vídeo.</translation>
+    </message>
+    <message>
+        <source>For teaching: shows how a particle filter works.</source>
+        <translation>Para enseñar: muestra cómo funciona un filtro de partículas.</translation>
+    </message>
+    <message>
+        <source>For teaching: shows how particles follow measurements.</source>
+        <translation>Para enseñar: muestra cómo las partículas siguen las medidas.</translation>
+    </message>
+    <message>
+        <source>From papers, for teaching and comparison</source>
+        <translation>De artículos, para enseñar y comparar</translation>
+    </message>
+    <message>
+        <source>People by motion alone</source>
+        <translation>Personas solo por movimiento</translation>
+    </message>
+    <message>
+        <source>People by motion and color</source>
+        <translation>Personas por movimiento y color</translation>
+    </message>
+    <message>
+        <source>People in a room</source>
+        <translation>Personas en una sala</translation>
+    </message>
+    <message>
+        <source>People who walk and meet</source>
+        <translation>Personas que caminan y se encuentran</translation>
+    </message>
+    <message>
+        <source>Positions on the floor of several people, also in similar clothes.</source>
+        <translation>Posiciones en el suelo de varias personas, también con ropa parecida.</translation>
+    </message>
+    <message>
+        <source>The most accurate: decides by itself between a ball and any other shape.</source>
+        <translation>El más preciso: decide por sí mismo entre una bola y cualquier otra forma.</translation>
+    </message>
+</context>
+<context>
+    <name>MethodObstacle</name>
+    <message>
+        <source>Needs calibrated cameras.</source>
+        <translation>Necesita cámaras calibradas.</translation>
+    </message>
+    <message>
+        <source>Needs at least two cameras.</source>
+        <translation>Necesita al menos dos cámaras.</translation>
     </message>
 </context>
 <context>
@@ -2063,6 +2338,33 @@
     </message>
 </context>
 <context>
+    <name>ParameterGroup</name>
+    <message>
+        <source>Area and people</source>
+        <translation>Zona y personas</translation>
+    </message>
+    <message>
+        <source>Essential</source>
+        <translation>Esencial</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Avanzado</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Medición</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Search and start</source>
+        <translation>Búsqueda e inicio</translation>
+    </message>
+</context>
+<context>
     <name>ParameterRow</name>
     <message>
         <source>%1
@@ -2075,6 +2377,14 @@ De %2 a %3%4; por defecto %5%4.</translation>
 From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>%1
 De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
+    </message>
+    <message>
+        <source>Changed: the default is %1.</source>
+        <translation>Cambiado: el valor por defecto es %1.</translation>
+    </message>
+    <message>
+        <source>Reset to %1 (Backspace on the slider)</source>
+        <translation>Restablecer a %1 (Retroceso en el deslizador)</translation>
     </message>
 </context>
 <context>
@@ -2090,6 +2400,17 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>learning: %1 %</source>
         <translation>aprendiendo: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>PlotAxisStrip</name>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>iteración</translation>
     </message>
 </context>
 <context>
@@ -2112,6 +2433,18 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title of a plot, unit of its axis</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>PlotReadout</name>
+    <message>
+        <source>truth</source>
+        <translation>verdad</translation>
     </message>
 </context>
 <context>
@@ -2195,6 +2528,14 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <source>its color, but not its shape</source>
         <translation>su color, pero no su forma</translation>
     </message>
+    <message>
+        <source>hidden here</source>
+        <translation>oculto aquí</translation>
+    </message>
+    <message>
+        <source>not in this picture</source>
+        <translation>no está en esta imagen</translation>
+    </message>
 </context>
 <context>
     <name>RunPlots</name>
@@ -2250,6 +2591,18 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <source>to the reference</source>
         <translation>con la referencia</translation>
     </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>anchura</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>altura</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -2285,6 +2638,14 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <source>corrected</source>
         <translation>corregido</translation>
     </message>
+    <message>
+        <source>of earlier settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How well each target is held appears here when tracking runs.</source>
+        <translation>Lo bien que se sigue cada objetivo aparece aquí durante el seguimiento.</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -2295,6 +2656,14 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>Pause</source>
         <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exportar</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished">Reproducir</translation>
     </message>
 </context>
 <context>
@@ -2377,6 +2746,57 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
         <translation>Una caída necesita dos momentos: uno en que la pelota empieza a caer y otro en que todavía cae.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::AboutDialog</name>
+    <message>
+        <source>Show license</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide license</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dewpoint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How to cite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole text of the license, or hide it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy citation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the line for your list of references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2999,6 +3419,68 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CalibrationChoice</name>
+    <message>
+        <source>Calibration:</source>
+        <translation type="unfinished">Calibración:</translation>
+    </message>
+    <message>
+        <source>Choose calibration…</source>
+        <translation type="unfinished">Elegir calibración…</translation>
+    </message>
+    <message>
+        <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go without a calibration file</source>
+        <translation type="unfinished">Sin archivo de calibración</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation type="unfinished">Elija una calibración</translation>
+    </message>
+    <message>
+        <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognized: %1. It cannot be used: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be used: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not recognized. Dewpoint reads: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ Recognized: %1, %n cameras</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None: camera positions will be a guess</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CalibrationDock</name>
     <message>
         <source>Ways to calibrate</source>
@@ -3085,14 +3567,6 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <message>
         <source>Choose a folder</source>
         <translation>Elegir una carpeta</translation>
-    </message>
-    <message>
-        <source>Calibrations</source>
-        <translation>Calibraciones</translation>
-    </message>
-    <message>
-        <source>All files</source>
-        <translation>Todos los archivos</translation>
     </message>
     <message>
         <source>Import a calibration</source>
@@ -3681,6 +4155,54 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraTable</name>
+    <message>
+        <source>rtsp://192.168.0.10/stream, or a device number such as 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %3 frames per second · %n frames</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live: tried when the project is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos differ in length: using the first %n frames.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos differ in size: each camera keeps its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
@@ -3720,6 +4242,38 @@ en %4, %5, %6</translation>
         <source>Color</source>
         <translation>Color</translation>
     </message>
+    <message>
+        <source>Take a box here</source>
+        <translation>Tomar un recuadro aquí</translation>
+    </message>
+    <message>
+        <source>Follow what is here, from a box around it</source>
+        <translation>Seguir lo que hay aquí, desde un recuadro a su alrededor</translation>
+    </message>
+    <message>
+        <source>Learn the color here</source>
+        <translation>Aprender el color aquí</translation>
+    </message>
+    <message>
+        <source>The target has the color of what is here</source>
+        <translation>El objetivo tiene el color de lo que hay aquí</translation>
+    </message>
+    <message>
+        <source>Add a sample here</source>
+        <translation>Añadir una muestra aquí</translation>
+    </message>
+    <message>
+        <source>The target has the color of what is here, too (Shift and a click do the same)</source>
+        <translation>El objetivo tiene también el color de lo que hay aquí (Mayús-clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>This is not the target</source>
+        <translation>Esto no es el objetivo</translation>
+    </message>
+    <message>
+        <source>Exclude the color of what is here (Alt and a click do the same)</source>
+        <translation>Excluir el color de lo que hay aquí (Alt-clic hace lo mismo)</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorLearner</name>
@@ -3755,10 +4309,6 @@ en %4, %5, %6</translation>
         <translation>Mirando las imágenes…</translation>
     </message>
     <message>
-        <source>Learn</source>
-        <translation>Aprender</translation>
-    </message>
-    <message>
         <source>No target yet</source>
         <translation>Aún sin objetivo</translation>
     </message>
@@ -3781,22 +4331,6 @@ en %4, %5, %6</translation>
     <message>
         <source>Click the thing to follow</source>
         <translation>Haz clic en lo que quieras seguir</translation>
-    </message>
-    <message>
-        <source>Click the target</source>
-        <translation>Haz clic en el objetivo</translation>
-    </message>
-    <message>
-        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
-        <translation>Luego haz clic en el objetivo en cualquier imagen, o arrastra un recuadro sobre él. Mayús-clic añade una muestra; Alt-clic o Ctrl+Mayús-clic excluye lo que no es el objetivo.</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Recuadro</translation>
-    </message>
-    <message>
-        <source>Then click the thing in any camera image, or drag a box around it. Shift does the same without this button.</source>
-        <translation>Después haz clic en la cosa en cualquier imagen, o arrastra un recuadro a su alrededor. Con Mayús se hace lo mismo sin este botón.</translation>
     </message>
     <message>
         <source>Click the thing or drag a box around it</source>
@@ -3942,6 +4476,10 @@ en %4, %5, %6</translation>
         <source>Remove correction</source>
         <translation>Quitar la corrección</translation>
     </message>
+    <message>
+        <source>Say that the target is here in the frame shown: tracking goes on from there</source>
+        <translation>Decir que el objetivo está aquí en el fotograma mostrado: el seguimiento continúa desde ahí</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
@@ -3979,6 +4517,14 @@ en %4, %5, %6</translation>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>Soltar esta vista o devolverla a su sitio (doble clic en el título: toda la ventana)</translation>
     </message>
+    <message>
+        <source>Show all views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the other views their places back (Esc, or double click here)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::Document</name>
@@ -3989,6 +4535,25 @@ en %4, %5, %6</translation>
     <message>
         <source>Track by “%1”</source>
         <translation>Seguir con «%1»</translation>
+    </message>
+    <message>
+        <source>Reset “%1”</source>
+        <translation>Restablecer «%1»</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>Restablecer todos los parámetros</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DropZone</name>
+    <message>
+        <source>Drop videos here, or add them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One per camera; also folders of images, and a calibration file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4180,18 +4745,6 @@ en %4, %5, %6</translation>
         <translation>La exportación se canceló.</translation>
     </message>
     <message>
-        <source>Wrote the figure %1.</source>
-        <translation>Se escribió la figura %1.</translation>
-    </message>
-    <message>
-        <source>Exported %1 rows to %2 files; the last is %3.</source>
-        <translation>Se exportaron %1 filas a %2 archivos; el último es %3.</translation>
-    </message>
-    <message>
-        <source>Exported %1 rows to %2.</source>
-        <translation>Se exportaron %1 filas a %2.</translation>
-    </message>
-    <message>
         <source>First lines of the file</source>
         <translation>Primeras líneas del archivo</translation>
     </message>
@@ -4274,6 +4827,10 @@ en %4, %5, %6</translation>
     <message>
         <source>Replace</source>
         <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Some of these results are of earlier settings.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4421,6 +4978,46 @@ en %4, %5, %6</translation>
     <message>
         <source>millimeters</source>
         <translation>milímetros</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExportOutcome</name>
+    <message>
+        <source>Show in folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder of the file that was written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file manager was found. The file is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FollowAllButton</name>
+    <message numerus="yes">
+        <source>Follow all %n of them</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add a target of the same color and size for each of the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow all of one color</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::GalleryCard</name>
+    <message>
+        <source>Opening…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4633,6 +5230,104 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::LearnModes</name>
+    <message>
+        <source>What a click in an image does</source>
+        <translation>Qué hace un clic en una imagen</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Recuadro</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Aprender</translation>
+    </message>
+    <message>
+        <source>Add sample</source>
+        <translation>Añadir muestra</translation>
+    </message>
+    <message>
+        <source>Not this</source>
+        <translation>Esto no</translation>
+    </message>
+    <message>
+        <source>Then click the thing in a camera image, or drag a box around it.
+Shift-click does the same at any time.</source>
+        <translation>Después haga clic en la cosa en una imagen de cámara, o arrastre un recuadro a su alrededor.
+Mayús-clic hace lo mismo en cualquier momento.</translation>
+    </message>
+    <message>
+        <source>Then click the target in a camera image, or drag a box on it:
+its color is learned again.</source>
+        <translation>Después haga clic en el objetivo en una imagen de cámara, o arrastre un recuadro sobre él:
+su color se aprende de nuevo.</translation>
+    </message>
+    <message>
+        <source>Learn the color first: click the target in a camera image.</source>
+        <translation>Aprenda primero el color: haga clic en el objetivo en una imagen de cámara.</translation>
+    </message>
+    <message>
+        <source>Then click another part of the target, or the target in other light.
+Shift-click does the same at any time.</source>
+        <translation>Después haga clic en otra parte del objetivo, o en el objetivo con otra luz.
+Mayús-clic hace lo mismo en cualquier momento.</translation>
+    </message>
+    <message>
+        <source>Then click what matches but is not the target.
+Alt-click or Ctrl+Shift-click does the same at any time.</source>
+        <translation>Después haga clic en lo que coincide pero no es el objetivo.
+Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
+    </message>
+    <message>
+        <source>Click: add a sample · Alt: not this · Esc</source>
+        <translation>Clic: añadir una muestra · Alt: esto no · Esc</translation>
+    </message>
+    <message>
+        <source>Click what is not the target · Esc</source>
+        <translation>Haga clic en lo que no es el objetivo · Esc</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Alt: not this · Esc</source>
+        <translation>Clic: aprender · Mayús: añadir · Alt: esto no · Esc</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::LegendPicture</name>
+    <message>
+        <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cross: the estimate, the weighted mean of the particles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle: the particle of highest weight (View › Show best particle).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::MainWindow</name>
     <message>
         <source>Dewpoint</source>
@@ -4726,6 +5421,29 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ManualWindow</name>
+    <message>
+        <source>Manual – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manual was not found. It is expected in the folder %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::MarkerEditor</name>
     <message>
         <source>Name of the mark</source>
@@ -4756,14 +5474,51 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::MessageRow</name>
+    <message>
+        <source>Messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MissingFilesOffer</name>
+    <message>
+        <source>%1 (camera %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not found in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of this project were not found: %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened with the located files. Save the project to keep where they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::NewProjectPage</name>
     <message>
         <source>New project</source>
         <translation>Proyecto nuevo</translation>
-    </message>
-    <message>
-        <source>One row per camera. Frame k of all recordings has to show the same instant.</source>
-        <translation>Una fila por cámara. El fotograma k de todas las grabaciones debe mostrar el mismo instante.</translation>
     </message>
     <message>
         <source>Video files, one per camera</source>
@@ -4786,18 +5541,6 @@ en %4, %5, %6</translation>
         <translation>Quitar las cámaras elegidas</translation>
     </message>
     <message>
-        <source>TOML file with the cameras&apos; calibration; names, or else the order, tell which is whose</source>
-        <translation>Archivo TOML con la calibración de las cámaras; los nombres, o si no el orden, dicen cuál es de cada una</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Ninguna</translation>
-    </message>
-    <message>
-        <source>Go without a calibration file</source>
-        <translation>Sin archivo de calibración</translation>
-    </message>
-    <message>
         <source>Make the project and show its first images</source>
         <translation>Crear el proyecto y mostrar sus primeras imágenes</translation>
     </message>
@@ -4808,14 +5551,6 @@ en %4, %5, %6</translation>
     <message>
         <source>Back without making a project</source>
         <translation>Volver sin crear un proyecto</translation>
-    </message>
-    <message>
-        <source>Calibration:</source>
-        <translation>Calibración:</translation>
-    </message>
-    <message>
-        <source>as the folder is called</source>
-        <translation>como se llama la carpeta</translation>
     </message>
     <message>
         <source>Name of the project</source>
@@ -4854,18 +5589,6 @@ en %4, %5, %6</translation>
         <translation>No hay ninguna cámara conectada a este equipo. Una cámara de red se puede añadir por su dirección.</translation>
     </message>
     <message>
-        <source>Choose a calibration</source>
-        <translation>Elija una calibración</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.toml);;All files (*)</source>
-        <translation>Calibraciones (*.toml);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>none: camera positions will be a guess</source>
-        <translation>ninguna: las posiciones de las cámaras serán una suposición</translation>
-    </message>
-    <message>
         <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
         <translation>Sin calibración las posiciones de las cámaras son una suposición: se puede seguir en las imágenes, pero las posiciones en el espacio aún no significan nada.</translation>
     </message>
@@ -4894,10 +5617,6 @@ en %4, %5, %6</translation>
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>Choose calibration…</source>
-        <translation>Elegir calibración…</translation>
-    </message>
-    <message>
         <source>Create</source>
         <translation>Crear</translation>
     </message>
@@ -4913,6 +5632,44 @@ en %4, %5, %6</translation>
         <source>Neither a video, nor images, nor a calibration: %1.</source>
         <translation>Ni un vídeo, ni imágenes, ni una calibración: %1.</translation>
     </message>
+    <message>
+        <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(folder name)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OldResultsOffer</name>
+    <message>
+        <source>Settings changed since this run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Track again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OverlayLegend</name>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ParameterPanel</name>
@@ -4925,10 +5682,6 @@ en %4, %5, %6</translation>
         <translation>&amp;Método</translation>
     </message>
     <message>
-        <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
-        <translation>Cómo se siguen los objetivos. Otro método empieza de nuevo; el resto se queda.</translation>
-    </message>
-    <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
     </message>
@@ -4939,6 +5692,38 @@ en %4, %5, %6</translation>
     <message>
         <source>Parameters</source>
         <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>More than “%1”: %2 is used.</source>
+        <translation>Mayor que «%1»: se usa %2.</translation>
+    </message>
+    <message>
+        <source>Less than “%1”, which has no effect then.</source>
+        <translation>Menor que «%1», que entonces no tiene efecto.</translation>
+    </message>
+    <message>
+        <source>How the targets are tracked. Another method starts again; the rest stays.</source>
+        <translation>Cómo se siguen los objetivos. Otro método empieza de nuevo; el resto se queda.</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Restablecer todo</translation>
+    </message>
+    <message>
+        <source>Give all parameters of this method their defaults</source>
+        <translation>Devolver todos los parámetros de este método a sus valores por defecto</translation>
+    </message>
+    <message>
+        <source>Volume of interest</source>
+        <translation>Volumen de interés</translation>
+    </message>
+    <message>
+        <source>Targets are searched for in a box alone.</source>
+        <translation>Los objetivos se buscan solo en una caja.</translation>
+    </message>
+    <message>
+        <source>Something here differs from its default.</source>
+        <translation>Algo aquí difiere de su valor por defecto.</translation>
     </message>
 </context>
 <context>
@@ -5274,6 +6059,14 @@ en %4, %5, %6</translation>
         <source>%1 could not be written.</source>
         <translation>No se pudo escribir %1.</translation>
     </message>
+    <message>
+        <source>Plots appear when tracking runs.</source>
+        <translation>Los gráficos aparecen durante el seguimiento.</translation>
+    </message>
+    <message>
+        <source>The target whose numbers are plotted: the one selected in Target, or the first.</source>
+        <translation>El objetivo cuyos números se representan: el elegido en Objetivo, o el primero.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlotStack</name>
@@ -5473,6 +6266,37 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ProblemReport</name>
+    <message>
+        <source>Report a problem – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the text, to be pasted into a mail or a form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ProjectController</name>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
@@ -5513,6 +6337,96 @@ en %4, %5, %6</translation>
     <message>
         <source>Recovered. Save the project to keep it.</source>
         <translation>Recuperado. Guarde el proyecto para conservarlo.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::QuickStart</name>
+    <message>
+        <source>The cameras confirm where the target is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something else fits about as well. Press X and drag the target to where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not found yet, or not seen for less than a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not seen for a second. The line at the bottom says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quick start – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you see</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How sure it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How to begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the demo first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All signs…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the legend of all that is drawn over the images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Manual…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentList</name>
+    <message>
+        <source>The file is gone</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5581,6 +6495,61 @@ en %4, %5, %6</translation>
     <message>
         <source>Done: %1. Undo takes it back.</source>
         <translation>Hecho: %1. Deshacer lo revierte.</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunDetails</name>
+    <message>
+        <source>median %1, 99 of 100 within %2, longest %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none is set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, kept in %2 % of the iterations of this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time per iteration, median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From a frame to its estimate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time budget per iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation type="unfinished">Tamaño efectivo de la muestra</translation>
+    </message>
+    <message>
+        <source>Iterations since the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames skipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept of the past</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 particles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5678,46 +6647,35 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::SpeedButton</name>
+    <message>
+        <source>1/%1 ×</source>
+        <comment>speed</comment>
+        <translation>1/%1 ×</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <comment>speed</comment>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played. Live cameras are always tracked as they come.</source>
+        <translation>Con qué rapidez se reproduce la grabación. Las cámaras en vivo se siguen siempre según llegan sus imágenes.</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::StartPage</name>
     <message>
         <source>Dewpoint</source>
         <translation>Dewpoint</translation>
     </message>
     <message>
-        <source>Follow colored things in 3D with ordinary cameras.</source>
-        <translation>Siga objetos de color en 3D con cámaras corrientes.</translation>
-    </message>
-    <message>
         <source>Try the demo</source>
         <translation>Probar la demo</translation>
-    </message>
-    <message>
-        <source>Two simulated cameras follow a moving ball</source>
-        <translation>Dos cámaras simuladas siguen una bola en movimiento</translation>
-    </message>
-    <message>
-        <source>Open videos</source>
-        <translation>Abrir vídeos</translation>
-    </message>
-    <message>
-        <source>Make a project from recorded videos, one per camera</source>
-        <translation>Crear un proyecto con vídeos grabados, uno por cámara</translation>
-    </message>
-    <message>
-        <source>Cameras</source>
-        <translation>Cámaras</translation>
-    </message>
-    <message>
-        <source>Make a project from connected cameras or network streams</source>
-        <translation>Crear un proyecto con cámaras conectadas o flujos de red</translation>
-    </message>
-    <message>
-        <source>Open project</source>
-        <translation>Abrir proyecto</translation>
-    </message>
-    <message>
-        <source>Open a project that was saved before</source>
-        <translation>Abrir un proyecto guardado antes</translation>
     </message>
     <message>
         <source>Recent projects</source>
@@ -5726,6 +6684,90 @@ en %4, %5, %6</translation>
     <message>
         <source>You can also drop a project or videos onto this window.</source>
         <translation>También puede soltar un proyecto o vídeos sobre esta ventana.</translation>
+    </message>
+    <message>
+        <source>Watch it converge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden for a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A box passes in front of the ball. One camera is enough to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three balls alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three more balls of the same color lie around. Only one moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People in an office</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four cameras carve everybody out of space, and give each a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One camera and a box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration: a box in the image is followed by its colors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a grid over the images until it lies on the floor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow colored objects in 3D with ordinary cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open videos…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One recording per camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use cameras…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected ones, or network streams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One that was saved before</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5743,10 +6785,6 @@ en %4, %5, %6</translation>
         <translation>terminado</translation>
     </message>
     <message>
-        <source>frame 0000 / 0000</source>
-        <translation>fotograma 0000 / 0000</translation>
-    </message>
-    <message>
         <source>Frame shown, of all frames</source>
         <translation>Fotograma mostrado, de todos</translation>
     </message>
@@ -5757,26 +6795,6 @@ en %4, %5, %6</translation>
     <message>
         <source>Frames tracked per second</source>
         <translation>Fotogramas seguidos por segundo</translation>
-    </message>
-    <message>
-        <source>%1 per iteration</source>
-        <translation>%1 por iteración</translation>
-    </message>
-    <message>
-        <source>Median time of one filter iteration</source>
-        <translation>Tiempo mediano de una iteración del filtro</translation>
-    </message>
-    <message>
-        <source>ESS %1 / %2</source>
-        <translation>ESS %1 / %2</translation>
-    </message>
-    <message>
-        <source>spread %1</source>
-        <translation>dispersión %1</translation>
-    </message>
-    <message>
-        <source>Root mean square distance of the particles to their mean</source>
-        <translation>Distancia cuadrática media de las partículas a su media</translation>
     </message>
     <message>
         <source>Estimated position of the target in the room</source>
@@ -5793,22 +6811,6 @@ en %4, %5, %6</translation>
     <message>
         <source>x %1  y %2  z %3</source>
         <translation>x %1  y %2  z %3</translation>
-    </message>
-    <message>
-        <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
-        <translation>De la imagen a la estimación: mediana %1, 99 de cada 100 en %2, máximo %3</translation>
-    </message>
-    <message>
-        <source>Effective sample size, of all particles. Method “dewpoint” uses as many particles as it needs and as the time budget allows.</source>
-        <translation>Tamaño efectivo de la muestra, del total de partículas. El método «dewpoint» usa tantas partículas como necesita y permite el tiempo disponible.</translation>
-    </message>
-    <message>
-        <source>No time budget is set.</source>
-        <translation>No hay límite de tiempo establecido.</translation>
-    </message>
-    <message>
-        <source>Time budget %1: kept in %2 % of the iterations of this run</source>
-        <translation>Límite de tiempo de %1: respetado en el %2 % de las iteraciones de esta ejecución</translation>
     </message>
     <message>
         <source>tracking again</source>
@@ -5831,10 +6833,6 @@ en %4, %5, %6</translation>
         <translation>haz clic o arrastra un recuadro a su alrededor</translation>
     </message>
     <message>
-        <source>Effective sample size, of all particles</source>
-        <translation>Tamaño efectivo de la muestra, del total de partículas</translation>
-    </message>
-    <message>
         <source>x %1  y %2  %3 × %4</source>
         <translation>x %1  y %2  %3 × %4</translation>
     </message>
@@ -5853,6 +6851,30 @@ en %4, %5, %6</translation>
     <message>
         <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
         <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otra cosa encaja casi igual de bien. Perdido: no seguido desde hace un segundo.</translation>
+    </message>
+    <message>
+        <source>± %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation type="unfinished">%1 m/s</translation>
+    </message>
+    <message>
+        <source>Speed of the target in the room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times, particles, and what is kept of the past</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5954,6 +6976,38 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Target</source>
         <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>radius %1</source>
+        <translation>radio %1</translation>
+    </message>
+    <message>
+        <source>radius %1 (found)</source>
+        <translation>radio %1 (encontrado)</translation>
+    </message>
+    <message>
+        <source>radius unknown</source>
+        <translation>radio desconocido</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Add target</source>
+        <translation>Añadir objetivo</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Recuadro</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Aprender</translation>
     </message>
 </context>
 <context>
@@ -6203,6 +7257,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <source>Remove the correction</source>
         <translation>Quitar la corrección</translation>
     </message>
+    <message>
+        <source>Speed and height appear when tracking runs.</source>
+        <translation>La velocidad y la altura aparecen durante el seguimiento.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::UncertaintyMapForm</name>
@@ -6318,16 +7376,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::ViewButtons</name>
     <message>
-        <source>Above</source>
-        <translation>Arriba</translation>
-    </message>
-    <message>
         <source>Front</source>
         <translation>Frente</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>Libre</translation>
     </message>
     <message>
         <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
@@ -6338,8 +7388,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Vista desde el frente: X a la derecha, Z hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
     </message>
     <message>
-        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>Ver la sala en perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>See everything again, in the same view. Double click does it too.</source>
+        <translation>Verlo todo de nuevo, en la misma vista. El doble clic también lo hace.</translation>
     </message>
 </context>
 <context>
@@ -6367,10 +7433,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 </context>
 <context>
     <name>dewpoint::ui::VolumeForm</name>
-    <message>
-        <source>Volume of interest</source>
-        <translation>Volumen de interés</translation>
-    </message>
     <message>
         <source>From X, Y, Z</source>
         <translation>Desde X, Y, Z</translation>
@@ -6826,10 +7888,6 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>E&amp;jecución</translation>
     </message>
     <message>
-        <source>&amp;Project</source>
-        <translation>&amp;Proyecto</translation>
-    </message>
-    <message>
         <source>Open recent</source>
         <translation>Abrir reciente</translation>
     </message>
@@ -6842,16 +7900,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Vistas</translation>
     </message>
     <message>
-        <source>Colors</source>
-        <translation>Colores</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Idioma</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>Como el sistema</translation>
     </message>
     <message>
         <source>Show this view</source>
@@ -6860,6 +7910,22 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>Speak this language</source>
         <translation>Hablar este idioma</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

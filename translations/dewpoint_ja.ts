@@ -12,10 +12,6 @@
         <translation>再生</translation>
     </message>
     <message>
-        <source>Project</source>
-        <translation>プロジェクト</translation>
-    </message>
-    <message>
         <source>New project…</source>
         <translation>新しいプロジェクト…</translation>
     </message>
@@ -152,28 +148,12 @@
         <translation>カメラが目標の色を捉えている場所を表示</translation>
     </message>
     <message>
-        <source>Look from above</source>
-        <translation>上から見る</translation>
-    </message>
-    <message>
         <source>Bird&apos;s-eye view from above: the XY plane</source>
         <translation>上からの鳥瞰図：XY 平面</translation>
     </message>
     <message>
-        <source>Look from the front</source>
-        <translation>正面から見る</translation>
-    </message>
-    <message>
         <source>Bird&apos;s-eye view from the front: the XZ plane</source>
         <translation>正面からの鳥瞰図：XZ 平面</translation>
-    </message>
-    <message>
-        <source>Look freely</source>
-        <translation>自由に見る</translation>
-    </message>
-    <message>
-        <source>Bird&apos;s-eye view from an oblique angle, free to orbit</source>
-        <translation>斜めからの鳥瞰図、自由に回転</translation>
     </message>
     <message>
         <source>Search actions…</source>
@@ -184,16 +164,8 @@
         <translation>名前で操作を探します</translation>
     </message>
     <message>
-        <source>Arrange the views anew</source>
-        <translation>表示を並べ直す</translation>
-    </message>
-    <message>
         <source>Put all views back where they were at first</source>
         <translation>すべての表示を最初の位置に戻します</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>システムに合わせる</translation>
     </message>
     <message>
         <source>Colors of the system</source>
@@ -595,6 +567,190 @@
         <source>Show the box in which targets are searched for, in the images and in the bird&apos;s-eye view</source>
         <translation>ターゲットを探す箱をカメラ画像と鳥瞰図に表示します</translation>
     </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished">ファイル</translation>
+    </message>
+    <message>
+        <source>Track again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Track all again that is of earlier settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>遅く</translation>
+    </message>
+    <message>
+        <source>Play the recording more slowly, down to 1/30</source>
+        <translation>録画をより遅く再生します（1/30 まで）</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>速く</translation>
+    </message>
+    <message>
+        <source>Play the recording faster, up to eight times</source>
+        <translation>録画をより速く再生します（8 倍まで）</translation>
+    </message>
+    <message>
+        <source>Normal speed</source>
+        <translation>通常の速度</translation>
+    </message>
+    <message>
+        <source>Play the recording as fast as it was filmed</source>
+        <translation>録画を撮影時と同じ速さで再生します</translation>
+    </message>
+    <message>
+        <source>Slowly until it converges</source>
+        <translation>収束するまでゆっくり</translation>
+    </message>
+    <message>
+        <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
+        <translation>すべてのターゲットが追跡中になるまで、実行の最初の反復を 1 回ずつ再生します（最長 5 秒）</translation>
+    </message>
+    <message>
+        <source>Show magnifier</source>
+        <translation>拡大鏡を表示</translation>
+    </message>
+    <message>
+        <source>Enlarge the particles of a target in a corner of the image where they are too close together to be seen</source>
+        <translation>ターゲットの粒子が密集して見えないとき、画像の隅に拡大して表示します</translation>
+    </message>
+    <message>
+        <source>Show lines of sight</source>
+        <translation>視線を表示</translation>
+    </message>
+    <message>
+        <source>Draw a line in the bird&apos;s-eye view from each camera to the target: broken where it is hidden from the camera</source>
+        <translation>鳥瞰図に各カメラからターゲットまでの線を引きます。カメラから隠れている場合は破線です</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>拡大</translation>
+    </message>
+    <message>
+        <source>Enlarge the camera image under the pointer, or that of the selected camera (the wheel does the same)</source>
+        <translation>ポインターの下のカメラ画像、または選択中のカメラの画像を拡大します（ホイールでも可）</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>縮小</translation>
+    </message>
+    <message>
+        <source>Show more of the camera image under the pointer, or of that of the selected camera</source>
+        <translation>ポインターの下のカメラ画像、または選択中のカメラの画像をより広く表示します</translation>
+    </message>
+    <message>
+        <source>Fit image</source>
+        <translation>画像全体を表示</translation>
+    </message>
+    <message>
+        <source>Show all of the camera image again (double click does the same)</source>
+        <translation>もう一度カメラ画像の全体を表示します（ダブルクリックでも可）</translation>
+    </message>
+    <message>
+        <source>Top view</source>
+        <translation>上面図</translation>
+    </message>
+    <message>
+        <source>Front view</source>
+        <translation>正面図</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 表示</translation>
+    </message>
+    <message>
+        <source>Bird&apos;s-eye view in perspective, free to orbit</source>
+        <translation>透視図の鳥瞰図、自由に回転</translation>
+    </message>
+    <message>
+        <source>Fit everything in view</source>
+        <translation>すべてをビューに収める</translation>
+    </message>
+    <message>
+        <source>Show the whole room in the bird&apos;s-eye view again (double click does the same)</source>
+        <translation>もう一度鳥瞰図に部屋全体を表示します（ダブルクリックでも可）</translation>
+    </message>
+    <message>
+        <source>Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the window fill the screen, or give it its frame back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot position</source>
+        <translation>位置を表示</translation>
+    </message>
+    <message>
+        <source>Position along x, y and z with a band of two standard deviations, and the truth where it is known</source>
+        <translation>x、y、z 方向の位置と標準偏差の 2 倍の帯、わかる場合は真値</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the manual at the page of the view that is in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quick start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you see in the window, and how to begin in five steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What crosses, ellipses and dots in the images mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the reference of the tracking methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report a problem…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collect what helps to find a fault, ready to be copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version, license, and how to cite Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -783,6 +939,17 @@
     </message>
 </context>
 <context>
+    <name>CalibrationFiles</name>
+    <message>
+        <source>Calibrations (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CalibrationText</name>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are likely swapped. Exchange the two files.</source>
@@ -944,6 +1111,13 @@
     <message>
         <source>camera %1</source>
         <translation>カメラ %1</translation>
+    </message>
+</context>
+<context>
+    <name>CameraView</name>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
     </message>
 </context>
 <context>
@@ -1133,6 +1307,32 @@
     <message>
         <source>A range for all of the target would match %1 % of the background.</source>
         <translation>ターゲット全体を含む範囲は、背景の %1 % にも一致します。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Convergence</name>
+    <message>
+        <source>How far apart the particles are after each iteration of the frame shown: the filter has converged where the curve becomes level.</source>
+        <translation>表示中のフレームの各反復の後に、粒子がどれだけ離れているか。曲線が平らになる所で、フィルターは収束しています。</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>収束</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>広がり</translation>
+    </message>
+    <message>
+        <source>Convergence in frame %1 (%2)</source>
+        <comment>number of a frame, unit</comment>
+        <translation>フレーム %1 の収束（%2）</translation>
     </message>
 </context>
 <context>
@@ -1477,6 +1677,21 @@
     </message>
 </context>
 <context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Wrote the figure %1.</source>
+        <translation type="unfinished">図 %1 を書き出しました。</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2 files; the last is %3.</source>
+        <translation type="unfinished">%1 行を %2 個のファイルに書き出しました。最後は %3 です。</translation>
+    </message>
+    <message>
+        <source>Exported %1 rows to %2.</source>
+        <translation type="unfinished">%1 行を %2 に書き出しました。</translation>
+    </message>
+</context>
+<context>
     <name>GlContext</name>
     <message>
         <source>no OpenGL context can be made on this display</source>
@@ -1583,36 +1798,95 @@
 <context>
     <name>Method</name>
     <message>
-        <source>The color particle filter of Barrera et al. (2005): for teaching and comparison.</source>
-        <translation>Barrera ら (2005) の色パーティクルフィルタ。教育と比較のために。</translation>
+        <source>A box in one video</source>
+        <translation>1 本の動画の中の枠</translation>
     </message>
     <message>
-        <source>The filter over triangulated positions of Barrera et al. (2005), section III-C: to study how a particle filter moves.</source>
-        <translation>Barrera ら (2005) III-C節の、三角測量した位置に対するフィルタ。パーティクルフィルタの動きを調べるために。</translation>
+        <source>A particle filter on color histograms</source>
+        <translation>色ヒストグラムのパーティクルフィルタ</translation>
     </message>
     <message>
-        <source>The surest and most accurate: for all that moves, any number of cameras and targets.</source>
-        <translation>最も確実で正確。動くものすべてに、カメラもターゲットも何台でも。</translation>
+        <source>A particle filter on positions</source>
+        <translation>位置のパーティクルフィルタ</translation>
     </message>
     <message>
-        <source>Follows a box in one camera&apos;s images by the colors of its parts: finds it again after it was hidden, and follows its size.</source>
-        <translation>1 台のカメラの画像の中の枠を、その各部分の色で追います。隠れた後も見つけ直し、大きさの変化も追います。</translation>
+        <source>A plain particle filter on color</source>
+        <translation>色の単純なパーティクルフィルタ</translation>
     </message>
     <message>
-        <source>The color histogram filter of Sugandi et al. (2009), for a box in one camera&apos;s images: for teaching and comparison.</source>
-        <translation>1 台のカメラの画像の中の枠を追う、Sugandi ら (2009) の色ヒストグラムのフィルター。学習と比較のため。</translation>
+        <source>Anything colored, in 3D</source>
+        <translation>色のついた物を 3D で</translation>
     </message>
     <message>
-        <source>Several people by motion and color, each by a filter of its own (Mohedano et al. 2009, MS+C): keeps them apart when their clothes differ.</source>
-        <translation>動きと色による複数の人物、それぞれ独立したフィルター（Mohedano ら 2009、MS+C）：服が異なれば区別できます。</translation>
+        <source>Anything you draw a box around</source>
+        <translation>枠で囲んだ物なら何でも</translation>
     </message>
     <message>
-        <source>Several people by motion only (Mohedano et al. 2009, MS): covers more of a body than MS+C, but confuses people who come close.</source>
-        <translation>動きだけによる複数の人物（Mohedano ら 2009、MS）：MS+C より体の広い範囲を捉えますが、近づいた人を取り違えます。</translation>
+        <source>Balls, hands, anything colored</source>
+        <translation>ボール、手、色のついた物なら何でも</translation>
     </message>
     <message>
-        <source>Several people who walk, meet and wear similar clothes: places on the floor, told apart by what each of them covers in the images.</source>
-        <translation>歩き、出会い、似た服を着た複数の人物：床の上の位置を求め、画像の中でそれぞれが覆う範囲によって区別します。</translation>
+        <source>Follows its colors and its size, and finds it again after it was hidden.</source>
+        <translation>色と大きさの変化を追い、隠れた後も見つけ直します。</translation>
+    </message>
+    <message>
+        <source>For comparison: confuses people who come close.</source>
+        <translation>比較用：近づいた人を取り違えます。</translation>
+    </message>
+    <message>
+        <source>For comparison: tells people apart by different clothes.</source>
+        <translation>比較用：服の違いで人を区別します。</translation>
+    </message>
+    <message>
+        <source>For teaching: follows a box in one video.</source>
+        <translation>教育用：1 本の動画の中の枠を追います。</translation>
+    </message>
+    <message>
+        <source>For teaching: shows how a particle filter works.</source>
+        <translation>教育用：パーティクルフィルタの仕組みを示します。</translation>
+    </message>
+    <message>
+        <source>For teaching: shows how particles follow measurements.</source>
+        <translation>教育用：粒子が測定を追う様子を示します。</translation>
+    </message>
+    <message>
+        <source>From papers, for teaching and comparison</source>
+        <translation>論文の手法（教育と比較のために）</translation>
+    </message>
+    <message>
+        <source>People by motion alone</source>
+        <translation>動きだけによる人物</translation>
+    </message>
+    <message>
+        <source>People by motion and color</source>
+        <translation>動きと色による人物</translation>
+    </message>
+    <message>
+        <source>People in a room</source>
+        <translation>部屋の中の人物</translation>
+    </message>
+    <message>
+        <source>People who walk and meet</source>
+        <translation>歩き、出会う人物</translation>
+    </message>
+    <message>
+        <source>Positions on the floor of several people, also in similar clothes.</source>
+        <translation>似た服を着ていても、複数の人物の床の上の位置を求めます。</translation>
+    </message>
+    <message>
+        <source>The most accurate: decides by itself between a ball and any other shape.</source>
+        <translation>最も正確：ボールかほかの形かを自動で判断します。</translation>
+    </message>
+</context>
+<context>
+    <name>MethodObstacle</name>
+    <message>
+        <source>Needs calibrated cameras.</source>
+        <translation>キャリブレーション済みのカメラが必要です。</translation>
+    </message>
+    <message>
+        <source>Needs at least two cameras.</source>
+        <translation>2 台以上のカメラが必要です。</translation>
     </message>
 </context>
 <context>
@@ -2063,6 +2337,33 @@
     </message>
 </context>
 <context>
+    <name>ParameterGroup</name>
+    <message>
+        <source>Area and people</source>
+        <translation>領域と人物</translation>
+    </message>
+    <message>
+        <source>Essential</source>
+        <translation>基本</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>上級</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>動き</translation>
+    </message>
+    <message>
+        <source>Search and start</source>
+        <translation>探索と開始</translation>
+    </message>
+</context>
+<context>
     <name>ParameterRow</name>
     <message>
         <source>%1
@@ -2075,6 +2376,14 @@ From %2 to %3%4; default %5%4.</source>
 From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>%1
 %2 から %3%4 まで。変更しない限り、カメラに映る範囲。</translation>
+    </message>
+    <message>
+        <source>Changed: the default is %1.</source>
+        <translation>変更済み：既定値は %1 です。</translation>
+    </message>
+    <message>
+        <source>Reset to %1 (Backspace on the slider)</source>
+        <translation>%1 に戻す（スライダー上で Backspace）</translation>
     </message>
 </context>
 <context>
@@ -2090,6 +2399,17 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>learning: %1 %</source>
         <translation>学習中：%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>PlotAxisStrip</name>
+    <message>
+        <source>seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>iteration</source>
+        <translation>反復</translation>
     </message>
 </context>
 <context>
@@ -2112,6 +2432,18 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>%1 m/s</source>
         <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title of a plot, unit of its axis</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>PlotReadout</name>
+    <message>
+        <source>truth</source>
+        <translation>真値</translation>
     </message>
 </context>
 <context>
@@ -2195,6 +2527,14 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <source>its color, but not its shape</source>
         <translation>色は合うが形が違う</translation>
     </message>
+    <message>
+        <source>hidden here</source>
+        <translation>ここでは隠れている</translation>
+    </message>
+    <message>
+        <source>not in this picture</source>
+        <translation>この画像に写っていない</translation>
+    </message>
 </context>
 <context>
     <name>RunPlots</name>
@@ -2250,6 +2590,18 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <source>to the reference</source>
         <translation>基準との</translation>
     </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高さ</translation>
+    </message>
 </context>
 <context>
     <name>Timeline</name>
@@ -2285,6 +2637,14 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <source>corrected</source>
         <translation>修正済み</translation>
     </message>
+    <message>
+        <source>of earlier settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How well each target is held appears here when tracking runs.</source>
+        <translation>追跡を実行すると、各ターゲットをどれだけ確実に追跡できているかがここに表示されます。</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -2295,6 +2655,14 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>Pause</source>
         <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">書き出す</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation type="unfinished">再生</translation>
     </message>
 </context>
 <context>
@@ -2377,6 +2745,57 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
         <translation>落下には2つの瞬間が必要です。ボールが落ち始める瞬間と、まだ落ちている瞬間です。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::AboutDialog</name>
+    <message>
+        <source>Show license</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide license</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dewpoint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How to cite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole text of the license, or hide it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy citation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the line for your list of references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">閉じる</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2998,6 +3417,67 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CalibrationChoice</name>
+    <message>
+        <source>Calibration:</source>
+        <translation type="unfinished">キャリブレーション:</translation>
+    </message>
+    <message>
+        <source>Choose calibration…</source>
+        <translation type="unfinished">キャリブレーションを選択…</translation>
+    </message>
+    <message>
+        <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished">なし</translation>
+    </message>
+    <message>
+        <source>Go without a calibration file</source>
+        <translation type="unfinished">キャリブレーションファイルを使いません</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation type="unfinished">キャリブレーションを選択</translation>
+    </message>
+    <message>
+        <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognized: %1. It cannot be used: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file cannot be used: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not recognized. Dewpoint reads: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ Recognized: %1, %n cameras</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None: camera positions will be a guess</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CalibrationDock</name>
     <message>
         <source>Ways to calibrate</source>
@@ -3084,14 +3564,6 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <message>
         <source>Choose a folder</source>
         <translation>フォルダーを選択</translation>
-    </message>
-    <message>
-        <source>Calibrations</source>
-        <translation>較正</translation>
-    </message>
-    <message>
-        <source>All files</source>
-        <translation>すべてのファイル</translation>
     </message>
     <message>
         <source>Import a calibration</source>
@@ -3680,6 +4152,51 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::CameraTable</name>
+    <message>
+        <source>rtsp://192.168.0.10/stream, or a device number such as 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %3 frames per second · %n frames</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1×%2 · %n images</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>✗ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live: tried when the project is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Videos differ in length: using the first %n frames.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos differ in size: each camera keeps its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::CameraView</name>
     <message>
         <source>This camera delivered no image for this frame.</source>
@@ -3719,6 +4236,38 @@ at %4, %5, %6</source>
         <source>Color</source>
         <translation>色</translation>
     </message>
+    <message>
+        <source>Take a box here</source>
+        <translation>ここで枠を取る</translation>
+    </message>
+    <message>
+        <source>Follow what is here, from a box around it</source>
+        <translation>ここにある物を、囲む枠から追跡します</translation>
+    </message>
+    <message>
+        <source>Learn the color here</source>
+        <translation>ここの色を学習</translation>
+    </message>
+    <message>
+        <source>The target has the color of what is here</source>
+        <translation>ここにある物の色をターゲットの色とします</translation>
+    </message>
+    <message>
+        <source>Add a sample here</source>
+        <translation>ここの見本を追加</translation>
+    </message>
+    <message>
+        <source>The target has the color of what is here, too (Shift and a click do the same)</source>
+        <translation>ここにある物の色もターゲットの色とします（Shift クリックでも可）</translation>
+    </message>
+    <message>
+        <source>This is not the target</source>
+        <translation>これはターゲットではありません</translation>
+    </message>
+    <message>
+        <source>Exclude the color of what is here (Alt and a click do the same)</source>
+        <translation>ここにある物の色を除外します（Alt クリックでも可）</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ColorLearner</name>
@@ -3754,10 +4303,6 @@ at %4, %5, %6</source>
         <translation>画像を調べています…</translation>
     </message>
     <message>
-        <source>Learn</source>
-        <translation>学習</translation>
-    </message>
-    <message>
         <source>No target yet</source>
         <translation>ターゲットなし</translation>
     </message>
@@ -3780,22 +4325,6 @@ at %4, %5, %6</source>
     <message>
         <source>Click the thing to follow</source>
         <translation>追跡したいものをクリック</translation>
-    </message>
-    <message>
-        <source>Click the target</source>
-        <translation>ターゲットをクリック</translation>
-    </message>
-    <message>
-        <source>Then click the target in any camera image, or drag a box on it. Shift-click adds a sample, Alt-click or Ctrl+Shift-click excludes what is not the target.</source>
-        <translation>続けてカメラ画像のターゲットをクリックするか、枠をドラッグします。Shift クリックで見本を追加、Alt クリックまたは Ctrl+Shift クリックでターゲットでないものを除外します。</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>枠</translation>
-    </message>
-    <message>
-        <source>Then click the thing in any camera image, or drag a box around it. Shift does the same without this button.</source>
-        <translation>そのあと、どれかのカメラ画像で物をクリックするか、囲むようにドラッグします。Shift を押しながらなら、このボタンなしで同じことができます。</translation>
     </message>
     <message>
         <source>Click the thing or drag a box around it</source>
@@ -3941,6 +4470,10 @@ at %4, %5, %6</source>
         <source>Remove correction</source>
         <translation>修正を取り消す</translation>
     </message>
+    <message>
+        <source>Say that the target is here in the frame shown: tracking goes on from there</source>
+        <translation>表示中のフレームで、ターゲットがここにあると指定します。そこから追跡を続けます</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
@@ -3978,6 +4511,14 @@ at %4, %5, %6</source>
         <source>Float this view, or put it back (double click the title: whole window)</source>
         <translation>この表示を切り離す、または戻す（タイトルをダブルクリック：ウィンドウ全体）</translation>
     </message>
+    <message>
+        <source>Show all views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the other views their places back (Esc, or double click here)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::Document</name>
@@ -3988,6 +4529,25 @@ at %4, %5, %6</source>
     <message>
         <source>Track by “%1”</source>
         <translation>「%1」で追跡</translation>
+    </message>
+    <message>
+        <source>Reset “%1”</source>
+        <translation>「%1」を既定値に戻す</translation>
+    </message>
+    <message>
+        <source>Reset all parameters</source>
+        <translation>すべてのパラメーターを既定値に戻す</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::DropZone</name>
+    <message>
+        <source>Drop videos here, or add them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One per camera; also folders of images, and a calibration file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4179,18 +4739,6 @@ at %4, %5, %6</source>
         <translation>書き出しを中止しました。</translation>
     </message>
     <message>
-        <source>Wrote the figure %1.</source>
-        <translation>図 %1 を書き出しました。</translation>
-    </message>
-    <message>
-        <source>Exported %1 rows to %2 files; the last is %3.</source>
-        <translation>%1 行を %2 個のファイルに書き出しました。最後は %3 です。</translation>
-    </message>
-    <message>
-        <source>Exported %1 rows to %2.</source>
-        <translation>%1 行を %2 に書き出しました。</translation>
-    </message>
-    <message>
         <source>First lines of the file</source>
         <translation>ファイルの先頭行</translation>
     </message>
@@ -4273,6 +4821,10 @@ at %4, %5, %6</source>
     <message>
         <source>Replace</source>
         <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>Some of these results are of earlier settings.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4420,6 +4972,45 @@ at %4, %5, %6</source>
     <message>
         <source>millimeters</source>
         <translation>ミリメートル</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::ExportOutcome</name>
+    <message>
+        <source>Show in folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder of the file that was written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file manager was found. The file is %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::FollowAllButton</name>
+    <message numerus="yes">
+        <source>Follow all %n of them</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add a target of the same color and size for each of the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow all of one color</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::GalleryCard</name>
+    <message>
+        <source>Opening…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4631,6 +5222,104 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::LearnModes</name>
+    <message>
+        <source>What a click in an image does</source>
+        <translation>画像でのクリックの働き</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>枠</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>学習</translation>
+    </message>
+    <message>
+        <source>Add sample</source>
+        <translation>見本を追加</translation>
+    </message>
+    <message>
+        <source>Not this</source>
+        <translation>除外</translation>
+    </message>
+    <message>
+        <source>Then click the thing in a camera image, or drag a box around it.
+Shift-click does the same at any time.</source>
+        <translation>そのあと、カメラ画像で物をクリックするか、囲むようにドラッグします。
+Shift クリックなら、いつでも同じことができます。</translation>
+    </message>
+    <message>
+        <source>Then click the target in a camera image, or drag a box on it:
+its color is learned again.</source>
+        <translation>続けてカメラ画像のターゲットをクリックするか、枠をドラッグします。
+その色を学習し直します。</translation>
+    </message>
+    <message>
+        <source>Learn the color first: click the target in a camera image.</source>
+        <translation>先に色を学習してください。カメラ画像のターゲットをクリックします。</translation>
+    </message>
+    <message>
+        <source>Then click another part of the target, or the target in other light.
+Shift-click does the same at any time.</source>
+        <translation>続けてターゲットの別の部分、または光の当たり方が違うターゲットをクリックします。
+Shift クリックなら、いつでも同じことができます。</translation>
+    </message>
+    <message>
+        <source>Then click what matches but is not the target.
+Alt-click or Ctrl+Shift-click does the same at any time.</source>
+        <translation>続けて、一致していてもターゲットでないものをクリックします。
+Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じことができます。</translation>
+    </message>
+    <message>
+        <source>Click: add a sample · Alt: not this · Esc</source>
+        <translation>クリック：見本を追加 · Alt：除外 · Esc</translation>
+    </message>
+    <message>
+        <source>Click what is not the target · Esc</source>
+        <translation>ターゲットでないものをクリック · Esc</translation>
+    </message>
+    <message>
+        <source>Click: learn · Shift: add · Alt: not this · Esc</source>
+        <translation>クリック：学習 · Shift：追加 · Alt：除外 · Esc</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::LegendPicture</name>
+    <message>
+        <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cross: the estimate, the weighted mean of the particles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle: the particle of highest weight (View › Show best particle).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::MainWindow</name>
     <message>
         <source>Dewpoint</source>
@@ -4724,6 +5413,29 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ManualWindow</name>
+    <message>
+        <source>Manual – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The manual was not found. It is expected in the folder %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::MarkerEditor</name>
     <message>
         <source>Name of the mark</source>
@@ -4754,14 +5466,50 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::MessageRow</name>
+    <message>
+        <source>Messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::MissingFilesOffer</name>
+    <message>
+        <source>%1 (camera %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not found in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of this project were not found: %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opened with the located files. Save the project to keep where they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::NewProjectPage</name>
     <message>
         <source>New project</source>
         <translation>新しいプロジェクト</translation>
-    </message>
-    <message>
-        <source>One row per camera. Frame k of all recordings has to show the same instant.</source>
-        <translation>カメラごとに1行です。すべての録画の k 番目のフレームは同じ瞬間でなければなりません。</translation>
     </message>
     <message>
         <source>Video files, one per camera</source>
@@ -4784,18 +5532,6 @@ at %4, %5, %6</source>
         <translation>選んだカメラを取り除きます</translation>
     </message>
     <message>
-        <source>TOML file with the cameras&apos; calibration; names, or else the order, tell which is whose</source>
-        <translation>カメラのキャリブレーションの TOML ファイル。名前（なければ順番）で対応づけます</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>なし</translation>
-    </message>
-    <message>
-        <source>Go without a calibration file</source>
-        <translation>キャリブレーションファイルを使いません</translation>
-    </message>
-    <message>
         <source>Make the project and show its first images</source>
         <translation>プロジェクトを作り、最初の画像を表示します</translation>
     </message>
@@ -4806,14 +5542,6 @@ at %4, %5, %6</source>
     <message>
         <source>Back without making a project</source>
         <translation>プロジェクトを作らずに戻ります</translation>
-    </message>
-    <message>
-        <source>Calibration:</source>
-        <translation>キャリブレーション:</translation>
-    </message>
-    <message>
-        <source>as the folder is called</source>
-        <translation>フォルダー名と同じ</translation>
     </message>
     <message>
         <source>Name of the project</source>
@@ -4852,18 +5580,6 @@ at %4, %5, %6</source>
         <translation>このコンピューターにはカメラが接続されていません。ネットワークカメラはアドレスで追加できます。</translation>
     </message>
     <message>
-        <source>Choose a calibration</source>
-        <translation>キャリブレーションを選択</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.toml);;All files (*)</source>
-        <translation>キャリブレーション (*.toml);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>none: camera positions will be a guess</source>
-        <translation>なし: カメラ位置は推測になります</translation>
-    </message>
-    <message>
         <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
         <translation>キャリブレーションがないためカメラ位置は推測です。画像での追跡はできますが、空間の位置はまだ意味を持ちません。</translation>
     </message>
@@ -4892,10 +5608,6 @@ at %4, %5, %6</source>
         <translation>取り除く</translation>
     </message>
     <message>
-        <source>Choose calibration…</source>
-        <translation>キャリブレーションを選択…</translation>
-    </message>
-    <message>
         <source>Create</source>
         <translation>作成</translation>
     </message>
@@ -4911,6 +5623,44 @@ at %4, %5, %6</source>
         <source>Neither a video, nor images, nor a calibration: %1.</source>
         <translation>動画でも画像でもキャリブレーションでもありません: %1。</translation>
     </message>
+    <message>
+        <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(folder name)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OldResultsOffer</name>
+    <message>
+        <source>Settings changed since this run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Track again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::OverlayLegend</name>
+    <message>
+        <source>Legend of the overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">閉じる</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ParameterPanel</name>
@@ -4923,10 +5673,6 @@ at %4, %5, %6</source>
         <translation>手法(&amp;M)</translation>
     </message>
     <message>
-        <source>How the targets are tracked. Another method begins anew; the rest stays.</source>
-        <translation>ターゲットの追跡方法。別の方法にすると最初からやり直し、ほかはそのままです。</translation>
-    </message>
-    <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
         <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
     </message>
@@ -4937,6 +5683,38 @@ at %4, %5, %6</source>
     <message>
         <source>Parameters</source>
         <translation>パラメーター</translation>
+    </message>
+    <message>
+        <source>More than “%1”: %2 is used.</source>
+        <translation>「%1」より大きいため、%2 を使います。</translation>
+    </message>
+    <message>
+        <source>Less than “%1”, which has no effect then.</source>
+        <translation>「%1」より小さいため、そちらは効果がありません。</translation>
+    </message>
+    <message>
+        <source>How the targets are tracked. Another method starts again; the rest stays.</source>
+        <translation>ターゲットの追跡方法。別の手法にすると最初からやり直し、ほかはそのままです。</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>すべて元に戻す</translation>
+    </message>
+    <message>
+        <source>Give all parameters of this method their defaults</source>
+        <translation>この手法のすべてのパラメーターを既定値にします</translation>
+    </message>
+    <message>
+        <source>Volume of interest</source>
+        <translation>探索範囲</translation>
+    </message>
+    <message>
+        <source>Targets are searched for in a box alone.</source>
+        <translation>ターゲットは箱の中だけで探します。</translation>
+    </message>
+    <message>
+        <source>Something here differs from its default.</source>
+        <translation>ここに既定値と異なるものがあります。</translation>
     </message>
 </context>
 <context>
@@ -5272,6 +6050,14 @@ at %4, %5, %6</source>
         <source>%1 could not be written.</source>
         <translation>%1 を書き込めませんでした。</translation>
     </message>
+    <message>
+        <source>Plots appear when tracking runs.</source>
+        <translation>追跡を実行すると、グラフが表示されます。</translation>
+    </message>
+    <message>
+        <source>The target whose numbers are plotted: the one selected in Target, or the first.</source>
+        <translation>数値をグラフにするターゲット：「ターゲット」で選択したもの、なければ最初のもの。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::PlotStack</name>
@@ -5471,6 +6257,37 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ProblemReport</name>
+    <message>
+        <source>Report a problem – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the text, to be pasted into a mail or a form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">閉じる</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ProjectController</name>
     <message>
         <source>Click the thing or drag a box around it in any camera view.</source>
@@ -5511,6 +6328,96 @@ at %4, %5, %6</source>
     <message>
         <source>Recovered. Save the project to keep it.</source>
         <translation>復元しました。残すにはプロジェクトを保存してください。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::QuickStart</name>
+    <message>
+        <source>The cameras confirm where the target is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something else fits about as well. Press X and drag the target to where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not found yet, or not seen for less than a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not seen for a second. The line at the bottom says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quick start – Dewpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you see</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How sure it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How to begin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the demo first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All signs…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the legend of all that is drawn over the images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Manual…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">閉じる</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RecentList</name>
+    <message>
+        <source>The file is gone</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5579,6 +6486,61 @@ at %4, %5, %6</source>
     <message>
         <source>Done: %1. Undo takes it back.</source>
         <translation>完了: %1。「元に戻す」で取り消せます。</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::RunDetails</name>
+    <message>
+        <source>median %1, 99 of 100 within %2, longest %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none is set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, kept in %2 % of the iterations of this run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time per iteration, median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From a frame to its estimate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time budget per iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effective sample size</source>
+        <translation type="unfinished">有効サンプルサイズ</translation>
+    </message>
+    <message>
+        <source>Iterations since the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames skipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept of the past</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 particles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5676,46 +6638,35 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::SpeedButton</name>
+    <message>
+        <source>1/%1 ×</source>
+        <comment>speed</comment>
+        <translation>1/%1 倍</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <comment>speed</comment>
+        <translation>%1 倍</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played. Live cameras are always tracked as they come.</source>
+        <translation>録画を再生する速さ。ライブカメラは常に届くままに追跡します。</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>再生速度</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::StartPage</name>
     <message>
         <source>Dewpoint</source>
         <translation>Dewpoint</translation>
     </message>
     <message>
-        <source>Follow colored things in 3D with ordinary cameras.</source>
-        <translation>普通のカメラで色のついた物を3Dで追跡します。</translation>
-    </message>
-    <message>
         <source>Try the demo</source>
         <translation>デモを試す</translation>
-    </message>
-    <message>
-        <source>Two simulated cameras follow a moving ball</source>
-        <translation>2台の仮想カメラが動くボールを追います</translation>
-    </message>
-    <message>
-        <source>Open videos</source>
-        <translation>動画を開く</translation>
-    </message>
-    <message>
-        <source>Make a project from recorded videos, one per camera</source>
-        <translation>録画した動画（カメラごとに1つ）からプロジェクトを作ります</translation>
-    </message>
-    <message>
-        <source>Cameras</source>
-        <translation>カメラ</translation>
-    </message>
-    <message>
-        <source>Make a project from connected cameras or network streams</source>
-        <translation>接続されたカメラやネットワーク映像からプロジェクトを作ります</translation>
-    </message>
-    <message>
-        <source>Open project</source>
-        <translation>プロジェクトを開く</translation>
-    </message>
-    <message>
-        <source>Open a project that was saved before</source>
-        <translation>保存したプロジェクトを開きます</translation>
     </message>
     <message>
         <source>Recent projects</source>
@@ -5724,6 +6675,90 @@ at %4, %5, %6</source>
     <message>
         <source>You can also drop a project or videos onto this window.</source>
         <translation>プロジェクトや動画をこのウィンドウにドロップすることもできます。</translation>
+    </message>
+    <message>
+        <source>Watch it converge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hidden for a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A box passes in front of the ball. One camera is enough to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three balls alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three more balls of the same color lie around. Only one moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People in an office</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four cameras carve everybody out of space, and give each a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One camera and a box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No calibration: a box in the image is followed by its colors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a grid over the images until it lies on the floor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow colored objects in 3D with ordinary cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open videos…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One recording per camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use cameras…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected ones, or network streams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One that was saved before</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5741,10 +6776,6 @@ at %4, %5, %6</source>
         <translation>終了</translation>
     </message>
     <message>
-        <source>frame 0000 / 0000</source>
-        <translation>フレーム 0000 / 0000</translation>
-    </message>
-    <message>
         <source>Frame shown, of all frames</source>
         <translation>表示中のフレーム / 全フレーム</translation>
     </message>
@@ -5755,26 +6786,6 @@ at %4, %5, %6</source>
     <message>
         <source>Frames tracked per second</source>
         <translation>1 秒あたりに追跡したフレーム数</translation>
-    </message>
-    <message>
-        <source>%1 per iteration</source>
-        <translation>反復あたり %1</translation>
-    </message>
-    <message>
-        <source>Median time of one filter iteration</source>
-        <translation>フィルターの反復 1 回にかかる時間の中央値</translation>
-    </message>
-    <message>
-        <source>ESS %1 / %2</source>
-        <translation>ESS %1 / %2</translation>
-    </message>
-    <message>
-        <source>spread %1</source>
-        <translation>広がり %1</translation>
-    </message>
-    <message>
-        <source>Root mean square distance of the particles to their mean</source>
-        <translation>粒子とその平均との距離の二乗平均平方根</translation>
     </message>
     <message>
         <source>Estimated position of the target in the room</source>
@@ -5791,22 +6802,6 @@ at %4, %5, %6</source>
     <message>
         <source>x %1  y %2  z %3</source>
         <translation>x %1  y %2  z %3</translation>
-    </message>
-    <message>
-        <source>From a frame to its estimate: median %1, 99 of 100 within %2, longest %3</source>
-        <translation>画像から推定まで：中央値 %1、100回中99回は %2 以内、最長 %3</translation>
-    </message>
-    <message>
-        <source>Effective sample size, of all particles. Method “dewpoint” uses as many particles as it needs and as the time budget allows.</source>
-        <translation>全粒子に対する有効サンプル数。手法「dewpoint」は、必要なだけ、時間予算の許す範囲で粒子を使います。</translation>
-    </message>
-    <message>
-        <source>No time budget is set.</source>
-        <translation>時間の上限は設定されていません。</translation>
-    </message>
-    <message>
-        <source>Time budget %1: kept in %2 % of the iterations of this run</source>
-        <translation>時間の上限 %1：この実行の反復の %2 % で守られました</translation>
     </message>
     <message>
         <source>tracking again</source>
@@ -5829,10 +6824,6 @@ at %4, %5, %6</source>
         <translation>クリックするか、囲むようにドラッグ</translation>
     </message>
     <message>
-        <source>Effective sample size, of all particles</source>
-        <translation>全粒子に対する有効サンプル数</translation>
-    </message>
-    <message>
         <source>x %1  y %2  %3 × %4</source>
         <translation>x %1  y %2  %3 × %4</translation>
     </message>
@@ -5851,6 +6842,30 @@ at %4, %5, %6</source>
     <message>
         <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
         <translation>追跡中：カメラが推定を裏付けています。あいまい：ほかにも同じくらい合うものがあります。見失い：1 秒間追跡できていません。</translation>
+    </message>
+    <message>
+        <source>± %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation type="unfinished">%1 m/s</translation>
+    </message>
+    <message>
+        <source>Speed of the target in the room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times, particles, and what is kept of the past</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5952,6 +6967,38 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Target</source>
         <translation>ターゲット</translation>
+    </message>
+    <message>
+        <source>radius %1</source>
+        <translation>半径 %1</translation>
+    </message>
+    <message>
+        <source>radius %1 (found)</source>
+        <translation>半径 %1（推定）</translation>
+    </message>
+    <message>
+        <source>radius unknown</source>
+        <translation>半径不明</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Add target</source>
+        <translation>ターゲットを追加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>取り除く</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>枠</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>学習</translation>
     </message>
 </context>
 <context>
@@ -6198,6 +7245,10 @@ Effective sample size %8 of %9</source>
         <source>Remove the correction</source>
         <translation>修正を取り消す</translation>
     </message>
+    <message>
+        <source>Speed and height appear when tracking runs.</source>
+        <translation>追跡を実行すると、速さと高さが表示されます。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::UncertaintyMapForm</name>
@@ -6313,16 +7364,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::ViewButtons</name>
     <message>
-        <source>Above</source>
-        <translation>上</translation>
-    </message>
-    <message>
         <source>Front</source>
         <translation>正面</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>自由</translation>
     </message>
     <message>
         <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
@@ -6333,8 +7376,24 @@ Effective sample size %8 of %9</source>
         <translation>正面から見る：X は右、Z は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
     </message>
     <message>
-        <source>Perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>透視図。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
+        <translation>部屋を透視図で見る。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>全体</translation>
+    </message>
+    <message>
+        <source>See everything again, in the same view. Double click does it too.</source>
+        <translation>同じ視点でもう一度全体を表示。ダブルクリックでも可。</translation>
     </message>
 </context>
 <context>
@@ -6362,10 +7421,6 @@ Effective sample size %8 of %9</source>
 </context>
 <context>
     <name>dewpoint::ui::VolumeForm</name>
-    <message>
-        <source>Volume of interest</source>
-        <translation>探索範囲</translation>
-    </message>
     <message>
         <source>From X, Y, Z</source>
         <translation>始点 X, Y, Z</translation>
@@ -6821,10 +7876,6 @@ Effective sample size %8 of %9</source>
         <translation>実行(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Project</source>
-        <translation>プロジェクト(&amp;P)</translation>
-    </message>
-    <message>
         <source>Open recent</source>
         <translation>最近のプロジェクトを開く</translation>
     </message>
@@ -6837,16 +7888,8 @@ Effective sample size %8 of %9</source>
         <translation>表示パネル</translation>
     </message>
     <message>
-        <source>Colors</source>
-        <translation>配色</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>言語</translation>
-    </message>
-    <message>
-        <source>Like the system</source>
-        <translation>システムに合わせる</translation>
     </message>
     <message>
         <source>Show this view</source>
@@ -6855,6 +7898,22 @@ Effective sample size %8 of %9</source>
     <message>
         <source>Speak this language</source>
         <translation>この言語で表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow system</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
