@@ -569,15 +569,15 @@
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">Datei</translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Track again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut verfolgen</translation>
     </message>
     <message>
         <source>Track all again that is of earlier settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles erneut verfolgen, was von früheren Einstellungen stammt</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -677,19 +677,19 @@
     </message>
     <message>
         <source>Reset layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Anordnung zurücksetzen</translation>
     </message>
     <message>
         <source>Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Vollbild</translation>
     </message>
     <message>
         <source>Let the window fill the screen, or give it its frame back</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster den Bildschirm füllen lassen oder ihm seinen Rahmen zurückgeben</translation>
     </message>
     <message>
         <source>Follow system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Plot position</source>
@@ -701,55 +701,55 @@
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch</translation>
     </message>
     <message>
         <source>Open the manual at the page of the view that is in use</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch auf der Seite der benutzten Ansicht öffnen</translation>
     </message>
     <message>
         <source>Quick start</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnelleinstieg</translation>
     </message>
     <message>
         <source>What you see in the window, and how to begin in five steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Was im Fenster zu sehen ist und wie man in fünf Schritten beginnt</translation>
     </message>
     <message>
         <source>Legend of the overlays</source>
-        <translation type="unfinished"></translation>
+        <translation>Legende der Einblendungen</translation>
     </message>
     <message>
         <source>What crosses, ellipses and dots in the images mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Kreuze, Ellipsen und Punkte in den Bildern bedeuten</translation>
     </message>
     <message>
         <source>About the methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Verfahren</translation>
     </message>
     <message>
         <source>Open the reference of the tracking methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenz der Verfahren zum Verfolgen öffnen</translation>
     </message>
     <message>
         <source>Report a problem…</source>
-        <translation type="unfinished"></translation>
+        <translation>Problem melden…</translation>
     </message>
     <message>
         <source>Collect what helps to find a fault, ready to be copied</source>
-        <translation type="unfinished"></translation>
+        <translation>Sammeln, was hilft, einen Fehler zu finden, fertig zum Kopieren</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Dewpoint</translation>
     </message>
     <message>
         <source>Version, license, and how to cite Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Version, Lizenz und wie Dewpoint zitiert wird</translation>
     </message>
 </context>
 <context>
@@ -942,11 +942,11 @@
     <name>CalibrationFiles</name>
     <message>
         <source>Calibrations (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierungen (%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -1310,9 +1310,9 @@
     </message>
     <message numerus="yes">
         <source>%n things have this color and size: follow all of them, or cover the others.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Ding hat diese Farbe und Größe: Verfolgen Sie alle, oder bedecken Sie die anderen.</numerusform>
+            <numerusform>%n Dinge haben diese Farbe und Größe: Verfolgen Sie alle, oder bedecken Sie die anderen.</numerusform>
         </translation>
     </message>
 </context>
@@ -1681,15 +1681,15 @@
     <name>ExportDialog</name>
     <message>
         <source>Wrote the figure %1.</source>
-        <translation type="unfinished">Die Abbildung %1 wurde geschrieben.</translation>
+        <translation>Die Abbildung %1 wurde geschrieben.</translation>
     </message>
     <message>
         <source>Exported %1 rows to %2 files; the last is %3.</source>
-        <translation type="unfinished">%1 Zeilen in %2 Dateien exportiert; die letzte ist %3.</translation>
+        <translation>%1 Zeilen in %2 Dateien exportiert; die letzte ist %3.</translation>
     </message>
     <message>
         <source>Exported %1 rows to %2.</source>
-        <translation type="unfinished">%1 Zeilen nach %2 exportiert.</translation>
+        <translation>%1 Zeilen nach %2 exportiert.</translation>
     </message>
 </context>
 <context>
@@ -2640,7 +2640,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
     <message>
         <source>of earlier settings</source>
-        <translation type="unfinished"></translation>
+        <translation>von früheren Einstellungen</translation>
     </message>
     <message>
         <source>How well each target is held appears here when tracking runs.</source>
@@ -2659,11 +2659,11 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exportieren</translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished">Start</translation>
+        <translation>Start</translation>
     </message>
 </context>
 <context>
@@ -2752,51 +2752,51 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <name>dewpoint::ui::AboutDialog</name>
     <message>
         <source>Show license</source>
-        <translation type="unfinished"></translation>
+        <translation>Lizenz zeigen</translation>
     </message>
     <message>
         <source>Hide license</source>
-        <translation type="unfinished"></translation>
+        <translation>Lizenz verbergen</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Dewpoint</translation>
     </message>
     <message>
         <source>Dewpoint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dewpoint %1</translation>
     </message>
     <message>
         <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfolgt farbige Objekte in 3D, live, aus gewöhnlichen Kameras mit Partikelfiltern.</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder später (GPL-3.0-or-later), ohne jede Gewährleistung.</translation>
     </message>
     <message>
         <source>How to cite</source>
-        <translation type="unfinished"></translation>
+        <translation>So wird zitiert</translation>
     </message>
     <message>
         <source>Show the whole text of the license, or hide it</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ganzen Text der Lizenz zeigen oder verbergen</translation>
     </message>
     <message>
         <source>Copy citation</source>
-        <translation type="unfinished"></translation>
+        <translation>Zitat kopieren</translation>
     </message>
     <message>
         <source>Copy the line for your list of references</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeile für Ihr Literaturverzeichnis kopieren</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Fenster schließen</translation>
     </message>
 </context>
 <context>
@@ -3422,62 +3422,62 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     <name>dewpoint::ui::CalibrationChoice</name>
     <message>
         <source>Calibration:</source>
-        <translation type="unfinished">Kalibrierung:</translation>
+        <translation>Kalibrierung:</translation>
     </message>
     <message>
         <source>Choose calibration…</source>
-        <translation type="unfinished">Kalibrierung wählen…</translation>
+        <translation>Kalibrierung wählen…</translation>
     </message>
     <message>
         <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kalibrierungsdatei von Dewpoint oder einem anderen Programm; Kameras werden nach ihren Namen gefunden, sonst in ihrer Reihenfolge genommen</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Go without a calibration file</source>
-        <translation type="unfinished">Ohne Kalibrierungsdatei</translation>
+        <translation>Ohne Kalibrierungsdatei</translation>
     </message>
     <message>
         <source>Choose a calibration</source>
-        <translation type="unfinished">Eine Kalibrierung wählen</translation>
+        <translation>Eine Kalibrierung wählen</translation>
     </message>
     <message>
         <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkannt: %1. Etwas bleibt darin offen: %2. Erstellen Sie das Projekt ohne sie; „Kalibrierung importieren“ fragt dann nach dem, was fehlt.</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkannt: %1. Sie lässt sich nicht verwenden: %2.</translation>
     </message>
     <message>
         <source>The file cannot be used: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei lässt sich nicht verwenden: %1.</translation>
     </message>
     <message>
         <source>Not recognized. Dewpoint reads: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht erkannt. Dewpoint liest: %1.</translation>
     </message>
     <message>
         <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkannt: %1. Ihre Kameras passen nicht zu denen oben: %2.</translation>
     </message>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ Erkannt: %1, %n Kamera</numerusform>
+            <numerusform>✓ Erkannt: %1, %n Kameras</numerusform>
         </translation>
     </message>
     <message>
         <source>None: camera positions will be a guess</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine: Die Kamerapositionen werden geraten</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gelesen…</translation>
     </message>
 </context>
 <context>
@@ -4158,48 +4158,48 @@ bei %4, %5, %6</translation>
     <name>dewpoint::ui::CameraTable</name>
     <message>
         <source>rtsp://192.168.0.10/stream, or a device number such as 0</source>
-        <translation type="unfinished"></translation>
+        <translation>rtsp://192.168.0.10/stream oder eine Gerätenummer wie 0</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gelesen…</translation>
     </message>
     <message numerus="yes">
         <source>✓ %1×%2 · %3 frames per second · %n frames</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · %3 Bilder je Sekunde · %n Bild</numerusform>
+            <numerusform>✓ %1×%2 · %3 Bilder je Sekunde · %n Bilder</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>✓ %1×%2 · %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · %n Bild</numerusform>
+            <numerusform>✓ %1×%2 · %n Bilder</numerusform>
         </translation>
     </message>
     <message>
         <source>✗ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ %1</translation>
     </message>
     <message>
         <source>Live: tried when the project is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Live: wird ausprobiert, wenn das Projekt erstellt wird</translation>
     </message>
     <message>
         <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Videos haben verschiedene Bildraten: Bild N des einen ist nicht derselbe Moment wie Bild N des anderen.</translation>
     </message>
     <message numerus="yes">
         <source>Videos differ in length: using the first %n frames.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Die Videos sind verschieden lang: Nur das erste Bild (%n) wird verwendet.</numerusform>
+            <numerusform>Die Videos sind verschieden lang: Die ersten %n Bilder werden verwendet.</numerusform>
         </translation>
     </message>
     <message>
         <source>Videos differ in size: each camera keeps its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Videos sind verschieden groß: Jede Kamera behält ihre Größe.</translation>
     </message>
 </context>
 <context>
@@ -4519,11 +4519,11 @@ bei %4, %5, %6</translation>
     </message>
     <message>
         <source>Show all views</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Ansichten zeigen</translation>
     </message>
     <message>
         <source>Give the other views their places back (Esc, or double click here)</source>
-        <translation type="unfinished"></translation>
+        <translation>Den anderen Ansichten ihre Plätze zurückgeben (Esc oder Doppelklick hier)</translation>
     </message>
 </context>
 <context>
@@ -4549,11 +4549,11 @@ bei %4, %5, %6</translation>
     <name>dewpoint::ui::DropZone</name>
     <message>
         <source>Drop videos here, or add them</source>
-        <translation type="unfinished"></translation>
+        <translation>Videos hierher ziehen oder hinzufügen</translation>
     </message>
     <message>
         <source>One per camera; also folders of images, and a calibration file</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines je Kamera; auch Ordner mit Bildern und eine Kalibrierungsdatei</translation>
     </message>
 </context>
 <context>
@@ -4830,7 +4830,7 @@ bei %4, %5, %6</translation>
     </message>
     <message>
         <source>Some of these results are of earlier settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige dieser Ergebnisse stammen von früheren Einstellungen.</translation>
     </message>
 </context>
 <context>
@@ -4984,40 +4984,40 @@ bei %4, %5, %6</translation>
     <name>dewpoint::ui::ExportOutcome</name>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Ordner zeigen</translation>
     </message>
     <message>
         <source>Open the folder of the file that was written</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner der geschriebenen Datei öffnen</translation>
     </message>
     <message>
         <source>No file manager was found. The file is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Dateimanager wurde gefunden. Die Datei ist %1.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
         <source>Follow all %n of them</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n davon verfolgen</numerusform>
+            <numerusform>Alle %n verfolgen</numerusform>
         </translation>
     </message>
     <message>
         <source>Add a target of the same color and size for each of the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Für jedes der anderen ein Ziel derselben Farbe und Größe hinzufügen</translation>
     </message>
     <message>
         <source>Follow all of one color</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle von einer Farbe verfolgen</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::GalleryCard</name>
     <message>
         <source>Opening…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird geöffnet…</translation>
     </message>
 </context>
 <context>
@@ -5296,35 +5296,35 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     <name>dewpoint::ui::LegendPicture</name>
     <message>
         <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte: Partikel. Jedes ist eine Vermutung, wo das Ziel ist; je deckender, desto besser passt es zu den Bildern.</translation>
     </message>
     <message>
         <source>Cross: the estimate, the weighted mean of the particles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuz: die Schätzung, das gewichtete Mittel der Partikel.</translation>
     </message>
     <message>
         <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgezogene Ellipse: Mit 95 % Wahrscheinlichkeit ist das Ziel darin. Je kleiner, desto sicherer.</translation>
     </message>
     <message>
         <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestrichelte Ellipse: die Größe des Ziels selbst, wo es kein Ball ist.</translation>
     </message>
     <message>
         <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiße Raute: wo das Ziel wirklich ist. Nur simulierte Szenen wie die Demo wissen es.</translation>
     </message>
     <message>
         <source>Triangle: the particle of highest weight (View › Show best particle).</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreieck: das Partikel mit dem höchsten Gewicht (Ansicht › Bestes Partikel zeigen).</translation>
     </message>
     <message>
         <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie durch das Bild: der Strahl einer anderen Kamera, auf dem das Ziel sein muss, während Sie es dorthin ziehen, wo es ist.</translation>
     </message>
     <message>
         <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell, wo das Bild die Farbe des Ziels hat, sonst dunkel (Ansicht › Maske zeigen).</translation>
     </message>
 </context>
 <context>
@@ -5424,23 +5424,23 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     <name>dewpoint::ui::ManualWindow</name>
     <message>
         <source>Manual – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch – Dewpoint</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten des Handbuchs</translation>
     </message>
     <message>
         <source>Back to the page before</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zur vorigen Seite</translation>
     </message>
     <message>
         <source>Forward again</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder vorwärts</translation>
     </message>
     <message>
         <source>The manual was not found. It is expected in the folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch wurde nicht gefunden. Es wird im Ordner %1 erwartet.</translation>
     </message>
 </context>
 <context>
@@ -5477,41 +5477,41 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     <name>dewpoint::ui::MessageRow</name>
     <message>
         <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::MissingFilesOffer</name>
     <message>
         <source>%1 (camera %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (Kamera %2)</translation>
     </message>
     <message>
         <source>%1 was not found in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde in %2 nicht gefunden.</translation>
     </message>
     <message numerus="yes">
         <source>%n files of this project were not found: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Datei dieses Projekts wurde nicht gefunden: %1.</numerusform>
+            <numerusform>%n Dateien dieses Projekts wurden nicht gefunden: %1.</numerusform>
         </translation>
     </message>
     <message>
         <source>Locate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen…</translation>
     </message>
     <message>
         <source>Locate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 suchen</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Opened with the located files. Save the project to keep where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit den wiedergefundenen Dateien geöffnet. Speichern Sie das Projekt, um zu behalten, wo sie sind.</translation>
     </message>
 </context>
 <context>
@@ -5634,41 +5634,41 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     </message>
     <message>
         <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je Kamera. Videos müssen synchronisiert sein: Bild N zeigt in allen denselben Moment.</translation>
     </message>
     <message>
         <source>(folder name)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Name des Ordners)</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefunden</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::OldResultsOffer</name>
     <message>
         <source>Settings changed since this run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen haben sich seit diesem Lauf geändert.</translation>
     </message>
     <message>
         <source>Track again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut verfolgen</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::OverlayLegend</name>
     <message>
         <source>Legend of the overlays</source>
-        <translation type="unfinished"></translation>
+        <translation>Legende der Einblendungen</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Fenster schließen</translation>
     </message>
 </context>
 <context>
@@ -6269,31 +6269,31 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     <name>dewpoint::ui::ProblemReport</name>
     <message>
         <source>Report a problem – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Problem melden – Dewpoint</translation>
     </message>
     <message>
         <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben Sie denen, von denen Sie Dewpoint haben: was Sie getan haben, was Sie erwartet haben und was stattdessen geschah. Fügen Sie den Text unten hinzu und, wenn möglich, die Projektdatei und ein Bildschirmfoto. Von selbst wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Text for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Text für die Meldung</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copy the text, to be pasted into a mail or a form</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Text kopieren, zum Einfügen in eine Mail oder ein Formular</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Fenster schließen</translation>
     </message>
 </context>
 <context>
@@ -6343,90 +6343,90 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     <name>dewpoint::ui::QuickStart</name>
     <message>
         <source>The cameras confirm where the target is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras bestätigen, wo das Ziel ist.</translation>
     </message>
     <message>
         <source>Something else fits about as well. Press X and drag the target to where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas anderes passt etwa genauso gut. Drücken Sie X, und ziehen Sie das Ziel dorthin, wo es ist.</translation>
     </message>
     <message>
         <source>Not found yet, or not seen for less than a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht gefunden, oder seit weniger als einer Sekunde nicht gesehen.</translation>
     </message>
     <message>
         <source>Not seen for a second. The line at the bottom says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seit einer Sekunde nicht gesehen. Die Zeile unten sagt, warum.</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnelleinstieg – Dewpoint</translation>
     </message>
     <message>
         <source>What you see</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Sie sehen</translation>
     </message>
     <message>
         <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Kameraansicht zeigt ihr Bild und darüber, was das Programm glaubt. Die Vogelperspektive zeigt dasselbe im Raum.</translation>
     </message>
     <message>
         <source>How sure it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sicher es ist</translation>
     </message>
     <message>
         <source>How to begin</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Sie beginnen</translation>
     </message>
     <message>
         <source>1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the demo first.</source>
-        <translation type="unfinished"></translation>
+        <translation>1.  Öffnen Sie ein Video je Kamera, oder schließen Sie Kameras an: Datei › Neues Projekt (%1). Oder probieren Sie zuerst die Demo aus.</translation>
     </message>
     <message>
         <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.  Geben Sie die Kalibrierung der Kameras an, oder machen Sie eine: Menü Kalibrierung (%1 beginnt von Hand). Ohne sie werden Ziele nur in den Bildern verfolgt.</translation>
     </message>
     <message>
         <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
-        <translation type="unfinished"></translation>
+        <translation>3.  Klicken Sie in irgendeinem Bild das Ding an, das verfolgt werden soll. Seine Farbe wird in allen Kameras gelernt, und die Verfolgung beginnt.</translation>
     </message>
     <message>
         <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>4.  %1 spielt ab und hält an. Ziehen Sie auf der Zeitleiste, um zurückzublicken: Jede Ansicht zeigt das Bild, wie es war.</translation>
     </message>
     <message>
         <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>5.  Exportieren Sie die Bahn: Datei › Bahn exportieren (%1).</translation>
     </message>
     <message>
         <source>All signs…</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Zeichen…</translation>
     </message>
     <message>
         <source>Open the legend of all that is drawn over the images</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Legende von allem öffnen, was über die Bilder gezeichnet wird</translation>
     </message>
     <message>
         <source>Manual…</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch…</translation>
     </message>
     <message>
         <source>Open the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch öffnen</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Fenster schließen</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecentList</name>
     <message>
         <source>The file is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist nicht mehr da</translation>
     </message>
 </context>
 <context>
@@ -6501,55 +6501,55 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     <name>dewpoint::ui::RunDetails</name>
     <message>
         <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Median %1, 99 von 100 innerhalb von %2, längste %3</translation>
     </message>
     <message>
         <source>none is set</source>
-        <translation type="unfinished"></translation>
+        <translation>keines festgelegt</translation>
     </message>
     <message>
         <source>%1, kept in %2 % of the iterations of this run</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, in %2 % der Iterationen dieses Laufs eingehalten</translation>
     </message>
     <message>
         <source>Time per iteration, median</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit pro Iteration, Median</translation>
     </message>
     <message>
         <source>From a frame to its estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Bild zu seiner Schätzung</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitbudget pro Iteration</translation>
     </message>
     <message>
         <source>Effective sample size</source>
-        <translation type="unfinished">Effektive Stichprobengröße</translation>
+        <translation>Effektive Stichprobengröße</translation>
     </message>
     <message>
         <source>Iterations since the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Iterationen seit dem Start</translation>
     </message>
     <message>
         <source>Frames skipped</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersprungene Bilder</translation>
     </message>
     <message>
         <source>Random seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwert</translation>
     </message>
     <message>
         <source>Kept of the past</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbewahrter Verlauf</translation>
     </message>
     <message>
         <source>%1 of %2 particles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Partikeln</translation>
     </message>
     <message>
         <source>%1 of %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 MB</translation>
     </message>
 </context>
 <context>
@@ -6687,87 +6687,87 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     </message>
     <message>
         <source>Watch it converge</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusehen, wie es konvergiert</translation>
     </message>
     <message>
         <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Wolke von Vermutungen gleitet eine Sichtlinie entlang und springt auf den Ball.</translation>
     </message>
     <message>
         <source>Hidden for a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sekunde lang verdeckt</translation>
     </message>
     <message>
         <source>A box passes in front of the ball. One camera is enough to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kiste zieht vor dem Ball vorbei. Eine Kamera genügt, um ihn zu halten.</translation>
     </message>
     <message>
         <source>Three balls alike</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei gleiche Bälle</translation>
     </message>
     <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei weitere Bälle derselben Farbe liegen herum. Nur einer bewegt sich.</translation>
     </message>
     <message>
         <source>People in an office</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen in einem Büro</translation>
     </message>
     <message>
         <source>Four cameras carve everybody out of space, and give each a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vier Kameras schälen jede Person aus dem Raum heraus und geben ihr eine Nummer.</translation>
     </message>
     <message>
         <source>One camera and a box</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera und ein Rahmen</translation>
     </message>
     <message>
         <source>No calibration: a box in the image is followed by its colors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kalibrierung: Ein Rahmen im Bild wird anhand seiner Farben verfolgt.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand kalibrieren</translation>
     </message>
     <message>
         <source>Drag a grid over the images until it lies on the floor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gitter über die Bilder ziehen, bis es auf dem Boden liegt.</translation>
     </message>
     <message>
         <source>Follow colored objects in 3D with ordinary cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbige Objekte mit gewöhnlichen Kameras in 3D verfolgen.</translation>
     </message>
     <message>
         <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei simulierte Kameras sehen einen rosa Ball; ein Partikelfilter findet ihn und verfolgt ihn durch den Raum. Anhalten, zurückblicken, alles ändern: Nichts kann kaputtgehen.</translation>
     </message>
     <message>
         <source>Your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Eigenes</translation>
     </message>
     <message>
         <source>Open videos…</source>
-        <translation type="unfinished"></translation>
+        <translation>Videos öffnen…</translation>
     </message>
     <message>
         <source>One recording per camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufnahme je Kamera</translation>
     </message>
     <message>
         <source>Use cameras…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras verwenden…</translation>
     </message>
     <message>
         <source>Connected ones, or network streams</source>
-        <translation type="unfinished"></translation>
+        <translation>Angeschlossene oder Netzwerkströme</translation>
     </message>
     <message>
         <source>Open a project…</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt öffnen…</translation>
     </message>
     <message>
         <source>One that was saved before</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein früher gespeichertes</translation>
     </message>
 </context>
 <context>
@@ -6854,27 +6854,27 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     </message>
     <message>
         <source>± %1</source>
-        <translation type="unfinished"></translation>
+        <translation>± %1</translation>
     </message>
     <message>
         <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie genau die Position bekannt ist: die Standardabweichung in 3D, x, y und z zusammen (die Kurven zeigen sie einzeln)</translation>
     </message>
     <message>
         <source>%1 m/s</source>
-        <translation type="unfinished">%1 m/s</translation>
+        <translation>%1 m/s</translation>
     </message>
     <message>
         <source>Speed of the target in the room</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit des Ziels im Raum</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>Details</translation>
     </message>
     <message>
         <source>Times, particles, and what is kept of the past</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeiten, Partikel und der aufbewahrte Verlauf</translation>
     </message>
 </context>
 <context>
@@ -7913,19 +7913,19 @@ Effektive Stichprobengröße %8 von %9</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbschema</translation>
     </message>
     <message>
         <source>Follow system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
 </context>
 </TS>

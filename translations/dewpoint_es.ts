@@ -569,15 +569,15 @@
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">Archivo</translation>
+        <translation>Archivo</translation>
     </message>
     <message>
         <source>Track again</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguir de nuevo</translation>
     </message>
     <message>
         <source>Track all again that is of earlier settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguir de nuevo todo lo obtenido con ajustes anteriores</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -677,19 +677,19 @@
     </message>
     <message>
         <source>Reset layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer la disposición</translation>
     </message>
     <message>
         <source>Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Pantalla completa</translation>
     </message>
     <message>
         <source>Let the window fill the screen, or give it its frame back</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer que la ventana llene la pantalla o devolverle su marco</translation>
     </message>
     <message>
         <source>Follow system</source>
-        <translation type="unfinished"></translation>
+        <translation>Según el sistema</translation>
     </message>
     <message>
         <source>Plot position</source>
@@ -701,55 +701,55 @@
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Ayuda</translation>
     </message>
     <message>
         <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual</translation>
     </message>
     <message>
         <source>Open the manual at the page of the view that is in use</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el manual en la página de la vista en uso</translation>
     </message>
     <message>
         <source>Quick start</source>
-        <translation type="unfinished"></translation>
+        <translation>Primeros pasos</translation>
     </message>
     <message>
         <source>What you see in the window, and how to begin in five steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se ve en la ventana y cómo empezar en cinco pasos</translation>
     </message>
     <message>
         <source>Legend of the overlays</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyenda de los signos</translation>
     </message>
     <message>
         <source>What crosses, ellipses and dots in the images mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué significan las cruces, elipses y puntos en las imágenes</translation>
     </message>
     <message>
         <source>About the methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca de los métodos</translation>
     </message>
     <message>
         <source>Open the reference of the tracking methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir la referencia de los métodos de seguimiento</translation>
     </message>
     <message>
         <source>Report a problem…</source>
-        <translation type="unfinished"></translation>
+        <translation>Informar de un problema…</translation>
     </message>
     <message>
         <source>Collect what helps to find a fault, ready to be copied</source>
-        <translation type="unfinished"></translation>
+        <translation>Reunir lo que ayuda a encontrar un fallo, listo para copiar</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca de Dewpoint</translation>
     </message>
     <message>
         <source>Version, license, and how to cite Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Versión, licencia y cómo citar Dewpoint</translation>
     </message>
 </context>
 <context>
@@ -942,11 +942,11 @@
     <name>CalibrationFiles</name>
     <message>
         <source>Calibrations (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibraciones (%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
@@ -1310,9 +1310,9 @@
     </message>
     <message numerus="yes">
         <source>%n things have this color and size: follow all of them, or cover the others.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n cosa tiene este color y tamaño: sígala o cubra las otras.</numerusform>
+            <numerusform>%n cosas tienen este color y tamaño: siga todas o cubra las otras.</numerusform>
         </translation>
     </message>
 </context>
@@ -1681,15 +1681,15 @@
     <name>ExportDialog</name>
     <message>
         <source>Wrote the figure %1.</source>
-        <translation type="unfinished">Se escribió la figura %1.</translation>
+        <translation>Se escribió la figura %1.</translation>
     </message>
     <message>
         <source>Exported %1 rows to %2 files; the last is %3.</source>
-        <translation type="unfinished">Se exportaron %1 filas a %2 archivos; el último es %3.</translation>
+        <translation>Se exportaron %1 filas a %2 archivos; el último es %3.</translation>
     </message>
     <message>
         <source>Exported %1 rows to %2.</source>
-        <translation type="unfinished">Se exportaron %1 filas a %2.</translation>
+        <translation>Se exportaron %1 filas a %2.</translation>
     </message>
 </context>
 <context>
@@ -2640,7 +2640,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
     <message>
         <source>of earlier settings</source>
-        <translation type="unfinished"></translation>
+        <translation>con ajustes anteriores</translation>
     </message>
     <message>
         <source>How well each target is held appears here when tracking runs.</source>
@@ -2659,11 +2659,11 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exportar</translation>
+        <translation>Exportar</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished">Reproducir</translation>
+        <translation>Reproducir</translation>
     </message>
 </context>
 <context>
@@ -2752,51 +2752,51 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <name>dewpoint::ui::AboutDialog</name>
     <message>
         <source>Show license</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar la licencia</translation>
     </message>
     <message>
         <source>Hide license</source>
-        <translation type="unfinished"></translation>
+        <translation>Ocultar la licencia</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca de Dewpoint</translation>
     </message>
     <message>
         <source>Dewpoint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dewpoint %1</translation>
     </message>
     <message>
         <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sigue objetos de color en 3D, en vivo, desde cámaras corrientes con filtros de partículas.</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Software libre bajo la GNU General Public License, versión 3 o posterior (GPL-3.0-or-later), sin garantía alguna.</translation>
     </message>
     <message>
         <source>How to cite</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo citar</translation>
     </message>
     <message>
         <source>Show the whole text of the license, or hide it</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el texto completo de la licencia u ocultarlo</translation>
     </message>
     <message>
         <source>Copy citation</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar la cita</translation>
     </message>
     <message>
         <source>Copy the line for your list of references</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar la línea para su lista de referencias</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Cerrar</translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar esta ventana</translation>
     </message>
 </context>
 <context>
@@ -3422,62 +3422,62 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     <name>dewpoint::ui::CalibrationChoice</name>
     <message>
         <source>Calibration:</source>
-        <translation type="unfinished">Calibración:</translation>
+        <translation>Calibración:</translation>
     </message>
     <message>
         <source>Choose calibration…</source>
-        <translation type="unfinished">Elegir calibración…</translation>
+        <translation>Elegir calibración…</translation>
     </message>
     <message>
         <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
-        <translation type="unfinished"></translation>
+        <translation>Un archivo de calibración de Dewpoint o de otro programa; las cámaras se buscan por su nombre o, si no, se toman en el orden del archivo</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna</translation>
     </message>
     <message>
         <source>Go without a calibration file</source>
-        <translation type="unfinished">Sin archivo de calibración</translation>
+        <translation>Sin archivo de calibración</translation>
     </message>
     <message>
         <source>Choose a calibration</source>
-        <translation type="unfinished">Elija una calibración</translation>
+        <translation>Elija una calibración</translation>
     </message>
     <message>
         <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconocido: %1. Deja algo sin definir: %2. Cree el proyecto sin él; después «Importar calibración» pregunta lo que falta.</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconocido: %1. No se puede usar: %2.</translation>
     </message>
     <message>
         <source>The file cannot be used: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo no se puede usar: %1.</translation>
     </message>
     <message>
         <source>Not recognized. Dewpoint reads: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No reconocido. Dewpoint lee: %1.</translation>
     </message>
     <message>
         <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconocido: %1. Sus cámaras no concuerdan con las de arriba: %2.</translation>
     </message>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ Reconocido: %1, %n cámara</numerusform>
+            <numerusform>✓ Reconocido: %1, %n cámaras</numerusform>
         </translation>
     </message>
     <message>
         <source>None: camera positions will be a guess</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna: las posiciones de las cámaras serán una suposición</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyendo…</translation>
     </message>
 </context>
 <context>
@@ -4158,48 +4158,48 @@ en %4, %5, %6</translation>
     <name>dewpoint::ui::CameraTable</name>
     <message>
         <source>rtsp://192.168.0.10/stream, or a device number such as 0</source>
-        <translation type="unfinished"></translation>
+        <translation>rtsp://192.168.0.10/stream, o un número de dispositivo, como 0</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyendo…</translation>
     </message>
     <message numerus="yes">
         <source>✓ %1×%2 · %3 frames per second · %n frames</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · %3 fotogramas por segundo · %n fotograma</numerusform>
+            <numerusform>✓ %1×%2 · %3 fotogramas por segundo · %n fotogramas</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>✓ %1×%2 · %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · %n imagen</numerusform>
+            <numerusform>✓ %1×%2 · %n imágenes</numerusform>
         </translation>
     </message>
     <message>
         <source>✗ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ %1</translation>
     </message>
     <message>
         <source>Live: tried when the project is made</source>
-        <translation type="unfinished"></translation>
+        <translation>En vivo: se prueba al crear el proyecto</translation>
     </message>
     <message>
         <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los vídeos tienen distinta frecuencia de fotogramas: el fotograma N de uno no es el mismo momento que el fotograma N del otro.</translation>
     </message>
     <message numerus="yes">
         <source>Videos differ in length: using the first %n frames.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Los vídeos tienen distinta duración: se usa el primer fotograma (%n).</numerusform>
+            <numerusform>Los vídeos tienen distinta duración: se usan los primeros %n fotogramas.</numerusform>
         </translation>
     </message>
     <message>
         <source>Videos differ in size: each camera keeps its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los vídeos tienen distinto tamaño: cada cámara conserva el suyo.</translation>
     </message>
 </context>
 <context>
@@ -4519,11 +4519,11 @@ en %4, %5, %6</translation>
     </message>
     <message>
         <source>Show all views</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar todas las vistas</translation>
     </message>
     <message>
         <source>Give the other views their places back (Esc, or double click here)</source>
-        <translation type="unfinished"></translation>
+        <translation>Devolver las demás vistas a su sitio (Esc, o doble clic aquí)</translation>
     </message>
 </context>
 <context>
@@ -4549,11 +4549,11 @@ en %4, %5, %6</translation>
     <name>dewpoint::ui::DropZone</name>
     <message>
         <source>Drop videos here, or add them</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelte vídeos aquí o añádalos</translation>
     </message>
     <message>
         <source>One per camera; also folders of images, and a calibration file</source>
-        <translation type="unfinished"></translation>
+        <translation>Uno por cámara; también carpetas de imágenes y un archivo de calibración</translation>
     </message>
 </context>
 <context>
@@ -4830,7 +4830,7 @@ en %4, %5, %6</translation>
     </message>
     <message>
         <source>Some of these results are of earlier settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Algunos de estos resultados se obtuvieron con ajustes anteriores.</translation>
     </message>
 </context>
 <context>
@@ -4984,40 +4984,40 @@ en %4, %5, %6</translation>
     <name>dewpoint::ui::ExportOutcome</name>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar en la carpeta</translation>
     </message>
     <message>
         <source>Open the folder of the file that was written</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir la carpeta del archivo escrito</translation>
     </message>
     <message>
         <source>No file manager was found. The file is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se encontró ningún gestor de archivos. El archivo es %1.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
         <source>Follow all %n of them</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Seguir %n</numerusform>
+            <numerusform>Seguir las %n</numerusform>
         </translation>
     </message>
     <message>
         <source>Add a target of the same color and size for each of the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un objetivo del mismo color y tamaño por cada una de las demás</translation>
     </message>
     <message>
         <source>Follow all of one color</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguir todo lo de un color</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::GalleryCard</name>
     <message>
         <source>Opening…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abriendo…</translation>
     </message>
 </context>
 <context>
@@ -5296,35 +5296,35 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     <name>dewpoint::ui::LegendPicture</name>
     <message>
         <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos: partículas. Cada una es una suposición de dónde está el objetivo; cuanto más opaca, mejor encaja con las imágenes.</translation>
     </message>
     <message>
         <source>Cross: the estimate, the weighted mean of the particles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cruz: la estimación, la media ponderada de las partículas.</translation>
     </message>
     <message>
         <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elipse continua: con una probabilidad del 95 % el objetivo está dentro. Cuanto más pequeña, más segura.</translation>
     </message>
     <message>
         <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elipse discontinua: el tamaño del propio objetivo, cuando no es una bola.</translation>
     </message>
     <message>
         <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rombo blanco: dónde está realmente el objetivo. Solo lo saben las escenas simuladas, como la demostración.</translation>
     </message>
     <message>
         <source>Triangle: the particle of highest weight (View › Show best particle).</source>
-        <translation type="unfinished"></translation>
+        <translation>Triángulo: la partícula de mayor peso (Ver › Mostrar la mejor partícula).</translation>
     </message>
     <message>
         <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea a través de la imagen: el rayo de otra cámara sobre el que debe estar el objetivo, mientras lo arrastra adonde está.</translation>
     </message>
     <message>
         <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro donde la imagen tiene el color del objetivo, oscuro en lo demás (Ver › Mostrar máscara).</translation>
     </message>
 </context>
 <context>
@@ -5424,23 +5424,23 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     <name>dewpoint::ui::ManualWindow</name>
     <message>
         <source>Manual – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual – Dewpoint</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Páginas del manual</translation>
     </message>
     <message>
         <source>Back to the page before</source>
-        <translation type="unfinished"></translation>
+        <translation>Volver a la página anterior</translation>
     </message>
     <message>
         <source>Forward again</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzar de nuevo</translation>
     </message>
     <message>
         <source>The manual was not found. It is expected in the folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se encontró el manual. Debería estar en la carpeta %1.</translation>
     </message>
 </context>
 <context>
@@ -5477,41 +5477,41 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     <name>dewpoint::ui::MessageRow</name>
     <message>
         <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <translation>Mensajes</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::MissingFilesOffer</name>
     <message>
         <source>%1 (camera %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (cámara %2)</translation>
     </message>
     <message>
         <source>%1 was not found in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se encontró %1 en %2.</translation>
     </message>
     <message numerus="yes">
         <source>%n files of this project were not found: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>No se encontró %n archivo de este proyecto: %1.</numerusform>
+            <numerusform>No se encontraron %n archivos de este proyecto: %1.</numerusform>
         </translation>
     </message>
     <message>
         <source>Locate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar…</translation>
     </message>
     <message>
         <source>Locate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar %1</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Opened with the located files. Save the project to keep where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abierto con los archivos localizados. Guarde el proyecto para conservar dónde están.</translation>
     </message>
 </context>
 <context>
@@ -5634,41 +5634,41 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     </message>
     <message>
         <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por cámara. Los vídeos deben estar sincronizados: el fotograma N muestra el mismo momento en todos.</translation>
     </message>
     <message>
         <source>(folder name)</source>
-        <translation type="unfinished"></translation>
+        <translation>(nombre de la carpeta)</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>Encontrado</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::OldResultsOffer</name>
     <message>
         <source>Settings changed since this run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los ajustes cambiaron después de esta ejecución.</translation>
     </message>
     <message>
         <source>Track again</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguir de nuevo</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::OverlayLegend</name>
     <message>
         <source>Legend of the overlays</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyenda de los signos</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Cerrar</translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar esta ventana</translation>
     </message>
 </context>
 <context>
@@ -6269,31 +6269,31 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     <name>dewpoint::ui::ProblemReport</name>
     <message>
         <source>Report a problem – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Informar de un problema – Dewpoint</translation>
     </message>
     <message>
         <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba a quienes le dieron Dewpoint: qué hizo, qué esperaba y qué ocurrió en su lugar. Añada el texto de abajo y, si puede, el archivo del proyecto y una captura de pantalla. Nada se envía por sí solo.</translation>
     </message>
     <message>
         <source>Text for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Texto para el informe</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Copy the text, to be pasted into a mail or a form</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar el texto, para pegarlo en un correo o un formulario</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Cerrar</translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar esta ventana</translation>
     </message>
 </context>
 <context>
@@ -6343,90 +6343,90 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     <name>dewpoint::ui::QuickStart</name>
     <message>
         <source>The cameras confirm where the target is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las cámaras confirman dónde está el objetivo.</translation>
     </message>
     <message>
         <source>Something else fits about as well. Press X and drag the target to where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otra cosa encaja casi igual de bien. Pulse X y arrastre el objetivo adonde está.</translation>
     </message>
     <message>
         <source>Not found yet, or not seen for less than a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no encontrado, o sin verse desde hace menos de un segundo.</translation>
     </message>
     <message>
         <source>Not seen for a second. The line at the bottom says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin verse desde hace un segundo. La línea de abajo dice por qué.</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Primeros pasos – Dewpoint</translation>
     </message>
     <message>
         <source>What you see</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se ve</translation>
     </message>
     <message>
         <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada vista de cámara muestra su imagen y, encima, lo que el programa cree. La vista de pájaro muestra lo mismo en la sala.</translation>
     </message>
     <message>
         <source>How sure it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué tan seguro está</translation>
     </message>
     <message>
         <source>How to begin</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo empezar</translation>
     </message>
     <message>
         <source>1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the demo first.</source>
-        <translation type="unfinished"></translation>
+        <translation>1.  Abra un vídeo por cámara o conecte cámaras: Archivo › Proyecto nuevo (%1). O pruebe antes la demo.</translation>
     </message>
     <message>
         <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.  Indique la calibración de las cámaras o haga una: menú Calibración (%1 para empezar a mano). Sin ella, los objetivos se siguen solo en las imágenes.</translation>
     </message>
     <message>
         <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
-        <translation type="unfinished"></translation>
+        <translation>3.  Haga clic en cualquier imagen sobre lo que quiere seguir. Se aprende su color en todas las cámaras y empieza el seguimiento.</translation>
     </message>
     <message>
         <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>4.  Pulse %1 para reproducir y pausar. Arrastre por la línea de tiempo para mirar atrás: cada vista muestra ese fotograma tal como era.</translation>
     </message>
     <message>
         <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>5.  Exporte la trayectoria: Archivo › Exportar la trayectoria (%1).</translation>
     </message>
     <message>
         <source>All signs…</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos los signos…</translation>
     </message>
     <message>
         <source>Open the legend of all that is drawn over the images</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir la leyenda de todo lo que se dibuja sobre las imágenes</translation>
     </message>
     <message>
         <source>Manual…</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual…</translation>
     </message>
     <message>
         <source>Open the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir el manual</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Cerrar</translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar esta ventana</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecentList</name>
     <message>
         <source>The file is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo ya no existe</translation>
     </message>
 </context>
 <context>
@@ -6501,55 +6501,55 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     <name>dewpoint::ui::RunDetails</name>
     <message>
         <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation type="unfinished"></translation>
+        <translation>mediana %1, 99 de 100 por debajo de %2, máximo %3</translation>
     </message>
     <message>
         <source>none is set</source>
-        <translation type="unfinished"></translation>
+        <translation>no se fijó ninguno</translation>
     </message>
     <message>
         <source>%1, kept in %2 % of the iterations of this run</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, cumplido en el %2 % de las iteraciones de esta ejecución</translation>
     </message>
     <message>
         <source>Time per iteration, median</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo por iteración, mediana</translation>
     </message>
     <message>
         <source>From a frame to its estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>De un fotograma a su estimación</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Límite de tiempo por iteración</translation>
     </message>
     <message>
         <source>Effective sample size</source>
-        <translation type="unfinished">Tamaño efectivo de la muestra</translation>
+        <translation>Tamaño efectivo de la muestra</translation>
     </message>
     <message>
         <source>Iterations since the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Iteraciones desde el inicio</translation>
     </message>
     <message>
         <source>Frames skipped</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotogramas omitidos</translation>
     </message>
     <message>
         <source>Random seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Semilla aleatoria</translation>
     </message>
     <message>
         <source>Kept of the past</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasado conservado</translation>
     </message>
     <message>
         <source>%1 of %2 particles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 partículas</translation>
     </message>
     <message>
         <source>%1 of %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 MB</translation>
     </message>
 </context>
 <context>
@@ -6687,87 +6687,87 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     </message>
     <message>
         <source>Watch it converge</source>
-        <translation type="unfinished"></translation>
+        <translation>Vea cómo converge</translation>
     </message>
     <message>
         <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una nube de suposiciones se desliza por una línea de visión y se cierra sobre la pelota.</translation>
     </message>
     <message>
         <source>Hidden for a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Oculta durante un segundo</translation>
     </message>
     <message>
         <source>A box passes in front of the ball. One camera is enough to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una caja pasa ante la pelota. Basta una cámara para no perderla.</translation>
     </message>
     <message>
         <source>Three balls alike</source>
-        <translation type="unfinished"></translation>
+        <translation>Tres pelotas iguales</translation>
     </message>
     <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hay otras tres pelotas del mismo color alrededor. Solo una se mueve.</translation>
     </message>
     <message>
         <source>People in an office</source>
-        <translation type="unfinished"></translation>
+        <translation>Personas en una oficina</translation>
     </message>
     <message>
         <source>Four cameras carve everybody out of space, and give each a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuatro cámaras esculpen a cada persona en el espacio y le dan un número.</translation>
     </message>
     <message>
         <source>One camera and a box</source>
-        <translation type="unfinished"></translation>
+        <translation>Una cámara y un recuadro</translation>
     </message>
     <message>
         <source>No calibration: a box in the image is followed by its colors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin calibración: un recuadro en la imagen se sigue por sus colores.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrar a mano</translation>
     </message>
     <message>
         <source>Drag a grid over the images until it lies on the floor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastre una cuadrícula sobre las imágenes hasta que coincida con el suelo.</translation>
     </message>
     <message>
         <source>Follow colored objects in 3D with ordinary cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siga objetos de color en 3D con cámaras corrientes.</translation>
     </message>
     <message>
         <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos cámaras simuladas ven una pelota rosa; un filtro de partículas la encuentra y la sigue por el espacio. Pause, mire atrás, cámbielo todo: nada se puede estropear.</translation>
     </message>
     <message>
         <source>Your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Su propio material</translation>
     </message>
     <message>
         <source>Open videos…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir vídeos…</translation>
     </message>
     <message>
         <source>One recording per camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Una grabación por cámara</translation>
     </message>
     <message>
         <source>Use cameras…</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar cámaras…</translation>
     </message>
     <message>
         <source>Connected ones, or network streams</source>
-        <translation type="unfinished"></translation>
+        <translation>Conectadas o flujos de red</translation>
     </message>
     <message>
         <source>Open a project…</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir un proyecto…</translation>
     </message>
     <message>
         <source>One that was saved before</source>
-        <translation type="unfinished"></translation>
+        <translation>Uno guardado antes</translation>
     </message>
 </context>
 <context>
@@ -6854,27 +6854,27 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     </message>
     <message>
         <source>± %1</source>
-        <translation type="unfinished"></translation>
+        <translation>± %1</translation>
     </message>
     <message>
         <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
-        <translation type="unfinished"></translation>
+        <translation>Con qué exactitud se conoce la posición: la desviación típica en 3D, x, y y z juntas (los gráficos muestran cada una)</translation>
     </message>
     <message>
         <source>%1 m/s</source>
-        <translation type="unfinished">%1 m/s</translation>
+        <translation>%1 m/s</translation>
     </message>
     <message>
         <source>Speed of the target in the room</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidad del objetivo en la sala</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>Detalles</translation>
     </message>
     <message>
         <source>Times, particles, and what is kept of the past</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempos, partículas y lo que se conserva del pasado</translation>
     </message>
 </context>
 <context>
@@ -7913,19 +7913,19 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema</translation>
     </message>
     <message>
         <source>Follow system</source>
-        <translation type="unfinished"></translation>
+        <translation>Según el sistema</translation>
     </message>
 </context>
 </TS>

@@ -569,15 +569,15 @@
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished">ファイル</translation>
+        <translation>ファイル</translation>
     </message>
     <message>
         <source>Track again</source>
-        <translation type="unfinished"></translation>
+        <translation>再追跡</translation>
     </message>
     <message>
         <source>Track all again that is of earlier settings</source>
-        <translation type="unfinished"></translation>
+        <translation>以前の設定による結果をすべて追跡し直します</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -677,19 +677,19 @@
     </message>
     <message>
         <source>Reset layout</source>
-        <translation type="unfinished"></translation>
+        <translation>レイアウトをリセット</translation>
     </message>
     <message>
         <source>Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>全画面表示</translation>
     </message>
     <message>
         <source>Let the window fill the screen, or give it its frame back</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウを画面いっぱいに広げるか、元の枠に戻します</translation>
     </message>
     <message>
         <source>Follow system</source>
-        <translation type="unfinished"></translation>
+        <translation>システムに合わせる</translation>
     </message>
     <message>
         <source>Plot position</source>
@@ -701,55 +701,55 @@
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>ヘルプ</translation>
     </message>
     <message>
         <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>マニュアル</translation>
     </message>
     <message>
         <source>Open the manual at the page of the view that is in use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用中のビューのページでマニュアルを開きます</translation>
     </message>
     <message>
         <source>Quick start</source>
-        <translation type="unfinished"></translation>
+        <translation>クイックスタート</translation>
     </message>
     <message>
         <source>What you see in the window, and how to begin in five steps</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウに見えるものと、5 つの手順での始め方</translation>
     </message>
     <message>
         <source>Legend of the overlays</source>
-        <translation type="unfinished"></translation>
+        <translation>重ね描きの凡例</translation>
     </message>
     <message>
         <source>What crosses, ellipses and dots in the images mean</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の中の十字、楕円、点の意味</translation>
     </message>
     <message>
         <source>About the methods</source>
-        <translation type="unfinished"></translation>
+        <translation>手法について</translation>
     </message>
     <message>
         <source>Open the reference of the tracking methods</source>
-        <translation type="unfinished"></translation>
+        <translation>追跡手法のリファレンスを開きます</translation>
     </message>
     <message>
         <source>Report a problem…</source>
-        <translation type="unfinished"></translation>
+        <translation>問題を報告…</translation>
     </message>
     <message>
         <source>Collect what helps to find a fault, ready to be copied</source>
-        <translation type="unfinished"></translation>
+        <translation>不具合を見つけるのに役立つ情報を集め、コピーできるようにします</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Dewpoint について</translation>
     </message>
     <message>
         <source>Version, license, and how to cite Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>バージョン、ライセンス、Dewpoint の引用方法</translation>
     </message>
 </context>
 <context>
@@ -942,11 +942,11 @@
     <name>CalibrationFiles</name>
     <message>
         <source>Calibrations (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>キャリブレーション (%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
@@ -1310,8 +1310,8 @@
     </message>
     <message numerus="yes">
         <source>%n things have this color and size: follow all of them, or cover the others.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>この色と大きさの物が %n 個あります: すべて追跡するか、ほかの物を覆ってください。</numerusform>
         </translation>
     </message>
 </context>
@@ -1680,15 +1680,15 @@
     <name>ExportDialog</name>
     <message>
         <source>Wrote the figure %1.</source>
-        <translation type="unfinished">図 %1 を書き出しました。</translation>
+        <translation>図 %1 を書き出しました。</translation>
     </message>
     <message>
         <source>Exported %1 rows to %2 files; the last is %3.</source>
-        <translation type="unfinished">%1 行を %2 個のファイルに書き出しました。最後は %3 です。</translation>
+        <translation>%1 行を %2 個のファイルに書き出しました。最後は %3 です。</translation>
     </message>
     <message>
         <source>Exported %1 rows to %2.</source>
-        <translation type="unfinished">%1 行を %2 に書き出しました。</translation>
+        <translation>%1 行を %2 に書き出しました。</translation>
     </message>
 </context>
 <context>
@@ -2639,7 +2639,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
     <message>
         <source>of earlier settings</source>
-        <translation type="unfinished"></translation>
+        <translation>以前の設定の結果</translation>
     </message>
     <message>
         <source>How well each target is held appears here when tracking runs.</source>
@@ -2658,11 +2658,11 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">書き出す</translation>
+        <translation>書き出す</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished">再生</translation>
+        <translation>再生</translation>
     </message>
 </context>
 <context>
@@ -2751,51 +2751,51 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <name>dewpoint::ui::AboutDialog</name>
     <message>
         <source>Show license</source>
-        <translation type="unfinished"></translation>
+        <translation>ライセンスを表示</translation>
     </message>
     <message>
         <source>Hide license</source>
-        <translation type="unfinished"></translation>
+        <translation>ライセンスを隠す</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>Dewpoint について</translation>
     </message>
     <message>
         <source>Dewpoint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dewpoint %1</translation>
     </message>
     <message>
         <source>Tracks colored objects in 3D, live, from ordinary cameras with particle filters.</source>
-        <translation type="unfinished"></translation>
+        <translation>普通のカメラとパーティクルフィルタで、色の付いた物体を 3D でリアルタイムに追跡します。</translation>
     </message>
     <message>
         <source>Free software under the GNU General Public License, version 3 or later (GPL-3.0-or-later), without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>GNU General Public License バージョン 3 以降 (GPL-3.0-or-later) によるフリーソフトウェアです。いかなる保証もありません。</translation>
     </message>
     <message>
         <source>How to cite</source>
-        <translation type="unfinished"></translation>
+        <translation>引用方法</translation>
     </message>
     <message>
         <source>Show the whole text of the license, or hide it</source>
-        <translation type="unfinished"></translation>
+        <translation>ライセンスの全文を表示または非表示にします</translation>
     </message>
     <message>
         <source>Copy citation</source>
-        <translation type="unfinished"></translation>
+        <translation>引用をコピー</translation>
     </message>
     <message>
         <source>Copy the line for your list of references</source>
-        <translation type="unfinished"></translation>
+        <translation>参考文献リスト用の行をコピーします</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">閉じる</translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>このウィンドウを閉じます</translation>
     </message>
 </context>
 <context>
@@ -3420,61 +3420,61 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     <name>dewpoint::ui::CalibrationChoice</name>
     <message>
         <source>Calibration:</source>
-        <translation type="unfinished">キャリブレーション:</translation>
+        <translation>キャリブレーション:</translation>
     </message>
     <message>
         <source>Choose calibration…</source>
-        <translation type="unfinished">キャリブレーションを選択…</translation>
+        <translation>キャリブレーションを選択…</translation>
     </message>
     <message>
         <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
-        <translation type="unfinished"></translation>
+        <translation>Dewpoint または他のプログラムのキャリブレーションファイル。カメラは名前で対応づけ、できなければファイル内の順番で対応づけます</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished">なし</translation>
+        <translation>なし</translation>
     </message>
     <message>
         <source>Go without a calibration file</source>
-        <translation type="unfinished">キャリブレーションファイルを使いません</translation>
+        <translation>キャリブレーションファイルを使いません</translation>
     </message>
     <message>
         <source>Choose a calibration</source>
-        <translation type="unfinished">キャリブレーションを選択</translation>
+        <translation>キャリブレーションを選択</translation>
     </message>
     <message>
         <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>判別: %1。決まっていないことがあります: %2。これなしでプロジェクトを作成してください。その後「較正をインポート」で足りないものを指定できます。</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>判別: %1。使用できません: %2。</translation>
     </message>
     <message>
         <source>The file cannot be used: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>このファイルは使用できません: %1。</translation>
     </message>
     <message>
         <source>Not recognized. Dewpoint reads: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>判別できません。Dewpoint が読める形式: %1。</translation>
     </message>
     <message>
         <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>判別: %1。カメラが上のものと合いません: %2。</translation>
     </message>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ 判別: %1、カメラ %n 台</numerusform>
         </translation>
     </message>
     <message>
         <source>None: camera positions will be a guess</source>
-        <translation type="unfinished"></translation>
+        <translation>なし: カメラ位置は推測になります</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込み中…</translation>
     </message>
 </context>
 <context>
@@ -4155,45 +4155,45 @@ at %4, %5, %6</source>
     <name>dewpoint::ui::CameraTable</name>
     <message>
         <source>rtsp://192.168.0.10/stream, or a device number such as 0</source>
-        <translation type="unfinished"></translation>
+        <translation>rtsp://192.168.0.10/stream、または 0 などのデバイス番号</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込み中…</translation>
     </message>
     <message numerus="yes">
         <source>✓ %1×%2 · %3 frames per second · %n frames</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · 毎秒 %3 フレーム · %n フレーム</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>✓ %1×%2 · %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · 画像 %n 枚</numerusform>
         </translation>
     </message>
     <message>
         <source>✗ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ %1</translation>
     </message>
     <message>
         <source>Live: tried when the project is made</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブ: プロジェクトの作成時に接続を試します</translation>
     </message>
     <message>
         <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>動画のフレームレートが異なります: 一方のフレーム N と他方のフレーム N は同じ時点ではありません。</translation>
     </message>
     <message numerus="yes">
         <source>Videos differ in length: using the first %n frames.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>動画の長さが異なります: 最初の %n フレームを使います。</numerusform>
         </translation>
     </message>
     <message>
         <source>Videos differ in size: each camera keeps its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>動画の大きさが異なります: 各カメラはそれぞれの大きさのままです。</translation>
     </message>
 </context>
 <context>
@@ -4513,11 +4513,11 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Show all views</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのビューを表示</translation>
     </message>
     <message>
         <source>Give the other views their places back (Esc, or double click here)</source>
-        <translation type="unfinished"></translation>
+        <translation>ほかのビューを元の場所に戻します（Esc、またはここをダブルクリック）</translation>
     </message>
 </context>
 <context>
@@ -4543,11 +4543,11 @@ at %4, %5, %6</source>
     <name>dewpoint::ui::DropZone</name>
     <message>
         <source>Drop videos here, or add them</source>
-        <translation type="unfinished"></translation>
+        <translation>動画をここにドロップするか、追加してください</translation>
     </message>
     <message>
         <source>One per camera; also folders of images, and a calibration file</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラごとに1つ。画像フォルダーやキャリブレーションファイルも使えます</translation>
     </message>
 </context>
 <context>
@@ -4824,7 +4824,7 @@ at %4, %5, %6</source>
     </message>
     <message>
         <source>Some of these results are of earlier settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>この結果の一部は以前の設定によるものです。</translation>
     </message>
 </context>
 <context>
@@ -4978,39 +4978,39 @@ at %4, %5, %6</source>
     <name>dewpoint::ui::ExportOutcome</name>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダーに表示</translation>
     </message>
     <message>
         <source>Open the folder of the file that was written</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出したファイルのフォルダーを開きます</translation>
     </message>
     <message>
         <source>No file manager was found. The file is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルマネージャーが見つかりません。ファイルは %1 です。</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
         <source>Follow all %n of them</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 個すべてを追跡</numerusform>
         </translation>
     </message>
     <message>
         <source>Add a target of the same color and size for each of the others</source>
-        <translation type="unfinished"></translation>
+        <translation>ほかの物それぞれに、同じ色と大きさのターゲットを追加します</translation>
     </message>
     <message>
         <source>Follow all of one color</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ色の物をすべて追跡</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::GalleryCard</name>
     <message>
         <source>Opening…</source>
-        <translation type="unfinished"></translation>
+        <translation>開いています…</translation>
     </message>
 </context>
 <context>
@@ -5288,35 +5288,35 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     <name>dewpoint::ui::LegendPicture</name>
     <message>
         <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
-        <translation type="unfinished"></translation>
+        <translation>点：粒子。それぞれがターゲットの位置の推測です。不透明なほど画像によく合います。</translation>
     </message>
     <message>
         <source>Cross: the estimate, the weighted mean of the particles.</source>
-        <translation type="unfinished"></translation>
+        <translation>十字：推定。粒子の重み付き平均です。</translation>
     </message>
     <message>
         <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
-        <translation type="unfinished"></translation>
+        <translation>実線の楕円：95 % の確率でターゲットはこの中にあります。小さいほど確かです。</translation>
     </message>
     <message>
         <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線の楕円：ターゲットがボールでない場合の、ターゲット自体の大きさ。</translation>
     </message>
     <message>
         <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>白いひし形：ターゲットの真の位置。デモなどシミュレーションのシーンでだけ分かります。</translation>
     </message>
     <message>
         <source>Triangle: the particle of highest weight (View › Show best particle).</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形：重みが最大のパーティクル（表示 › 最良のパーティクルを表示）。</translation>
     </message>
     <message>
         <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を横切る線：ターゲットを実際の位置へドラッグする間に示される、他のカメラの光線。ターゲットはこの線上にあるはずです。</translation>
     </message>
     <message>
         <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
-        <translation type="unfinished"></translation>
+        <translation>画像がターゲットの色を持つ所は明るく、それ以外は暗くなります（表示 › マスクを表示）。</translation>
     </message>
 </context>
 <context>
@@ -5416,23 +5416,23 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     <name>dewpoint::ui::ManualWindow</name>
     <message>
         <source>Manual – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>マニュアル – Dewpoint</translation>
     </message>
     <message>
         <source>Pages of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>マニュアルのページ</translation>
     </message>
     <message>
         <source>Back to the page before</source>
-        <translation type="unfinished"></translation>
+        <translation>前のページに戻ります</translation>
     </message>
     <message>
         <source>Forward again</source>
-        <translation type="unfinished"></translation>
+        <translation>再び次へ進みます</translation>
     </message>
     <message>
         <source>The manual was not found. It is expected in the folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>マニュアルが見つかりません。フォルダー %1 にあるはずです。</translation>
     </message>
 </context>
 <context>
@@ -5469,40 +5469,40 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     <name>dewpoint::ui::MessageRow</name>
     <message>
         <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <translation>メッセージ</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::MissingFilesOffer</name>
     <message>
         <source>%1 (camera %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（カメラ %2）</translation>
     </message>
     <message>
         <source>%1 was not found in %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 が %2 に見つかりません。</translation>
     </message>
     <message numerus="yes">
         <source>%n files of this project were not found: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>このプロジェクトの %n 個のファイルが見つかりません：%1。</numerusform>
         </translation>
     </message>
     <message>
         <source>Locate…</source>
-        <translation type="unfinished"></translation>
+        <translation>場所を指定…</translation>
     </message>
     <message>
         <source>Locate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 の場所を指定</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Opened with the located files. Save the project to keep where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>場所を指定したファイルで開きました。その場所を残すには、プロジェクトを保存してください。</translation>
     </message>
 </context>
 <context>
@@ -5625,41 +5625,41 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     </message>
     <message>
         <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラごとに1行。動画は同期している必要があります: フレーム N はすべての動画で同じ時点を示します。</translation>
     </message>
     <message>
         <source>(folder name)</source>
-        <translation type="unfinished"></translation>
+        <translation>（フォルダー名）</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>検出結果</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::OldResultsOffer</name>
     <message>
         <source>Settings changed since this run.</source>
-        <translation type="unfinished"></translation>
+        <translation>この実行の後に設定が変わりました。</translation>
     </message>
     <message>
         <source>Track again</source>
-        <translation type="unfinished"></translation>
+        <translation>再追跡</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::OverlayLegend</name>
     <message>
         <source>Legend of the overlays</source>
-        <translation type="unfinished"></translation>
+        <translation>重ね描きの凡例</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">閉じる</translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>このウィンドウを閉じます</translation>
     </message>
 </context>
 <context>
@@ -6260,31 +6260,31 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     <name>dewpoint::ui::ProblemReport</name>
     <message>
         <source>Report a problem – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>問題を報告 – Dewpoint</translation>
     </message>
     <message>
         <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dewpoint の提供元に、何をしたか、何を期待したか、実際に何が起きたかを知らせてください。下のテキストと、できればプロジェクトファイルとスクリーンショットを添えてください。自動で送信されるものはありません。</translation>
     </message>
     <message>
         <source>Text for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>報告用のテキスト</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>コピー</translation>
     </message>
     <message>
         <source>Copy the text, to be pasted into a mail or a form</source>
-        <translation type="unfinished"></translation>
+        <translation>メールやフォームに貼り付けるためにテキストをコピーします</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">閉じる</translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>このウィンドウを閉じます</translation>
     </message>
 </context>
 <context>
@@ -6334,90 +6334,90 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     <name>dewpoint::ui::QuickStart</name>
     <message>
         <source>The cameras confirm where the target is.</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラがターゲットの位置を裏付けています。</translation>
     </message>
     <message>
         <source>Something else fits about as well. Press X and drag the target to where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>ほかにも同じくらい合うものがあります。X を押してターゲットを実際の位置へドラッグしてください。</translation>
     </message>
     <message>
         <source>Not found yet, or not seen for less than a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>まだ見つかっていないか、見えなくなって 1 秒未満です。</translation>
     </message>
     <message>
         <source>Not seen for a second. The line at the bottom says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 秒間見えていません。理由は下端の行に表示されます。</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
-        <translation type="unfinished"></translation>
+        <translation>クイックスタート – Dewpoint</translation>
     </message>
     <message>
         <source>What you see</source>
-        <translation type="unfinished"></translation>
+        <translation>見えるもの</translation>
     </message>
     <message>
         <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>各カメラビューは画像と、その上にプログラムの推定を表示します。鳥瞰図は同じものを部屋の中で表示します。</translation>
     </message>
     <message>
         <source>How sure it is</source>
-        <translation type="unfinished"></translation>
+        <translation>どれだけ確かか</translation>
     </message>
     <message>
         <source>How to begin</source>
-        <translation type="unfinished"></translation>
+        <translation>始め方</translation>
     </message>
     <message>
         <source>1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the demo first.</source>
-        <translation type="unfinished"></translation>
+        <translation>1.  カメラごとに動画を1つ開くか、カメラを接続します：ファイル › 新しいプロジェクト（%1）。先にデモを試すこともできます。</translation>
     </message>
     <message>
         <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.  カメラのキャリブレーションを指定するか、作成します：メニュー「キャリブレーション」（手動で始めるには %1）。なければ、ターゲットは画像の中だけで追跡されます。</translation>
     </message>
     <message>
         <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
-        <translation type="unfinished"></translation>
+        <translation>3.  どれかの画像で追跡したいものをクリックします。すべてのカメラで色が学習され、追跡が始まります。</translation>
     </message>
     <message>
         <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>4.  %1 を押すと再生または一時停止します。タイムラインをドラッグすると過去を表示できます：すべてのビューがそのフレームを当時のまま表示します。</translation>
     </message>
     <message>
         <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
-        <translation type="unfinished"></translation>
+        <translation>5.  軌跡を書き出します：ファイル › 軌跡を書き出す（%1）。</translation>
     </message>
     <message>
         <source>All signs…</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての記号…</translation>
     </message>
     <message>
         <source>Open the legend of all that is drawn over the images</source>
-        <translation type="unfinished"></translation>
+        <translation>画像に重ねて描かれるすべての凡例を開きます</translation>
     </message>
     <message>
         <source>Manual…</source>
-        <translation type="unfinished"></translation>
+        <translation>マニュアル…</translation>
     </message>
     <message>
         <source>Open the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>マニュアルを開きます</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">閉じる</translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>このウィンドウを閉じます</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecentList</name>
     <message>
         <source>The file is gone</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルがなくなっています</translation>
     </message>
 </context>
 <context>
@@ -6492,55 +6492,55 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     <name>dewpoint::ui::RunDetails</name>
     <message>
         <source>median %1, 99 of 100 within %2, longest %3</source>
-        <translation type="unfinished"></translation>
+        <translation>中央値 %1、100 回中 99 回は %2 以内、最長 %3</translation>
     </message>
     <message>
         <source>none is set</source>
-        <translation type="unfinished"></translation>
+        <translation>設定なし</translation>
     </message>
     <message>
         <source>%1, kept in %2 % of the iterations of this run</source>
-        <translation type="unfinished"></translation>
+        <translation>%1、この実行の反復の %2 % で守られました</translation>
     </message>
     <message>
         <source>Time per iteration, median</source>
-        <translation type="unfinished"></translation>
+        <translation>1 反復の時間（中央値）</translation>
     </message>
     <message>
         <source>From a frame to its estimate</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームからその推定まで</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>1 反復の時間の上限</translation>
     </message>
     <message>
         <source>Effective sample size</source>
-        <translation type="unfinished">有効サンプルサイズ</translation>
+        <translation>有効サンプルサイズ</translation>
     </message>
     <message>
         <source>Iterations since the start</source>
-        <translation type="unfinished"></translation>
+        <translation>開始からの反復</translation>
     </message>
     <message>
         <source>Frames skipped</source>
-        <translation type="unfinished"></translation>
+        <translation>飛ばしたフレーム</translation>
     </message>
     <message>
         <source>Random seed</source>
-        <translation type="unfinished"></translation>
+        <translation>乱数のシード</translation>
     </message>
     <message>
         <source>Kept of the past</source>
-        <translation type="unfinished"></translation>
+        <translation>保持している過去</translation>
     </message>
     <message>
         <source>%1 of %2 particles</source>
-        <translation type="unfinished"></translation>
+        <translation>粒子 %1 / %2</translation>
     </message>
     <message>
         <source>%1 of %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 MB</translation>
     </message>
 </context>
 <context>
@@ -6678,87 +6678,87 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     </message>
     <message>
         <source>Watch it converge</source>
-        <translation type="unfinished"></translation>
+        <translation>収束を見る</translation>
     </message>
     <message>
         <source>A cloud of guesses slides along a line of sight and snaps onto the ball.</source>
-        <translation type="unfinished"></translation>
+        <translation>推測の雲が視線に沿って滑り、ボールにぴたりと集まります。</translation>
     </message>
     <message>
         <source>Hidden for a second</source>
-        <translation type="unfinished"></translation>
+        <translation>1 秒間隠れる</translation>
     </message>
     <message>
         <source>A box passes in front of the ball. One camera is enough to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>箱がボールの前を横切ります。カメラ 1 台だけで追跡を保てます。</translation>
     </message>
     <message>
         <source>Three balls alike</source>
-        <translation type="unfinished"></translation>
+        <translation>そっくりな 3 つのボール</translation>
     </message>
     <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ色のボールがほかに 3 つ置かれています。動くのは 1 つだけです。</translation>
     </message>
     <message>
         <source>People in an office</source>
-        <translation type="unfinished"></translation>
+        <translation>オフィスの人々</translation>
     </message>
     <message>
         <source>Four cameras carve everybody out of space, and give each a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>4 台のカメラが全員を空間から切り出し、それぞれに番号を付けます。</translation>
     </message>
     <message>
         <source>One camera and a box</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラ 1 台と枠</translation>
     </message>
     <message>
         <source>No calibration: a box in the image is followed by its colors.</source>
-        <translation type="unfinished"></translation>
+        <translation>キャリブレーションなし：画像の中の枠を色で追跡します。</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手動で校正</translation>
     </message>
     <message>
         <source>Drag a grid over the images until it lies on the floor.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の上で格子を床に重なるまでドラッグします。</translation>
     </message>
     <message>
         <source>Follow colored objects in 3D with ordinary cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>普通のカメラで、色の付いた物体を 3D で追跡します。</translation>
     </message>
     <message>
         <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
-        <translation type="unfinished"></translation>
+        <translation>2 台のシミュレーションのカメラがピンクのボールを見ています。パーティクルフィルタがそれを見つけ、空間を追跡します。一時停止しても、過去を表示しても、何を変えても、壊れることはありません。</translation>
     </message>
     <message>
         <source>Your own</source>
-        <translation type="unfinished"></translation>
+        <translation>自分のデータ</translation>
     </message>
     <message>
         <source>Open videos…</source>
-        <translation type="unfinished"></translation>
+        <translation>動画を開く…</translation>
     </message>
     <message>
         <source>One recording per camera</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラごとに録画 1 つ</translation>
     </message>
     <message>
         <source>Use cameras…</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラを使う…</translation>
     </message>
     <message>
         <source>Connected ones, or network streams</source>
-        <translation type="unfinished"></translation>
+        <translation>接続されたカメラ、またはネットワーク映像</translation>
     </message>
     <message>
         <source>Open a project…</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクトを開く…</translation>
     </message>
     <message>
         <source>One that was saved before</source>
-        <translation type="unfinished"></translation>
+        <translation>以前に保存したもの</translation>
     </message>
 </context>
 <context>
@@ -6845,27 +6845,27 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     </message>
     <message>
         <source>± %1</source>
-        <translation type="unfinished"></translation>
+        <translation>± %1</translation>
     </message>
     <message>
         <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
-        <translation type="unfinished"></translation>
+        <translation>位置がどれだけ正確に分かっているか：x、y、z を合わせた 3D の標準偏差（それぞれはグラフに表示）</translation>
     </message>
     <message>
         <source>%1 m/s</source>
-        <translation type="unfinished">%1 m/s</translation>
+        <translation>%1 m/s</translation>
     </message>
     <message>
         <source>Speed of the target in the room</source>
-        <translation type="unfinished"></translation>
+        <translation>部屋の中でのターゲットの速さ</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>詳細</translation>
     </message>
     <message>
         <source>Times, particles, and what is kept of the past</source>
-        <translation type="unfinished"></translation>
+        <translation>時間、粒子、保持している過去</translation>
     </message>
 </context>
 <context>
@@ -7901,19 +7901,19 @@ Effective sample size %8 of %9</source>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>ヘルプ(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル(&amp;F)</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>テーマ</translation>
     </message>
     <message>
         <source>Follow system</source>
-        <translation type="unfinished"></translation>
+        <translation>システムに合わせる</translation>
     </message>
 </context>
 </TS>

@@ -46,7 +46,8 @@ TransportBar::TransportBar(const Workbench& bench) {
     static_cast<QToolButton*>(widgetForAction(bench.action(id)))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
-  insertWidget(actions().at(1), new SpeedButton(bench)); // beside Play
+  const qsizetype place = actions().indexOf(bench.action("actionPlay"));
+  insertWidget(actions().at(place + 1), new SpeedButton(bench));
   onRetranslate(this, [this, play = bench.action("actionPlay"),
                        exporting = bench.action("actionExportTrajectory")] {
     exporting->setIconText(tr("Export"));
