@@ -4352,7 +4352,7 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
     <message>
-        <source>&amp;Hue</source>
+        <source>H&amp;ue</source>
         <translation>&amp;Farbton</translation>
     </message>
     <message>
@@ -5483,10 +5483,6 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
 <context>
     <name>dewpoint::ui::MissingFilesOffer</name>
     <message>
-        <source>%1 (camera %2)</source>
-        <translation>%1 (Kamera %2)</translation>
-    </message>
-    <message>
         <source>%1 was not found in %2.</source>
         <translation>%1 wurde in %2 nicht gefunden.</translation>
     </message>
@@ -5512,6 +5508,11 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     <message>
         <source>Opened with the located files. Save the project to keep where they are.</source>
         <translation>Mit den wiedergefundenen Dateien geöffnet. Speichern Sie das Projekt, um zu behalten, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a file, the name of its camera</comment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

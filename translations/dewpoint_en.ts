@@ -5,9 +5,9 @@
     <name>ColorText</name>
     <message numerus="yes">
         <source>%n things have this color and size: follow all of them, or cover the others.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n thing has this color and size: follow it, or cover the others.</numerusform>
+            <numerusform>%n things have this color and size: follow all of them, or cover the others.</numerusform>
         </translation>
     </message>
 </context>
@@ -25,9 +25,9 @@
     <name>dewpoint::ui::CalibrationChoice</name>
     <message numerus="yes">
         <source>✓ Recognized: %1, %n cameras</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ Recognized: %1, %n camera</numerusform>
+            <numerusform>✓ Recognized: %1, %n cameras</numerusform>
         </translation>
     </message>
 </context>
@@ -35,23 +35,23 @@
     <name>dewpoint::ui::CameraTable</name>
     <message numerus="yes">
         <source>✓ %1×%2 · %3 frames per second · %n frames</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · %3 frames per second · %n frame</numerusform>
+            <numerusform>✓ %1×%2 · %3 frames per second · %n frames</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>✓ %1×%2 · %n images</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>✓ %1×%2 · %n image</numerusform>
+            <numerusform>✓ %1×%2 · %n images</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Videos differ in length: using the first %n frames.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Videos differ in length: using the first %n frame.</numerusform>
+            <numerusform>Videos differ in length: using the first %n frames.</numerusform>
         </translation>
     </message>
 </context>
@@ -59,9 +59,9 @@
     <name>dewpoint::ui::FollowAllButton</name>
     <message numerus="yes">
         <source>Follow all %n of them</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Follow %n of them</numerusform>
+            <numerusform>Follow all %n of them</numerusform>
         </translation>
     </message>
 </context>
@@ -79,9 +79,9 @@
     <name>dewpoint::ui::MissingFilesOffer</name>
     <message numerus="yes">
         <source>%n files of this project were not found: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n file of this project was not found: %1.</numerusform>
+            <numerusform>%n files of this project were not found: %1.</numerusform>
         </translation>
     </message>
 </context>

@@ -4352,7 +4352,7 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
     <message>
-        <source>&amp;Hue</source>
+        <source>H&amp;ue</source>
         <translation>&amp;Tono</translation>
     </message>
     <message>
@@ -5483,10 +5483,6 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::MissingFilesOffer</name>
     <message>
-        <source>%1 (camera %2)</source>
-        <translation>%1 (cámara %2)</translation>
-    </message>
-    <message>
         <source>%1 was not found in %2.</source>
         <translation>No se encontró %1 en %2.</translation>
     </message>
@@ -5512,6 +5508,11 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     <message>
         <source>Opened with the located files. Save the project to keep where they are.</source>
         <translation>Abierto con los archivos localizados. Guarde el proyecto para conservar dónde están.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a file, the name of its camera</comment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -4346,8 +4346,8 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::ColorPicker</name>
     <message>
-        <source>&amp;Hue</source>
-        <translation>色相(&amp;H)</translation>
+        <source>H&amp;ue</source>
+        <translation>色相(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Saturation</source>
@@ -5475,10 +5475,6 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
 <context>
     <name>dewpoint::ui::MissingFilesOffer</name>
     <message>
-        <source>%1 (camera %2)</source>
-        <translation>%1（カメラ %2）</translation>
-    </message>
-    <message>
         <source>%1 was not found in %2.</source>
         <translation>%1 が %2 に見つかりません。</translation>
     </message>
@@ -5503,6 +5499,11 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
     <message>
         <source>Opened with the located files. Save the project to keep where they are.</source>
         <translation>場所を指定したファイルで開きました。その場所を残すには、プロジェクトを保存してください。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>a file, the name of its camera</comment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,7 @@ ChangeRule::Decision ChangeRule::decide(const Situation& situation) {
     return {Action::Mark, from};
   }
   if (situation.isEdited) {
-    return {expectedSeconds(old) < kQuick ? Action::TrackAgain : Action::Offer, from};
+    return {expectedSeconds(old) < situation.quick ? Action::TrackAgain : Action::Offer, from};
   }
   // A rerun under way may be what makes them new.
   return {situation.isRerunning ? Action::Mark : Action::Offer, from};

@@ -24,6 +24,7 @@ public:
     bool isRerunning = false; ///< frames of the past are tracked again
     bool isEdited = false;    ///< settings were changed, and the rule was not applied since
     OldResults old;
+    double quick = kQuick; ///< seconds
   };
   enum class Action {
     Nothing,    ///< all results are of the settings of now, or there is nothing to do about it

@@ -103,7 +103,7 @@ QDoubleSpinBox* ColorPicker::addBox(const char* name, double maximum, double ste
 }
 
 void ColorPicker::retranslateUi() {
-  labels_[0]->setText(tr("&Hue"));
+  labels_[0]->setText(tr("H&ue"));
   labels_[1]->setText(tr("&Saturation"));
   labels_[2]->setText(tr("&Intensity"));
   const QString hints[] = {tr("First hue, 0 to 360 degrees; above the last hue the range goes "

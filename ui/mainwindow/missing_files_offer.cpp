@@ -22,9 +22,10 @@ QString nameOf(const MissingFile& file) {
 }
 
 QString described(const MissingFile& file) {
-  return file.cameraName.empty() ? nameOf(file)
-                                 : MissingFilesOffer::tr("%1 (camera %2)")
-                                       .arg(nameOf(file), QString::fromStdString(file.cameraName));
+  return file.cameraName.empty()
+             ? nameOf(file)
+             : MissingFilesOffer::tr("%1 (%2)", "a file, the name of its camera")
+                   .arg(nameOf(file), QString::fromStdString(file.cameraName));
 }
 
 QString sentenceAbout(const std::vector<MissingFile>& missing) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/result_keeper.h"
 
-#include "core/session/change_rule.h"
 #include "core/session/session.h"
 
 #include <QTimer>
@@ -80,7 +79,7 @@ void ResultKeeper::apply() {
     return;
   }
   const auto [action, from] =
-      ChangeRule::decide({isLive_, isPlaying_, isRerunning_, isEdited_, old_});
+      ChangeRule::decide({isLive_, isPlaying_, isRerunning_, isEdited_, old_, quickSeconds_});
   switch (action) {
   case ChangeRule::Action::Nothing:
   case ChangeRule::Action::Mark:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/result_settings.h"
+#include "core/session/change_rule.h"
 
 #include <QObject>
 
@@ -24,6 +24,8 @@ public:
 
   /// A run begins, or is over: null.
   void watch(Session* session);
+  /// Tracking again that is expected to take less than so many seconds is quick.
+  void setQuick(double seconds) { quickSeconds_ = seconds; }
   /// A setting of the run was changed.
   void edited();
   /// The user plays, restarts or tracks again: nothing is tracked again unasked before the next
@@ -56,6 +58,7 @@ private:
   Session* session_ = nullptr;
   QTimer* quiet_;    ///< settings change again and again while a slider is dragged
   QTimer* patience_; ///< with frames that are to be tracked again
+  double quickSeconds_ = ChangeRule::kQuick;
   OldResults old_;
   bool isLive_ = true;
   bool isPlaying_ = false;
