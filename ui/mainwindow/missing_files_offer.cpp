@@ -25,7 +25,8 @@ QString described(const MissingFile& file) {
   return file.cameraName.empty()
              ? nameOf(file)
              : MissingFilesOffer::tr("%1 (%2)", "a file, the name of its camera")
-                   .arg(nameOf(file), QString::fromStdString(file.cameraName));
+                   .arg(nameOf(file),
+                        QStringLiteral("'%1'").arg(QString::fromStdString(file.cameraName)));
 }
 
 QString sentenceAbout(const std::vector<MissingFile>& missing) {

@@ -58,7 +58,7 @@ MessageBar::MessageBar(QWidget* parent)
   connect(close_, &QToolButton::clicked, this, &MessageBar::dismiss);
   leave_->setSingleShot(true);
   connect(leave_, &QTimer::timeout, this, &MessageBar::dismiss);
-  setBackgroundRole(QPalette::Window); // else the colors of a toolbar's buttons are taken
+  setBackgroundRole(QPalette::Window);  // else the colors of a toolbar's buttons are taken
   close_->setFocusPolicy(Qt::TabFocus); // a click leaves the keys where they are
   connect(qApp, &QApplication::focusChanged, this, &MessageBar::rememberFocus);
   hide();
