@@ -90,9 +90,10 @@ std::optional<Columns> columnsOf(const Cells& heading) {
   for (std::size_t k = 0; k < heading.size(); ++k) {
     const std::string name = lowered(heading[k]);
     for (const auto& [ending, unit] : kTimeUnits) {
-      const bool isTime = std::ranges::any_of(kTimeColumns, [&](const char* column) {
-        return name == fmt::format("{}{}", column, ending);
-      });
+      const bool isTime =
+          std::ranges::any_of(kTimeColumns, [&, ending = ending](const char* column) {
+            return name == fmt::format("{}{}", column, ending);
+          });
       if (isTime && !isFound) {
         isFound = true;
         columns.time = k;
