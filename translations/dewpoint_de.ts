@@ -1319,10 +1319,6 @@
 <context>
     <name>Convergence</name>
     <message>
-        <source>How far apart the particles are after each iteration of the frame shown: the filter has converged where the curve becomes level.</source>
-        <translation>Wie weit die Partikel nach jeder Iteration des gezeigten Bildes auseinanderliegen: Wo die Kurve flach wird, ist der Filter konvergiert.</translation>
-    </message>
-    <message>
         <source>Convergence</source>
         <translation>Konvergenz</translation>
     </message>
@@ -1334,6 +1330,10 @@
         <source>Convergence in frame %1 (%2)</source>
         <comment>number of a frame, unit</comment>
         <translation>Konvergenz in Bild %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Spread of the particles after each iteration on this frame. The filter has converged where the curve levels off.</source>
+        <translation>Streuung der Partikel nach jeder Iteration an diesem Bild. Wo die Kurve flach wird, ist der Filter konvergiert.</translation>
     </message>
 </context>
 <context>
@@ -4247,32 +4247,32 @@ bei %4, %5, %6</translation>
         <translation>Hier Rahmen nehmen</translation>
     </message>
     <message>
-        <source>Follow what is here, from a box around it</source>
-        <translation>Verfolgen, was hier ist, von einem Rahmen darum an</translation>
-    </message>
-    <message>
         <source>Learn the color here</source>
         <translation>Hier Farbe lernen</translation>
-    </message>
-    <message>
-        <source>The target has the color of what is here</source>
-        <translation>Das Ziel hat die Farbe dessen, was hier ist</translation>
     </message>
     <message>
         <source>Add a sample here</source>
         <translation>Hier Probe hinzufügen</translation>
     </message>
     <message>
-        <source>The target has the color of what is here, too (Shift and a click do the same)</source>
-        <translation>Das Ziel hat auch die Farbe dessen, was hier ist (Umschalt-Klick tut dasselbe)</translation>
-    </message>
-    <message>
         <source>This is not the target</source>
         <translation>Das ist nicht das Ziel</translation>
     </message>
     <message>
-        <source>Exclude the color of what is here (Alt and a click do the same)</source>
-        <translation>Die Farbe dessen, was hier ist, ausschließen (Alt-Klick tut dasselbe)</translation>
+        <source>Track this object, starting from a box around it</source>
+        <translation>Dieses Objekt verfolgen, ausgehend von einem Rahmen darum</translation>
+    </message>
+    <message>
+        <source>Learn the target&apos;s color from this spot</source>
+        <translation>Die Farbe des Ziels an dieser Stelle lernen</translation>
+    </message>
+    <message>
+        <source>Add this color to the target&apos;s (Shift-click does the same)</source>
+        <translation>Diese Farbe zu denen des Ziels hinzufügen (Umschalt-Klick tut dasselbe)</translation>
+    </message>
+    <message>
+        <source>Exclude this color (Alt-click does the same)</source>
+        <translation>Diese Farbe ausschließen (Alt-Klick tut dasselbe)</translation>
     </message>
 </context>
 <context>
@@ -5252,32 +5252,8 @@ bei %4, %5, %6</translation>
         <translation>Dies nicht</translation>
     </message>
     <message>
-        <source>Then click the thing in a camera image, or drag a box around it.
-Shift-click does the same at any time.</source>
-        <translation>Dann das Ding in einem Kamerabild anklicken oder einen Rahmen darum ziehen.
-Umschalt-Klick tut jederzeit dasselbe.</translation>
-    </message>
-    <message>
-        <source>Then click the target in a camera image, or drag a box on it:
-its color is learned again.</source>
-        <translation>Dann das Ziel in einem Kamerabild anklicken oder einen Rahmen darum ziehen:
-Seine Farbe wird neu gelernt.</translation>
-    </message>
-    <message>
         <source>Learn the color first: click the target in a camera image.</source>
         <translation>Erst die Farbe lernen: das Ziel in einem Kamerabild anklicken.</translation>
-    </message>
-    <message>
-        <source>Then click another part of the target, or the target in other light.
-Shift-click does the same at any time.</source>
-        <translation>Dann einen anderen Teil des Ziels anklicken, oder das Ziel in anderem Licht.
-Umschalt-Klick tut jederzeit dasselbe.</translation>
-    </message>
-    <message>
-        <source>Then click what matches but is not the target.
-Alt-click or Ctrl+Shift-click does the same at any time.</source>
-        <translation>Dann anklicken, was passt, aber nicht das Ziel ist.
-Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
     </message>
     <message>
         <source>Click: add a sample · Alt: not this · Esc</source>
@@ -5291,13 +5267,33 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
         <source>Click: learn · Shift: add · Alt: not this · Esc</source>
         <translation>Klick: lernen · Umschalt: hinzufügen · Alt: dies nicht · Esc</translation>
     </message>
+    <message>
+        <source>Click the object in a camera image, or drag a box around it.
+Shift-click works at any time.</source>
+        <translation>Das Objekt in einem Kamerabild anklicken oder einen Rahmen darum ziehen.
+Umschalt-Klick geht jederzeit.</translation>
+    </message>
+    <message>
+        <source>Click the target in a camera image, or drag a box on it,
+to learn its color again.</source>
+        <translation>Das Ziel in einem Kamerabild anklicken oder einen Rahmen darauf ziehen,
+um seine Farbe neu zu lernen.</translation>
+    </message>
+    <message>
+        <source>Click another part of the target, or the target in different light.
+Shift-click works at any time.</source>
+        <translation>Eine andere Stelle des Ziels anklicken, oder das Ziel in anderem Licht.
+Umschalt-Klick geht jederzeit.</translation>
+    </message>
+    <message>
+        <source>Click something that matches but is not the target.
+Alt-click or Ctrl+Shift-click works at any time.</source>
+        <translation>Etwas anklicken, das auch passt, aber nicht das Ziel ist.
+Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
-    <message>
-        <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
-        <translation>Punkte: Partikel. Jedes ist eine Vermutung, wo das Ziel ist; je deckender, desto besser passt es zu den Bildern.</translation>
-    </message>
     <message>
         <source>Cross: the estimate, the weighted mean of the particles.</source>
         <translation>Kreuz: die Schätzung, das gewichtete Mittel der Partikel.</translation>
@@ -5323,8 +5319,12 @@ Alt-Klick oder Strg+Umschalt-Klick tut jederzeit dasselbe.</translation>
         <translation>Linie durch das Bild: der Strahl einer anderen Kamera, auf dem das Ziel sein muss, während Sie es dorthin ziehen, wo es ist.</translation>
     </message>
     <message>
-        <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
-        <translation>Hell, wo das Bild die Farbe des Ziels hat, sonst dunkel (Ansicht › Maske zeigen).</translation>
+        <source>Dots: particles. Each is one guess of where the target is; the brighter, the better it fits the images.</source>
+        <translation>Punkte: Partikel. Jedes ist eine Vermutung, wo das Ziel ist; je heller, desto besser passt es zu den Bildern.</translation>
+    </message>
+    <message>
+        <source>Tinted and outlined: where the image has the color of the target (View › Show mask).</source>
+        <translation>Getönt und umrandet: wo das Bild die Farbe des Ziels hat (Ansicht › Maske zeigen).</translation>
     </message>
 </context>
 <context>
@@ -7397,16 +7397,16 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Oben</translation>
     </message>
     <message>
-        <source>Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Den Raum in Perspektive sehen. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Einpassen</translation>
     </message>
     <message>
         <source>See everything again, in the same view. Double click does it too.</source>
         <translation>Wieder alles sehen, in derselben Ansicht. Ein Doppelklick tut es auch.</translation>
+    </message>
+    <message>
+        <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
+        <translation>Perspektive. Ziehen dreht, Umschalt und Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
     </message>
 </context>
 <context>

@@ -1319,10 +1319,6 @@
 <context>
     <name>Convergence</name>
     <message>
-        <source>How far apart the particles are after each iteration of the frame shown: the filter has converged where the curve becomes level.</source>
-        <translation>Cuánto distan entre sí las partículas tras cada iteración del fotograma mostrado: el filtro ha convergido donde la curva se aplana.</translation>
-    </message>
-    <message>
         <source>Convergence</source>
         <translation>Convergencia</translation>
     </message>
@@ -1334,6 +1330,10 @@
         <source>Convergence in frame %1 (%2)</source>
         <comment>number of a frame, unit</comment>
         <translation>Convergencia en el fotograma %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Spread of the particles after each iteration on this frame. The filter has converged where the curve levels off.</source>
+        <translation>Dispersión de las partículas tras cada iteración en este fotograma. El filtro ha convergido donde la curva se aplana.</translation>
     </message>
 </context>
 <context>
@@ -4247,32 +4247,32 @@ en %4, %5, %6</translation>
         <translation>Tomar un recuadro aquí</translation>
     </message>
     <message>
-        <source>Follow what is here, from a box around it</source>
-        <translation>Seguir lo que hay aquí, desde un recuadro a su alrededor</translation>
-    </message>
-    <message>
         <source>Learn the color here</source>
         <translation>Aprender el color aquí</translation>
-    </message>
-    <message>
-        <source>The target has the color of what is here</source>
-        <translation>El objetivo tiene el color de lo que hay aquí</translation>
     </message>
     <message>
         <source>Add a sample here</source>
         <translation>Añadir una muestra aquí</translation>
     </message>
     <message>
-        <source>The target has the color of what is here, too (Shift and a click do the same)</source>
-        <translation>El objetivo tiene también el color de lo que hay aquí (Mayús-clic hace lo mismo)</translation>
-    </message>
-    <message>
         <source>This is not the target</source>
         <translation>Esto no es el objetivo</translation>
     </message>
     <message>
-        <source>Exclude the color of what is here (Alt and a click do the same)</source>
-        <translation>Excluir el color de lo que hay aquí (Alt-clic hace lo mismo)</translation>
+        <source>Track this object, starting from a box around it</source>
+        <translation>Seguir este objeto, a partir de un recuadro a su alrededor</translation>
+    </message>
+    <message>
+        <source>Learn the target&apos;s color from this spot</source>
+        <translation>Aprender el color del objetivo en este punto</translation>
+    </message>
+    <message>
+        <source>Add this color to the target&apos;s (Shift-click does the same)</source>
+        <translation>Añadir este color a los del objetivo (Mayús-clic hace lo mismo)</translation>
+    </message>
+    <message>
+        <source>Exclude this color (Alt-click does the same)</source>
+        <translation>Excluir este color (Alt-clic hace lo mismo)</translation>
     </message>
 </context>
 <context>
@@ -5252,32 +5252,8 @@ en %4, %5, %6</translation>
         <translation>Esto no</translation>
     </message>
     <message>
-        <source>Then click the thing in a camera image, or drag a box around it.
-Shift-click does the same at any time.</source>
-        <translation>Después haga clic en la cosa en una imagen de cámara, o arrastre un recuadro a su alrededor.
-Mayús-clic hace lo mismo en cualquier momento.</translation>
-    </message>
-    <message>
-        <source>Then click the target in a camera image, or drag a box on it:
-its color is learned again.</source>
-        <translation>Después haga clic en el objetivo en una imagen de cámara, o arrastre un recuadro sobre él:
-su color se aprende de nuevo.</translation>
-    </message>
-    <message>
         <source>Learn the color first: click the target in a camera image.</source>
         <translation>Aprenda primero el color: haga clic en el objetivo en una imagen de cámara.</translation>
-    </message>
-    <message>
-        <source>Then click another part of the target, or the target in other light.
-Shift-click does the same at any time.</source>
-        <translation>Después haga clic en otra parte del objetivo, o en el objetivo con otra luz.
-Mayús-clic hace lo mismo en cualquier momento.</translation>
-    </message>
-    <message>
-        <source>Then click what matches but is not the target.
-Alt-click or Ctrl+Shift-click does the same at any time.</source>
-        <translation>Después haga clic en lo que coincide pero no es el objetivo.
-Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
     </message>
     <message>
         <source>Click: add a sample · Alt: not this · Esc</source>
@@ -5291,13 +5267,33 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
         <source>Click: learn · Shift: add · Alt: not this · Esc</source>
         <translation>Clic: aprender · Mayús: añadir · Alt: esto no · Esc</translation>
     </message>
+    <message>
+        <source>Click the object in a camera image, or drag a box around it.
+Shift-click works at any time.</source>
+        <translation>Haga clic en el objeto en una imagen, o dibuje un recuadro a su alrededor.
+Mayús-clic funciona en cualquier momento.</translation>
+    </message>
+    <message>
+        <source>Click the target in a camera image, or drag a box on it,
+to learn its color again.</source>
+        <translation>Haga clic en el objetivo en una imagen, o dibuje un recuadro sobre él,
+para aprender su color de nuevo.</translation>
+    </message>
+    <message>
+        <source>Click another part of the target, or the target in different light.
+Shift-click works at any time.</source>
+        <translation>Haga clic en otra parte del objetivo, o en el objetivo con otra luz.
+Mayús-clic funciona en cualquier momento.</translation>
+    </message>
+    <message>
+        <source>Click something that matches but is not the target.
+Alt-click or Ctrl+Shift-click works at any time.</source>
+        <translation>Haga clic en algo que coincide pero no es el objetivo.
+Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
-    <message>
-        <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
-        <translation>Puntos: partículas. Cada una es una suposición de dónde está el objetivo; cuanto más opaca, mejor encaja con las imágenes.</translation>
-    </message>
     <message>
         <source>Cross: the estimate, the weighted mean of the particles.</source>
         <translation>Cruz: la estimación, la media ponderada de las partículas.</translation>
@@ -5323,8 +5319,12 @@ Alt-clic o Ctrl+Mayús-clic hace lo mismo en cualquier momento.</translation>
         <translation>Línea a través de la imagen: el rayo de otra cámara sobre el que debe estar el objetivo, mientras lo arrastra adonde está.</translation>
     </message>
     <message>
-        <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
-        <translation>Claro donde la imagen tiene el color del objetivo, oscuro en lo demás (Ver › Mostrar máscara).</translation>
+        <source>Dots: particles. Each is one guess of where the target is; the brighter, the better it fits the images.</source>
+        <translation>Puntos: partículas. Cada una es una suposición de dónde está el objetivo; cuanto más clara, mejor encaja con las imágenes.</translation>
+    </message>
+    <message>
+        <source>Tinted and outlined: where the image has the color of the target (View › Show mask).</source>
+        <translation>Teñido y contorneado: donde la imagen tiene el color del objetivo (Ver › Mostrar máscara).</translation>
     </message>
 </context>
 <context>
@@ -7397,16 +7397,16 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Arriba</translation>
     </message>
     <message>
-        <source>Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>Ver la sala en perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajustar</translation>
     </message>
     <message>
         <source>See everything again, in the same view. Double click does it too.</source>
         <translation>Verlo todo de nuevo, en la misma vista. El doble clic también lo hace.</translation>
+    </message>
+    <message>
+        <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
+        <translation>Vista en perspectiva. Arrastrar para girar, Mayús y arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
     </message>
 </context>
 <context>

@@ -1318,10 +1318,6 @@
 <context>
     <name>Convergence</name>
     <message>
-        <source>How far apart the particles are after each iteration of the frame shown: the filter has converged where the curve becomes level.</source>
-        <translation>表示中のフレームの各反復の後に、粒子がどれだけ離れているか。曲線が平らになる所で、フィルターは収束しています。</translation>
-    </message>
-    <message>
         <source>Convergence</source>
         <translation>収束</translation>
     </message>
@@ -1333,6 +1329,10 @@
         <source>Convergence in frame %1 (%2)</source>
         <comment>number of a frame, unit</comment>
         <translation>フレーム %1 の収束（%2）</translation>
+    </message>
+    <message>
+        <source>Spread of the particles after each iteration on this frame. The filter has converged where the curve levels off.</source>
+        <translation>このフレームの各反復の後の粒子のばらつき。曲線が平らになる所で、フィルターは収束しています。</translation>
     </message>
 </context>
 <context>
@@ -4241,32 +4241,32 @@ at %4, %5, %6</source>
         <translation>ここで枠を取る</translation>
     </message>
     <message>
-        <source>Follow what is here, from a box around it</source>
-        <translation>ここにある物を、囲む枠から追跡します</translation>
-    </message>
-    <message>
         <source>Learn the color here</source>
         <translation>ここの色を学習</translation>
-    </message>
-    <message>
-        <source>The target has the color of what is here</source>
-        <translation>ここにある物の色をターゲットの色とします</translation>
     </message>
     <message>
         <source>Add a sample here</source>
         <translation>ここの見本を追加</translation>
     </message>
     <message>
-        <source>The target has the color of what is here, too (Shift and a click do the same)</source>
-        <translation>ここにある物の色もターゲットの色とします（Shift クリックでも可）</translation>
-    </message>
-    <message>
         <source>This is not the target</source>
         <translation>これはターゲットではありません</translation>
     </message>
     <message>
-        <source>Exclude the color of what is here (Alt and a click do the same)</source>
-        <translation>ここにある物の色を除外します（Alt クリックでも可）</translation>
+        <source>Track this object, starting from a box around it</source>
+        <translation>この物体を、それを囲む枠から追跡します</translation>
+    </message>
+    <message>
+        <source>Learn the target&apos;s color from this spot</source>
+        <translation>この位置でターゲットの色を学習します</translation>
+    </message>
+    <message>
+        <source>Add this color to the target&apos;s (Shift-click does the same)</source>
+        <translation>この色をターゲットの色に加えます（Shift クリックでも可）</translation>
+    </message>
+    <message>
+        <source>Exclude this color (Alt-click does the same)</source>
+        <translation>この色を除外します（Alt クリックでも可）</translation>
     </message>
 </context>
 <context>
@@ -5244,32 +5244,8 @@ at %4, %5, %6</source>
         <translation>除外</translation>
     </message>
     <message>
-        <source>Then click the thing in a camera image, or drag a box around it.
-Shift-click does the same at any time.</source>
-        <translation>そのあと、カメラ画像で物をクリックするか、囲むようにドラッグします。
-Shift クリックなら、いつでも同じことができます。</translation>
-    </message>
-    <message>
-        <source>Then click the target in a camera image, or drag a box on it:
-its color is learned again.</source>
-        <translation>続けてカメラ画像のターゲットをクリックするか、枠をドラッグします。
-その色を学習し直します。</translation>
-    </message>
-    <message>
         <source>Learn the color first: click the target in a camera image.</source>
         <translation>先に色を学習してください。カメラ画像のターゲットをクリックします。</translation>
-    </message>
-    <message>
-        <source>Then click another part of the target, or the target in other light.
-Shift-click does the same at any time.</source>
-        <translation>続けてターゲットの別の部分、または光の当たり方が違うターゲットをクリックします。
-Shift クリックなら、いつでも同じことができます。</translation>
-    </message>
-    <message>
-        <source>Then click what matches but is not the target.
-Alt-click or Ctrl+Shift-click does the same at any time.</source>
-        <translation>続けて、一致していてもターゲットでないものをクリックします。
-Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じことができます。</translation>
     </message>
     <message>
         <source>Click: add a sample · Alt: not this · Esc</source>
@@ -5283,13 +5259,33 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
         <source>Click: learn · Shift: add · Alt: not this · Esc</source>
         <translation>クリック：学習 · Shift：追加 · Alt：除外 · Esc</translation>
     </message>
+    <message>
+        <source>Click the object in a camera image, or drag a box around it.
+Shift-click works at any time.</source>
+        <translation>カメラ画像で物体をクリックするか、枠で囲みます。
+Shift クリックはいつでも使えます。</translation>
+    </message>
+    <message>
+        <source>Click the target in a camera image, or drag a box on it,
+to learn its color again.</source>
+        <translation>カメラ画像でターゲットをクリックするか、その上で枠を引くと、
+色を学習し直します。</translation>
+    </message>
+    <message>
+        <source>Click another part of the target, or the target in different light.
+Shift-click works at any time.</source>
+        <translation>ターゲットの別の部分、または別の光の当たり方のターゲットをクリックします。
+Shift クリックはいつでも使えます。</translation>
+    </message>
+    <message>
+        <source>Click something that matches but is not the target.
+Alt-click or Ctrl+Shift-click works at any time.</source>
+        <translation>一致するがターゲットではない物をクリックします。
+Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::LegendPicture</name>
-    <message>
-        <source>Dots: particles. Each is one guess of where the target is; the more opaque, the better it fits the images.</source>
-        <translation>点：粒子。それぞれがターゲットの位置の推測です。不透明なほど画像によく合います。</translation>
-    </message>
     <message>
         <source>Cross: the estimate, the weighted mean of the particles.</source>
         <translation>十字：推定。粒子の重み付き平均です。</translation>
@@ -5315,8 +5311,12 @@ Alt クリックまたは Ctrl+Shift クリックなら、いつでも同じこ�
         <translation>画像を横切る線：ターゲットを実際の位置へドラッグする間に示される、他のカメラの光線。ターゲットはこの線上にあるはずです。</translation>
     </message>
     <message>
-        <source>Bright where the image has the color of the target, dark elsewhere (View › Show mask).</source>
-        <translation>画像がターゲットの色を持つ所は明るく、それ以外は暗くなります（表示 › マスクを表示）。</translation>
+        <source>Dots: particles. Each is one guess of where the target is; the brighter, the better it fits the images.</source>
+        <translation>点：粒子。それぞれがターゲットの位置の推測です。明るいほど画像によく合います。</translation>
+    </message>
+    <message>
+        <source>Tinted and outlined: where the image has the color of the target (View › Show mask).</source>
+        <translation>色と輪郭の付いた所：画像がターゲットの色を持つ所（表示 › マスクを表示）。</translation>
     </message>
 </context>
 <context>
@@ -7385,16 +7385,16 @@ Effective sample size %8 of %9</source>
         <translation>上</translation>
     </message>
     <message>
-        <source>Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, double click to see everything.</source>
-        <translation>部屋を透視図で見る。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>全体</translation>
     </message>
     <message>
         <source>See everything again, in the same view. Double click does it too.</source>
         <translation>同じ視点でもう一度全体を表示。ダブルクリックでも可。</translation>
+    </message>
+    <message>
+        <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
+        <translation>透視図。ドラッグで回転、Shift を押しながらドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
     </message>
 </context>
 <context>

@@ -21,9 +21,6 @@
 namespace dewpoint::capture {
 namespace {
 
-/// Rates further apart than this share cannot be one rate, rounded in different ways.
-constexpr double kSameRate = 0.01;
-
 struct Camera {
   PictureShape shape;
   std::string path;

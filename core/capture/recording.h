@@ -10,6 +10,9 @@
 
 namespace dewpoint::capture {
 
+/// Rates further apart than this share cannot be one rate, rounded in different ways. A judgment.
+inline constexpr double kSameRate = 0.01;
+
 /// Opens synchronized recordings: frame k of each camera shows the same instant, k / rate seconds
 /// after the first, or what was taken nearest to it when there are tables of times
 /// (CaptureSchedule). Of a camera that is late the picture nearest in time is taken, with its own

@@ -5,6 +5,7 @@
 #include "core/geometry/ellipsoid_image.h"
 #include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
+#include "core/session/belief_region.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,7 @@
 namespace dewpoint::session {
 namespace {
 
-constexpr double kChiSquared95TwoDof = 5.991464547; // 95 % quantile, 2 degrees of freedom
-constexpr double kJacobianStep = 1e-4;              // meters, central differences
+constexpr double kJacobianStep = 1e-4; // meters, central differences
 
 /// First-order ellipse of a Gaussian in the world, seen by a camera: J C Jᵀ.
 std::optional<ImageEllipse> projectedEllipse(const Projector& projector,

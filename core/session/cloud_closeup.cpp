@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/cloud_closeup.h"
 
+#include "core/session/belief_region.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -11,8 +13,6 @@ namespace dewpoint::session {
 
 namespace {
 
-/// 95 % quantile of chi² with 3 degrees of freedom.
-constexpr double kChiSquared95 = 7.815;
 constexpr double kFilled = 0.85;     ///< of the picture, at most, by the outline
 constexpr double kSmallest = 1e-5;   ///< meters from center to border
 constexpr double kShareOfBar = 0.55; ///< of the way from center to border, at most
@@ -37,7 +37,8 @@ double steppedUp(double value) {
 
 ImageEllipse projectedOutline(const Eigen::Matrix2d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
-  const Eigen::Vector2d axes = (kChiSquared95 * solver.eigenvalues()).cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector2d axes =
+      (kChiSquared95ThreeDof * solver.eigenvalues()).cwiseMax(0.0).cwiseSqrt();
   const Eigen::Vector2d major = solver.eigenvectors().col(1);
   return {Eigen::Vector2d::Zero(), axes[1], axes[0], std::atan2(major.y(), major.x())};
 }
@@ -52,7 +53,7 @@ std::optional<double> cloudReach(const TargetSnapshot& target) {
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(position->covariance,
                                                               Eigen::EigenvaluesOnly);
-  return std::sqrt(kChiSquared95 * std::max(0.0, solver.eigenvalues().maxCoeff()));
+  return std::sqrt(kChiSquared95ThreeDof * std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
 std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eigen::Vector3d& right,

@@ -3,6 +3,7 @@
 
 #include "core/capture/image_reader.h"
 #include "core/capture/picture.h"
+#include "core/capture/recording.h"
 #include "core/capture/video_reader.h"
 #include "core/setup/new_project.h"
 
@@ -17,9 +18,6 @@ namespace {
 
 /// Width of a preview, pixels: that of a small picture in a list on a dense screen. Chosen.
 constexpr int kPreviewWidth = 192;
-/// Rates further apart than this share cannot be one rate, rounded in different ways; as when a
-/// recording is opened.
-constexpr double kRoundedRates = 0.01;
 
 cv::Mat scaledDown(const cv::Mat& image) {
   if (image.cols <= kPreviewWidth) {
@@ -92,7 +90,7 @@ FootageDifferences footageDifferences(const std::vector<FootageFacts>& recording
   }
   if (!rates.empty()) {
     const auto [least, most] = std::ranges::minmax(rates);
-    found.rates = most > least * (1.0 + kRoundedRates);
+    found.rates = most > least * (1.0 + kSameRate);
   }
   return found;
 }

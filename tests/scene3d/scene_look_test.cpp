@@ -141,7 +141,7 @@ private Q_SLOTS:
     QCOMPARE(view_->cloudInset().target(*view_, -1), 0);
     QCOMPARE(view_->cloudInset().target(*view_, 0), 0);
     const double ratio = view_->devicePixelRatioF();
-    const QPointF middle = CloudInset::place(*view_).center() * ratio;
+    const QPointF middle = SceneInset::place(*view_).center() * ratio;
     // Particles of the target's color about the middle of the inset.
     QVERIFY(blob(with, middle, 45.0 * ratio).count > 100);
     // Nearer, it is seen in the picture itself.

@@ -31,7 +31,7 @@ TargetSnapshot cloud(const Eigen::Vector3d& sigma) {
 TEST(CloudCloseup, ReachesToTheRimOfTheLongestAxis) {
   const auto reach = cloudReach(cloud({0.001, 0.004, 0.002}));
   ASSERT_TRUE(reach.has_value());
-  EXPECT_NEAR(*reach, 0.004 * std::sqrt(7.815), 1e-9);
+  EXPECT_NEAR(*reach, 0.004 * std::sqrt(7.814727903251), 1e-9);
   TargetSnapshot without = cloud({0.001, 0.004, 0.002});
   without.particles.resize(0, 3);
   EXPECT_FALSE(cloudReach(without).has_value());
@@ -50,8 +50,8 @@ TEST(CloudCloseup, ShowsXToTheRightAndZUpFromTheFront) {
   EXPECT_NEAR(closeup->particles[2].x(), 0.0005 / 0.0003, 1e-4);
   EXPECT_NEAR(closeup->particles[2].y(), 0.0, 1e-4);
   EXPECT_NEAR(closeup->particles[1].y(), -0.001 / 0.0003, 1e-4); // along z: upwards
-  EXPECT_NEAR(closeup->outline.semiMajor, 0.002 * std::sqrt(7.815) / 0.0003, 1e-6);
-  EXPECT_NEAR(closeup->outline.semiMinor, 0.001 * std::sqrt(7.815) / 0.0003, 1e-6);
+  EXPECT_NEAR(closeup->outline.semiMajor, 0.002 * std::sqrt(7.814727903251) / 0.0003, 1e-6);
+  EXPECT_NEAR(closeup->outline.semiMinor, 0.001 * std::sqrt(7.814727903251) / 0.0003, 1e-6);
   EXPECT_NEAR(std::abs(std::sin(closeup->outline.angle)), 1.0, 1e-6);
 }
 

@@ -54,16 +54,16 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
   };
   if (panel_->takesBoxes()) {
     return {{QStringLiteral("imageTakeBox"), tr("Take a box here"),
-             tr("Follow what is here, from a box around it"), true, point(Qt::NoModifier)}};
+             tr("Track this object, starting from a box around it"), true, point(Qt::NoModifier)}};
   }
   return {{QStringLiteral("imageLearnColor"), tr("Learn the color here"),
-           tr("The target has the color of what is here"), true, point(Qt::NoModifier)},
+           tr("Learn the target's color from this spot"), true, point(Qt::NoModifier)},
           {QStringLiteral("imageAddSample"), tr("Add a sample here"),
-           tr("The target has the color of what is here, too (Shift and a click do the same)"),
-           panel_->hasTarget(), point(Qt::ShiftModifier)},
+           tr("Add this color to the target's (Shift-click does the same)"), panel_->hasTarget(),
+           point(Qt::ShiftModifier)},
           {QStringLiteral("imageExclude"), tr("This is not the target"),
-           tr("Exclude the color of what is here (Alt and a click do the same)"),
-           panel_->hasTarget(), point(Qt::AltModifier)}};
+           tr("Exclude this color (Alt-click does the same)"), panel_->hasTarget(),
+           point(Qt::AltModifier)}};
 }
 
 void ColorDock::connectActions() {

@@ -73,19 +73,18 @@ void LearnModes::retranslate() {
 void LearnModes::showHints() {
   buttons_[1]->setEnabled(canAdd_);
   buttons_[2]->setEnabled(canExclude_);
-  buttons_[0]->setToolTip(
-      takesBoxes_ ? tr("Then click the thing in a camera image, or drag a box around it.\n"
-                       "Shift-click does the same at any time.")
-                  : tr("Then click the target in a camera image, or drag a box on it:\n"
-                       "its color is learned again."));
+  buttons_[0]->setToolTip(takesBoxes_
+                              ? tr("Click the object in a camera image, or drag a box around it.\n"
+                                   "Shift-click works at any time.")
+                              : tr("Click the target in a camera image, or drag a box on it,\n"
+                                   "to learn its color again."));
   const QString first = tr("Learn the color first: click the target in a camera image.");
-  buttons_[1]->setToolTip(canAdd_ ? tr("Then click another part of the target, or the target in "
-                                       "other light.\nShift-click does the same at any time.")
+  buttons_[1]->setToolTip(canAdd_ ? tr("Click another part of the target, or the target in "
+                                       "different light.\nShift-click works at any time.")
                                   : first);
-  buttons_[2]->setToolTip(canExclude_
-                              ? tr("Then click what matches but is not the target.\n"
-                                   "Alt-click or Ctrl+Shift-click does the same at any time.")
-                              : first);
+  buttons_[2]->setToolTip(canExclude_ ? tr("Click something that matches but is not the target.\n"
+                                           "Alt-click or Ctrl+Shift-click works at any time.")
+                                      : first);
 }
 
 QString LearnModes::hintOf(ColorLearner::SampleAction mode) {

@@ -89,7 +89,7 @@ LegendPicture::LegendPicture(LegendSign sign, QWidget* parent) : QWidget(parent)
 QString LegendPicture::meaningOf(LegendSign sign) {
   switch (sign) {
   case LegendSign::Particles:
-    return tr("Dots: particles. Each is one guess of where the target is; the more opaque, the "
+    return tr("Dots: particles. Each is one guess of where the target is; the brighter, the "
               "better it fits the images.");
   case LegendSign::Estimate:
     return tr("Cross: the estimate, the weighted mean of the particles.");
@@ -107,7 +107,7 @@ QString LegendPicture::meaningOf(LegendSign sign) {
     return tr("Line through the image: the ray of another camera along which the target must be, "
               "while you drag it to where it is.");
   case LegendSign::Mask:
-    return tr("Bright where the image has the color of the target, dark elsewhere "
+    return tr("Tinted and outlined: where the image has the color of the target "
               "(View › Show mask).");
   }
   return {};

@@ -76,8 +76,8 @@ FrameConvergence::FrameConvergence(QWidget* parent)
   onRetranslate(this, [this] {
     declarePlot();
     updateTitle();
-    setToolTip(Convergence::tr("How far apart the particles are after each iteration of the frame "
-                               "shown: the filter has converged where the curve becomes level."));
+    setToolTip(Convergence::tr("Spread of the particles after each iteration on this frame. The "
+                               "filter has converged where the curve levels off."));
   });
   hide();
 }

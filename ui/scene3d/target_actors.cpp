@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/target_actors.h"
 
+#include "core/session/belief_region.h"
 #include "ui/scene3d/ellipsoid_axes.h"
 
 #include <vtkProperty.h>
@@ -15,8 +16,6 @@
 namespace dewpoint::ui {
 namespace {
 
-/// 95 % quantile of chi² with 3 degrees of freedom.
-constexpr double kChiSquared95 = 7.815;
 constexpr double kSmallestBodyPx = 5.5;  ///< radius
 constexpr double kSmallestRingsPx = 7.0; ///< radius; smaller ones would cover the cloud
 constexpr double kTailPx = 2.5;
@@ -146,7 +145,7 @@ void TargetActors::showEllipsoid(const Eigen::Matrix3d& covariance) {
   }
   const Eigen::Matrix3d& directions = axes->directions;
   const Eigen::Vector3d semiAxes =
-      (axes->values * kChiSquared95).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
+      (axes->values * kChiSquared95ThreeDof).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       ellipsoidPose_->SetElement(row, column, directions(row, column) * semiAxes[column]);

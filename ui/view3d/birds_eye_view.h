@@ -5,9 +5,9 @@
 #include "ui/scene3d/scene3d.h"
 #include "ui/view3d/camera_handles.h"
 #include "ui/view3d/camera_labels.h"
-#include "ui/view3d/cloud_inset.h"
 #include "ui/view3d/map_overlay.h"
 #include "ui/view3d/person_badges.h"
+#include "ui/view3d/scene_inset.h"
 #include "ui/view3d/view_buttons.h"
 
 #include <QElapsedTimer>
@@ -92,7 +92,7 @@ public:
   /// The scene as drawn, for those who convert between pixels and meters.
   const Scene3d& scene() const { return scene_; }
   const CameraLabels& cameraLabels() const { return labels_; }
-  const CloudInset& cloudInset() const { return inset_; }
+  const SceneInset& cloudInset() const { return inset_; }
   /// Whether the picture shows all that was given last; true while hidden.
   bool isDrawn() const { return !isVisible() || (!pictureStale_ && !timer_.isActive()); }
   /// False when there is no usable OpenGL (known after the first attempt to draw).
@@ -156,7 +156,7 @@ private:
   TrackSnapshotPtr snapshot_;
   CameraHandles* handles_;
   CameraLabels labels_;
-  CloudInset inset_;
+  SceneInset inset_;
   MapOverlay map_;
   PersonBadges people_; ///< in the picture
   ViewButtons* buttons_;

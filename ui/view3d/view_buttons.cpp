@@ -64,8 +64,9 @@ void ViewButtons::place() {
 void ViewButtons::retranslate() {
   const std::array<QString, 3> texts{tr("3D"), tr("Top"), tr("Front")};
   const std::array<QString, 3> tips{
-      tr("Look at the room in perspective. Drag to orbit, Shift and drag to move, wheel to zoom, "
-         "double click to see everything."),
+      tr("Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to "
+         "show "
+         "everything."),
       tr("Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see "
          "everything."),
       tr("Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment/metrics/proportion.h"
+#include "core/session/belief_region.h"
 
 #include <Eigen/Core>
 
@@ -16,9 +17,7 @@ struct StateError {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// 95 % of a chi-square variable with three degrees of freedom: the 95 % ellipsoid's squared size.
-inline constexpr double kChiSquared95ThreeDof = 7.814727903251;
-/// The same for 50 %: half of the errors of a consistent estimate lie within.
+/// As kChiSquared95ThreeDof, for 50 %: half of the errors of a consistent estimate lie within.
 inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 
 /// Do the stated covariances fit the errors? NEES is the normalized estimation error squared,

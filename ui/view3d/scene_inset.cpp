@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/view3d/cloud_inset.h"
+#include "ui/view3d/scene_inset.h"
 
 #include "core/session/cloud_closeup.h"
 #include "ui/style/spacing.h"
@@ -87,7 +87,7 @@ void paintBar(QPainter& painter, const QRectF& box, const CloudCloseup& closeup,
 
 } // namespace
 
-bool CloudInset::isTooSmall(const TargetSnapshot& target) const {
+bool SceneInset::isTooSmall(const TargetSnapshot& target) const {
   const auto reach = cloudReach(target);
   if (!reach || particleCountOf(target.estimate) <= 0) {
     return false;
@@ -96,7 +96,7 @@ bool CloudInset::isTooSmall(const TargetSnapshot& target) const {
   return scene_.isInFront(mean) && 2.0 * scene_.logicalPixels(mean, *reach) < kSmallCloudPx;
 }
 
-int CloudInset::target(const QWidget& view, int chosen) const {
+int SceneInset::target(const QWidget& view, int chosen) const {
   if (!snapshot_ || view.width() < kLeastWidth || view.height() < kLeastHeight) {
     return -1;
   }
@@ -109,11 +109,11 @@ int CloudInset::target(const QWidget& view, int chosen) const {
   return found == targets.end() ? -1 : int(found - targets.begin());
 }
 
-QRectF CloudInset::place(const QWidget& view) {
+QRectF SceneInset::place(const QWidget& view) {
   return {view.width() - kSpacing - kSidePx, view.height() - kSpacing - kSidePx, kSidePx, kSidePx};
 }
 
-void CloudInset::paint(QPainter& painter, const QWidget& view, int chosen) const {
+void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const {
   const int index = target(view, chosen);
   if (index < 0) {
     return;

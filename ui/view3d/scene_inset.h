@@ -14,9 +14,9 @@ namespace dewpoint::ui {
 
 /// A magnifier for a cloud of particles that is too small to be seen in the picture: enlarged in a
 /// corner, with the ellipsoid that holds 95 % of the belief and a bar that says how long it is.
-class CloudInset {
+class SceneInset {
 public:
-  explicit CloudInset(const Scene3d& scene) : scene_(scene) {}
+  explicit SceneInset(const Scene3d& scene) : scene_(scene) {}
 
   /// The one that the picture shows; null: none.
   void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
