@@ -48,7 +48,8 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// `wake` is called from the tracking thread after a snapshot was published; it must only post.
+  /// `wake` is called from the tracking thread after a snapshot was published; it should only post.
+  /// It may read `newest`, but must not set another.
   void onSnapshot(std::function<void()> wake);
   /// The newest snapshot; never null.
   TrackSnapshotPtr newest() const;

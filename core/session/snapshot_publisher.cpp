@@ -6,21 +6,24 @@
 namespace dewpoint::session {
 
 void SnapshotPublisher::onSnapshot(std::function<void()> wake) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(wakeMutex_);
   wake_ = std::move(wake);
 }
 
 void SnapshotPublisher::publish(TrackSnapshotPtr snapshot) {
-  // The wake-up runs under the lock: after onSnapshot(nullptr) returns it is never called again.
-  const std::lock_guard lock(mutex_);
-  newest_ = std::move(snapshot);
+  {
+    const std::lock_guard lock(newestMutex_);
+    newest_ = std::move(snapshot);
+  }
+  // The wake-up runs under its lock: after onSnapshot(nullptr) returns it is never called again.
+  const std::lock_guard lock(wakeMutex_);
   if (wake_) {
     wake_();
   }
 }
 
 TrackSnapshotPtr SnapshotPublisher::newest() const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(newestMutex_);
   return newest_;
 }
 

@@ -92,6 +92,16 @@ TEST(SnapshotPublisher, NeverWakesAfterTheWakeUpWasTakenBack) {
   }
 }
 
+TEST(SnapshotPublisher, WhoIsWokenMayReadTheNewest) {
+  SnapshotPublisher publisher;
+  std::int64_t read = -1;
+  publisher.onSnapshot([&] { read = publisher.newest()->frame; });
+  auto snapshot = std::make_shared<TrackSnapshot>();
+  snapshot->frame = 7;
+  publisher.publish(std::move(snapshot));
+  EXPECT_EQ(read, 7);
+}
+
 TEST(RunLog, OldRecordsAreThinnedAndCountedOn) {
   RunLog log;
   std::uint64_t generation = 0;
