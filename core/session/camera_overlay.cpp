@@ -68,11 +68,21 @@ void addBox(const BoxEstimate& estimate, const BoxParticles& particles, CameraOv
   overlay.boxHidden = !isHeld(estimate);
 }
 
+/// Every how many of its particles one is shown, so that one image has no more than a person can
+/// see, and a window can paint while it is looked at.
+Eigen::Index particleStride(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
+  constexpr Eigen::Index kMostParticles = 10000; // of all targets together
+  const Eigen::Index all =
+      target.particles.rows() * static_cast<Eigen::Index>(snapshot.targets.size());
+  return std::max<Eigen::Index>(1, (all + kMostParticles - 1) / kMostParticles);
+}
+
 /// Of what has a place in the room, or had one.
-void addPlace(const Camera& camera, const TargetSnapshot& target, CameraOverlay& overlay) {
+void addPlace(const Camera& camera, const TargetSnapshot& target, Eigen::Index stride,
+              CameraOverlay& overlay) {
   const Projector projector(camera);
   const double largest = target.weights.size() > 0 ? target.weights.maxCoeff() : 0.0;
-  for (Eigen::Index i = 0; i < target.particles.rows(); ++i) {
+  for (Eigen::Index i = 0; i < target.particles.rows(); i += stride) {
     const Eigen::Vector3d position = target.particles.row(i).matrix().transpose();
     if (const auto pixel = projector.project(position)) {
       overlay.particles.emplace_back(pixel->cast<float>());
@@ -105,14 +115,15 @@ CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
     return overlay;
   }
   const Camera& its = (*snapshot.rig)[static_cast<std::size_t>(camera)];
-  std::visit(Overloaded{[&](const SphereEstimate&) { addPlace(its, target, overlay); },
+  const Eigen::Index stride = particleStride(snapshot, target);
+  std::visit(Overloaded{[&](const SphereEstimate&) { addPlace(its, target, stride, overlay); },
                         [&](const BoxEstimate& box) {
                           if (box.camera == camera) {
                             addBox(box, target.boxParticles, overlay);
                           }
                         },
-                        [&](const PersonEstimate&) { addPlace(its, target, overlay); },
-                        [&](const AbsentEstimate&) { addPlace(its, target, overlay); }},
+                        [&](const PersonEstimate&) { addPlace(its, target, stride, overlay); },
+                        [&](const AbsentEstimate&) { addPlace(its, target, stride, overlay); }},
              target.estimate);
   return overlay;
 }

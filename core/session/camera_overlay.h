@@ -20,8 +20,9 @@ struct ImageEllipse {
 
 /// One target as one camera would see it, in pixels of that camera's image.
 struct CameraOverlay {
-  std::vector<Eigen::Vector2f> particles; ///< those in front of the camera
-  std::vector<float> weights;             ///< relative to the largest: 0..1
+  /// Those in front of the camera; of very many, evenly some.
+  std::vector<Eigen::Vector2f> particles;
+  std::vector<float> weights; ///< relative to the largest: 0..1
   std::optional<Eigen::Vector2d> estimate;
   std::optional<ImageEllipse> ellipse; ///< 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.)
   std::optional<ImageEllipse> outline; ///< of the target itself, of what is no ball

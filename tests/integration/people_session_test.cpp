@@ -4,6 +4,7 @@
 #include "core/session/run/tracking_run.h"
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
+#include "core/tracking/people/people_parameters.h"
 #include "core/tracking/tracker_capabilities.h"
 #include "tests/integration/office_recording.h"
 #include "tests/session/fake_recording.h"
@@ -247,6 +248,28 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
     return present(*session.newest()) == 0 && session.newest()->history.head == kFrames - 1 &&
            !session.newest()->rerun;
   }));
+}
+
+TEST(PeopleSession, SomebodyPutWhereNobodyIsGoesAgain) {
+  Project project = officeProject();
+  ASSERT_TRUE(project.parameters.set("births", 0.0));
+  const PeopleArea area = peopleSettings(project.parameters).area;
+  constexpr std::int64_t kPlaced = 30;
+  for (const double x : {0.0, 0.4}) { // the first visitor enters on the other side
+    for (const double y : {-0.4, 0.0, 0.4}) {
+      project.people = {{.frame = kPlaced,
+                         .position = area.center + area.half.cwiseProduct(Eigen::Vector2d(x, y))}};
+      Session session(office(project));
+      playThrough(session);
+      std::int64_t last = -1;
+      for (const TrajectorySample& sample : session.trajectory().samples) {
+        last = std::max(last, sample.frame);
+        EXPECT_LT(sample.existenceProbability, sample.frame > kPlaced + 5 ? 0.5 : 1.01);
+      }
+      EXPECT_GE(last, kPlaced) << x << ' ' << y;
+      EXPECT_LT(last, kPlaced + 15) << x << ' ' << y;
+    }
+  }
 }
 
 TEST(PeopleSession, WhatTheProjectSaysOfPeopleComesTrueInItsFrame) {

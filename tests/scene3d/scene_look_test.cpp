@@ -185,6 +185,51 @@ private Q_SLOTS:
     QVERIFY(onRay(view_->currentPicture(), none) < 20);
   }
 
+  void imagesLieOnThePyramidsWhenWanted() {
+    const auto snapshot = ballSnapshot();
+    const auto frames = std::make_shared<FrameSet>();
+    for (const Camera& camera : *snapshot->rig) {
+      const auto frame = std::make_shared<Frame>();
+      frame->image = cv::Mat(camera.intrinsics.height, camera.intrinsics.width, CV_8UC3,
+                             cv::Scalar(20, 200, 20));
+      frames->frames.push_back(frame);
+    }
+    frames->frames.back() = nullptr; // this camera has none now
+    snapshot->frames = frames;
+    view_->setSnapshot(snapshot);
+    const auto green = [](const QImage& picture) {
+      return countPixels(picture, QPointF(picture.width() / 2.0, picture.height() / 2.0), 1e4,
+                         [&](int x, int y) {
+                           const QRgb pixel = picture.pixel(x, y);
+                           return qGreen(pixel) > qRed(pixel) + 60;
+                         });
+    };
+    const int ofTheAxes = green(view_->currentPicture());
+    view_->setImagesShown(true);
+    QVERIFY(green(view_->currentPicture()) > ofTheAxes + 200);
+    view_->setImagesShown(false);
+    QCOMPARE(green(view_->currentPicture()), ofTheAxes);
+  }
+
+  void ofVeryManyTargetsTheRestArePoints() {
+    const auto snapshot = ballSnapshot();
+    const TargetSnapshot target = snapshot->targets[0];
+    for (int k = 0; k < 1600; ++k) {
+      TargetSnapshot more = target;
+      auto& estimate = std::get<SphereEstimate>(more.estimate);
+      estimate.mean += Eigen::Vector3d(0.02 * (k % 40) - 0.4, 0.02 * (k / 40) - 0.4, 0.3);
+      snapshot->targets.push_back(more);
+    }
+    const QImage before = view_->currentPicture();
+    view_->setSnapshot(snapshot);
+    const QImage many = view_->currentPicture();
+    QVERIFY(many != before);
+    snapshot->targets.resize(1);
+    view_->setSnapshot(snapshot);
+    const QImage alone = view_->currentPicture();
+    QVERIFY(many != alone);
+  }
+
   void namesStandBesideTheCameras() {
     view_->setSnapshot(ballSnapshot());
     for (const auto look : {Scene3d::View::Free, Scene3d::View::Above, Scene3d::View::Front}) {

@@ -46,6 +46,19 @@ TEST(CameraOverlay, ProjectsParticlesInFrontOfTheCamera) {
   EXPECT_EQ(cameraOverlay(snapshot, 1, target).particles.size(), 3U);
 }
 
+TEST(CameraOverlay, ThinsTheParticlesOfVeryManyTargets) {
+  auto snapshot = snapshotWithRig();
+  TargetSnapshot target;
+  target.particles = Eigen::ArrayXXd::Constant(500, 3, 0.1);
+  target.weights = Eigen::ArrayXd::Constant(500, 1.0 / 500.0);
+  snapshot.targets.assign(20, target);
+  EXPECT_EQ(cameraOverlay(snapshot, 0, target).particles.size(), 500U);
+  snapshot.targets.assign(1600, target);
+  const auto overlay = cameraOverlay(snapshot, 0, target);
+  EXPECT_EQ(overlay.particles.size(), 7U); // every 80th
+  EXPECT_EQ(overlay.weights.size(), 7U);
+}
+
 TEST(CameraOverlay, IsEmptyWithoutRigCameraOrEstimate) {
   const auto target = threeParticles();
   EXPECT_TRUE(cameraOverlay(TrackSnapshot{}, 0, target).particles.empty());

@@ -68,6 +68,7 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionShowBest",
     "actionShowMagnifier",
     "actionShowRays",
+    "actionShowImagesInScene",
     "actionShowVolumeOfInterest",
     "actionShowVolumes",
     "actionZoomIn",

@@ -218,6 +218,11 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Draw a line in the bird's-eye view from each camera to the "
                                     "target: broken where it is hidden from the camera"),
        nullptr, Qt::SHIFT | Qt::Key_Y, true},
+      {"actionShowImagesInScene", group,
+       QT_TRANSLATE_NOOP("Actions", "Show images in the bird's-eye view"),
+       QT_TRANSLATE_NOOP("Actions", "Show what each camera sees, in the bird's-eye view, on the "
+                                    "pyramid it looks through"),
+       nullptr, Qt::SHIFT | Qt::Key_U, true},
       {"actionShowVolumeOfInterest", group,
        QT_TRANSLATE_NOOP("Actions", "Show the volume of interest"),
        QT_TRANSLATE_NOOP("Actions", "Show the box in which targets are searched for, in the images "

@@ -5,6 +5,7 @@
 
 #include <QPainter>
 #include <QPixmap>
+#include <QPixmapCache>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,8 @@ constexpr double kDotGrowth = 0.6;      ///< of the heaviest, where there are fe
 constexpr double kDotHalo = 1.0;
 constexpr double kDotSide = kDotDiameter * (1.0 + kDotGrowth) + 2.0 * kDotHalo + 1.0;
 
-/// A dot for each level of weight, side by side.
-QPixmap dotsOf(const ParticleRamp& ramp, double growth, double ratio) {
+/// Draws a dot for each level of weight, side by side.
+QPixmap drawDots(const ParticleRamp& ramp, double growth, double ratio) {
   const int side = static_cast<int>(std::ceil(kDotSide * ratio));
   QPixmap dots(side * kDotLevels, side);
   dots.setDevicePixelRatio(ratio);
@@ -40,6 +41,21 @@ QPixmap dotsOf(const ParticleRamp& ramp, double growth, double ratio) {
     painter.drawEllipse(center, radius + kDotHalo, radius + kDotHalo);
     painter.setBrush(ramp.at(weight));
     painter.drawEllipse(center, radius, radius);
+  }
+  return dots;
+}
+
+/// The same, kept from one target and frame to the next.
+QPixmap dotsOf(const ParticleRamp& ramp, double growth, double ratio) {
+  // A tinted ramp has no more colors than these, and none of them is the one of heat.
+  const QString key = QStringLiteral("particle dots %1 %2 %3 %4 %5")
+                          .arg(ramp.at(0.0).name(), ramp.at(0.5).name(), ramp.at(1.0).name())
+                          .arg(growth)
+                          .arg(ratio);
+  QPixmap dots;
+  if (!QPixmapCache::find(key, &dots)) {
+    dots = drawDots(ramp, growth, ratio);
+    QPixmapCache::insert(key, dots);
   }
   return dots;
 }

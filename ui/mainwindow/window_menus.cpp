@@ -105,6 +105,7 @@ void WindowMenus::makeViewMenu() {
                      "actionShowEvidence",
                      "actionShowBest",
                      "actionShowRays",
+                     "actionShowImagesInScene",
                      "actionShowMagnifier",
                      "actionShowVolumeOfInterest",
                      "actionShowVolumes",

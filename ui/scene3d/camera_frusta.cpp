@@ -35,7 +35,8 @@ void CameraFrusta::show(const CameraRig& rig, double length) {
   Strokes edges;
   Strokes faces;
   Strokes plumbs;
-  for (const Camera& camera : rig) {
+  for (std::size_t index = 0; index < rig.size(); ++index) {
+    const Camera& camera = rig[index];
     if (!usable(camera)) {
       continue;
     }
@@ -55,7 +56,7 @@ void CameraFrusta::show(const CameraRig& rig, double length) {
     faces.face({mix(middle, image[0], 0.4), middle + up, mix(middle, image[1], 0.4)});
     faces.face(image);
     plumbs.line(center, {center.x(), center.y(), 0.0});
-    glyphs_.push_back({camera.name, center, {image[0], image[1], image[2], image[3]}});
+    glyphs_.push_back({camera.name, center, {image[0], image[1], image[2], image[3]}, index});
   }
   edges.writeTo(edgeData_);
   faces.writeTo(faceData_);

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 namespace dewpoint::ui {
@@ -14,7 +15,8 @@ namespace dewpoint::ui {
 struct CameraGlyph {
   std::string name;
   Eigen::Vector3d center;                 ///< the apex
-  std::array<Eigen::Vector3d, 4> corners; ///< of the image, around
+  std::array<Eigen::Vector3d, 4> corners; ///< of the image, around from its upper left
+  std::size_t camera = 0;                 ///< its index in the rig
 };
 
 } // namespace dewpoint::ui

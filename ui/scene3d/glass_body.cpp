@@ -4,6 +4,7 @@
 #include "ui/scene3d/ellipsoid_axes.h"
 
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -33,6 +34,19 @@ constexpr const char* kRimShader =
     "float rim = smoothstep(0.55, 0.8, 1.0 - facing);\n"
     "fragOutput0 = vec4(mix(diffuseColor, rimColor, 0.6), rimAlpha * rim);\n";
 
+/// One for all bodies, in memory and in that of the graphics as well.
+vtkPolyData* unitBall() {
+  static const vtkSmartPointer<vtkPolyData> kBall = [] {
+    vtkNew<vtkSphereSource> source;
+    source->SetRadius(1.0);
+    source->SetThetaResolution(kResolution);
+    source->SetPhiResolution(kResolution / 2 + 2);
+    source->Update();
+    return vtkSmartPointer<vtkPolyData>(source->GetOutput());
+  }();
+  return kBall;
+}
+
 vtkUniforms* uniformsOf(vtkActor* actor) {
   return actor->GetShaderProperty()->GetFragmentCustomUniforms();
 }
@@ -41,12 +55,8 @@ vtkUniforms* uniformsOf(vtkActor* actor) {
 
 GlassBody::GlassBody(vtkRenderer* renderer, Layer layer)
     : renderer_(renderer), actor_(vtkSmartPointer<vtkActor>::New()) {
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(1.0);
-  source->SetThetaResolution(kResolution);
-  source->SetPhiResolution(kResolution / 2 + 2);
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
+  mapper->SetInputData(unitBall());
   actor_->SetMapper(mapper);
   actor_->GetProperty()->BackfaceCullingOn(); // one layer of color, not two
   actor_->ForceTranslucentOn();
@@ -57,7 +67,7 @@ GlassBody::GlassBody(vtkRenderer* renderer, Layer layer)
   setLook(SceneColor::Zero(), SceneColor::Zero(), 0.0, 0.0);
   const std::array<float, 3> towardsEye{0.0F, 0.0F, 1.0F};
   uniformsOf(actor_)->SetUniform3f("eyeSide", towardsEye.data());
-  renderer_->AddActor(actor_);
+  addNew(renderer_, actor_);
 }
 
 GlassBody::~GlassBody() {

@@ -51,11 +51,11 @@ PersonActors::PersonActors(vtkRenderer* renderer)
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     curves_[k] = flatActor(curveData_[k]);
     curves_[k]->VisibilityOff();
-    renderer_->AddActor(curves_[k]);
+    addNew(renderer_, curves_[k]);
   }
   for (vtkActor* actor : {hull_.Get(), edges_.Get()}) {
     actor->VisibilityOff();
-    renderer_->AddActor(actor);
+    addNew(renderer_, actor);
   }
 }
 

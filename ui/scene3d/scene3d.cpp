@@ -4,6 +4,7 @@
 #include "core/geometry/projected_lines.h"
 #include "ui/scene3d/scene_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -40,7 +41,11 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     parts.showRig(snapshot.rig);
   }
   parts.include(snapshot);
-  const std::size_t count = snapshot.targets.size();
+  if (parts.imagesShown) {
+    parts.images.show(parts.frusta.glyphs(), snapshot.frames);
+  }
+  const std::size_t count = std::min(snapshot.targets.size(), SceneParts::kMostBodies);
+  parts.showCrowd(snapshot);
   if (parts.targets.size() > count) {
     parts.targets.resize(count);
   }
@@ -74,6 +79,13 @@ void Scene3d::follow(const TrackSnapshot& snapshot) {
 
 void Scene3d::showRays(bool shown) {
   parts_->raysShown = shown;
+}
+
+void Scene3d::showImages(bool shown) {
+  SceneParts& parts = *parts_;
+  parts.imagesShown = shown;
+  parts.images.hide(); // until the next snapshot
+  parts.frusta.show(parts.rig ? *parts.rig : CameraRig(), parts.frustumLength());
 }
 
 void Scene3d::showBest(bool shown) {
@@ -209,6 +221,7 @@ void Scene3d::prepareFrame(int width, int height) {
   parts.volume.prepareFrame(parts.scale);
   parts.sight.prepareFrame(parts.scale);
   parts.range.prepareFrame(parts.scale);
+  parts.crowd.prepareFrame(parts.scale, focus());
   for (const auto& target : parts.targets) {
     target->prepareFrame(parts.scale);
   }

@@ -55,6 +55,8 @@ public:
   /// Whether a line goes from each camera to the estimate that lies in its image, broken where the
   /// camera does not see the target; at first it does.
   void showRays(bool shown);
+  /// Whether the images of the cameras are shown on the pyramids they look through; not at first.
+  void showImages(bool shown);
   /// Marks these positions: one stroke for each, meters. Stays until it is called again.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// How well the cameras see the room; null: nothing is shown of it. Stays until called again.

@@ -6,6 +6,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTextProperty.h>
@@ -62,6 +63,11 @@ Eigen::Vector3d ScreenScale::nearer(const Eigen::Vector3d& point, double distanc
   return eye + (point - eye) * nearerFactor(point, distance);
 }
 
+void addNew(vtkRenderer* renderer, vtkProp* prop) {
+  renderer->GetViewProps()->AddItem(prop);
+  prop->AddConsumer(renderer);
+}
+
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
@@ -76,7 +82,7 @@ vtkSmartPointer<vtkActor> addedInTurn(vtkRenderer* renderer, vtkPolyData* data) 
   auto actor = flatActor(data);
   actor->ForceTranslucentOn();
   actor->VisibilityOff();
-  renderer->AddActor(actor);
+  addNew(renderer, actor);
   return actor;
 }
 

@@ -45,6 +45,9 @@ struct ScreenScale {
   Eigen::Vector3d world(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 
+/// Adds a new prop, which must not be there yet: AddActor would search all that are, so that the
+/// time to add thousands grew with their square.
+void addNew(vtkRenderer* renderer, vtkProp* prop);
 /// An actor without lighting, of plain lines or faces.
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
 /// The same, invisible at first, and added to be blended in its turn.

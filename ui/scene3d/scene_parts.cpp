@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace dewpoint::ui {
@@ -13,6 +14,7 @@ namespace {
 constexpr double kViewAngle = 35.0 * std::numbers::pi / 180.0; ///< vertical, free view
 constexpr double kMargin = 1.14;   ///< of the picture around what is framed
 constexpr double kBottomPx = 34.0; ///< kept free below, for buttons
+constexpr double kSidePx = 20.0;   ///< kept free on either side, for the numbers of the axes
 /// From the scene towards the eye of the free view.
 const Eigen::Vector3d kFreeSide = Eigen::Vector3d(-0.55, -1.0, 0.75).normalized();
 
@@ -113,6 +115,7 @@ void SceneParts::applyPalette() {
   range.setPalette(palette());
   volume.setColor(palette().text, 0.55);
   sight.setColor(palette().truth, 0.8);
+  crowd.setColors(palette().text, palette().text);
   applyTargetColors();
 }
 
@@ -179,6 +182,23 @@ void SceneParts::include(const TrackSnapshot& snapshot) {
   }
 }
 
+void SceneParts::showCrowd(const TrackSnapshot& snapshot) {
+  const std::size_t count = snapshot.targets.size();
+  if (count <= kMostBodies) {
+    crowd.hide();
+    return;
+  }
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN(); // is not drawn
+  Eigen::ArrayXXd means =
+      Eigen::ArrayXXd::Constant(static_cast<Eigen::Index>(count - kMostBodies), 3, kUnknown);
+  for (std::size_t k = kMostBodies; k < count; ++k) {
+    if (const auto position = positionOf(snapshot.targets[k].estimate)) {
+      means.row(static_cast<Eigen::Index>(k - kMostBodies)) = position->mean.transpose().array();
+    }
+  }
+  crowd.show(means, {});
+}
+
 void SceneParts::coverGround() {
   Eigen::AlignedBox3d shown = content;
   shown.extend(map.volume());
@@ -212,7 +232,9 @@ void SceneParts::frame() {
   const Eigen::Vector3d up = side.cross(right);
   const double pixels = std::max(1, height);
   const double free = std::max(0.5 * pixels, pixels - kBottomPx * scale.pixelRatio);
-  const double aspect = std::max(1, width) / free;
+  const double across =
+      std::max(0.5 * std::max(1, width), width - 2.0 * kSidePx * scale.pixelRatio);
+  const double aspect = across / free;
   const double slope = std::tan(kViewAngle / 2.0) * free / pixels;
   Eigen::Vector3d center = box.center();
   double halfHeight = 1e-3; // of the free part

@@ -3,6 +3,7 @@
 
 #include "core/session/run/display_colors.h"
 #include "ui/scene3d/camera_frusta.h"
+#include "ui/scene3d/frustum_images.h"
 #include "ui/scene3d/ground.h"
 #include "ui/scene3d/map_actor.h"
 #include "ui/scene3d/mean_path.h"
@@ -29,10 +30,14 @@ public:
   // Thin beside targets and tails: they are not what is looked at.
   static constexpr double kVolumeWidthPx = 1.2; ///< logical
   static constexpr double kSightWidthPx = 1.6;
+  /// Targets that are drawn with all that belongs to one; of more, only the mean: by then nobody
+  /// can tell them apart, and a picture of thousands of clouds would hold up the window.
+  static constexpr std::size_t kMostBodies = 100;
 
   SceneParts()
-      : ground(renderer), frusta(renderer), planned(renderer), map(renderer),
-        volume(renderer, kVolumeWidthPx), sight(renderer, kSightWidthPx), range(renderer) {
+      : ground(renderer), images(renderer), frusta(renderer), planned(renderer), map(renderer),
+        volume(renderer, kVolumeWidthPx), sight(renderer, kSightWidthPx), range(renderer),
+        crowd(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers ask for bounds that a cloud of bare points does not have.
     renderer->GetCullers()->RemoveAllItems();
@@ -41,12 +46,17 @@ public:
   const ScenePalette& palette() const { return scenePalette(dark); }
   ScenePalette plannedPalette() const;
   double rigSize() const { return rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm(); }
-  double frustumLength() const { return std::clamp(0.09 * rigSize(), 0.05, 1.0); }
+  /// Meters; with images on them they are longer, so that something can be seen there.
+  double frustumLength() const {
+    return imagesShown ? std::clamp(0.25 * rigSize(), 0.1, 2.0)
+                       : std::clamp(0.09 * rigSize(), 0.05, 1.0);
+  }
   void applyPalette();
   /// The colors of all targets; to be called when one of them or the ground has changed.
   void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void include(const TrackSnapshot& snapshot);
+  void showCrowd(const TrackSnapshot& snapshot);
   void coverGround();
   Eigen::AlignedBox3d room() const; ///< floor and content
   void frame();
@@ -57,12 +67,14 @@ public:
   vtkNew<OrderedRenderer> renderer;
   vtkNew<vtkCamera> camera;
   Ground ground;
+  FrustumImages images; ///< before all that is drawn over them
   CameraFrusta frusta;
   CameraFrusta planned;
   MapActor map;
-  WireActor volume; ///< of interest
-  WireActor sight;  ///< a ray of a camera
-  RangeActor range; ///< before the targets, which are drawn over it
+  WireActor volume;    ///< of interest
+  WireActor sight;     ///< a ray of a camera
+  RangeActor range;    ///< before the targets, which are drawn over it
+  ParticleCloud crowd; ///< means of the targets beyond `kMostBodies`
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::vector<DisplayColorWish> colorWishes; ///< one per target
   MeanPath path;
@@ -75,6 +87,7 @@ public:
   int chosenTarget = -1;
   bool bestShown = false;
   bool raysShown = true;
+  bool imagesShown = false;
   bool moved = false; ///< by the user
   bool frameWanted = true;
   int width = 0;

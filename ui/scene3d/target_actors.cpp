@@ -59,8 +59,7 @@ TargetActors::TargetActors(vtkRenderer* renderer)
       tail_(renderer, kTailPx, kTailOutlinePx), path_(renderer, kPathPx, 0.0),
       body_(renderer, GlassBody::Layer::Fill), rings_(addedInTurn(renderer, ringData_)),
       cloud_(renderer), rim_(renderer, GlassBody::Layer::Rim),
-      truthMark_(addedInTurn(renderer, truthData_)), bestMark_(addedInTurn(renderer, bestData_)),
-      person_(renderer) {
+      truthMark_(addedInTurn(renderer, truthData_)), bestMark_(addedInTurn(renderer, bestData_)) {
   unitRings(ringData_);
   rings_->SetUserMatrix(ellipsoidPose_);
 }
@@ -72,7 +71,7 @@ TargetActors::~TargetActors() {
 }
 
 void TargetActors::show(const TargetSnapshot& target) {
-  person_.show(target.shape.get());
+  showPerson(target.shape.get());
   // The hull says it better than the points it is made of.
   target.shape == nullptr ? cloud_.show(target.particles, target.weights) : cloud_.hide();
   showEstimate(target);
@@ -80,6 +79,24 @@ void TargetActors::show(const TargetSnapshot& target) {
   showTruth(target);
   best_ = bestParticleOf(target.estimate);
   showBest();
+}
+
+void TargetActors::showPerson(const PersonShape* shape) {
+  if (shape != nullptr && person_ == nullptr) {
+    person_ = std::make_unique<PersonActors>(renderer_);
+    person_->setColor(color_, palette_);
+    person_->setChosen(chosen_);
+  }
+  if (person_ != nullptr) {
+    person_->show(shape);
+  }
+}
+
+void TargetActors::setChosen(bool chosen) {
+  chosen_ = chosen;
+  if (person_ != nullptr) {
+    person_->setChosen(chosen);
+  }
 }
 
 void TargetActors::showSights(const std::vector<SightLine>& lines) {
@@ -178,7 +195,9 @@ void TargetActors::setColors(const SceneColor& color, const ScenePalette& palett
   }
   paint(truthMark_, palette.truth);
   paint(bestMark_, mix(color, palette.truth, 0.2));
-  person_.setColor(color, palette);
+  if (person_ != nullptr) {
+    person_->setColor(color, palette);
+  }
 }
 
 void TargetActors::paintBody() {
@@ -246,7 +265,9 @@ void TargetActors::prepareFrame(const ScreenScale& scale) {
   path_.prepareFrame(scale);
   drawTruth(scale);
   drawBest(scale);
-  person_.prepareFrame(scale);
+  if (person_ != nullptr) {
+    person_->prepareFrame(scale);
+  }
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   rings_->GetProperty()->SetLineWidth(width(1.0));
   truthMark_->GetProperty()->SetLineWidth(width(1.6));

@@ -14,6 +14,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -35,7 +36,7 @@ public:
   /// The way of the mean, oldest first, meters; empty: none.
   void showPath(const std::vector<Eigen::Vector3d>& path) { path_.show(path); }
   /// A chosen person stands out.
-  void setChosen(bool chosen) { person_.setChosen(chosen); }
+  void setChosen(bool chosen);
   /// Whether the particle of highest weight is marked; not at first.
   void setBestShown(bool shown);
   void setColors(const SceneColor& color, const ScenePalette& palette, bool dark);
@@ -43,6 +44,7 @@ public:
   void prepareFrame(const ScreenScale& scale);
 
 private:
+  void showPerson(const PersonShape* shape);
   void showEstimate(const TargetSnapshot& target);
   /// The shape of the target, at the origin.
   void showBody(const TargetSnapshot& target);
@@ -62,6 +64,7 @@ private:
   std::optional<Eigen::Vector3d> best_; ///< particle of highest weight
   bool bestShown_ = false;
   bool held_ = false;
+  bool chosen_ = false;
   double radius_ = 0.0;
   /// Semi-axes of what is no ball, meters; all are the radius of a ball.
   Eigen::Vector3d semiAxes_ = Eigen::Vector3d::Zero();
@@ -84,7 +87,7 @@ private:
   vtkNew<vtkPolyData> bestData_;
   vtkSmartPointer<vtkActor> truthMark_;
   vtkSmartPointer<vtkActor> bestMark_;
-  PersonActors person_;
+  std::unique_ptr<PersonActors> person_; ///< made for the first shape: most targets have none
 };
 
 } // namespace dewpoint::ui

@@ -45,7 +45,7 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
                        "A box passes in front of the ball. One camera is enough to keep it.")},
     {"startLookAlikes", "look-alikes", "look-alikes", false,
-     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Three balls alike"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Four balls alike"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
                        "Three more balls of the same color lie around. Only one moves.")},
     {"startOffice", "office", "office", false,

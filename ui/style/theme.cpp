@@ -2,12 +2,10 @@
 #include "ui/style/theme.h"
 
 #include "core/session/people/people_overlay.h"
+#include "ui/style/dewpoint_style.h"
 #include "ui/style/identity_badge.h"
 
 #include <QApplication>
-#include <QPainter>
-#include <QProxyStyle>
-#include <QStyleOption>
 
 #include <array>
 
@@ -16,37 +14,6 @@ namespace dewpoint::ui {
 bool isDarkPalette(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }
-
-namespace {
-
-/// Fusion, with an edge around boxes and circles to be marked and around buttons that are on: its
-/// own ones are darker than the ground, which in dark colors is no edge at all.
-class DewpointStyle : public QProxyStyle {
-public:
-  DewpointStyle() : QProxyStyle(QStringLiteral("fusion")) {}
-
-  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
-                     const QWidget* widget) const override {
-    QProxyStyle::drawPrimitive(element, option, painter, widget);
-    const bool isRound = element == PE_IndicatorRadioButton;
-    const bool isMarked =
-        isRound || element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck;
-    const bool isOn = option->state.testFlag(State_On) &&
-                      (element == PE_PanelButtonCommand || element == PE_PanelButtonTool);
-    if ((!isMarked && !isOn) || !isDarkPalette(option->palette)) {
-      return;
-    }
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing, isRound);
-    painter->setBrush(Qt::NoBrush);
-    painter->setPen(option->palette.color(isOn ? QPalette::Highlight : QPalette::PlaceholderText));
-    const QRectF edge = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
-    isRound ? painter->drawEllipse(edge) : painter->drawRect(edge);
-    painter->restore();
-  }
-};
-
-} // namespace
 
 QPalette themePalette(bool dark) {
   const QColor window(dark ? "#202326" : "#f3f4f5");

@@ -41,6 +41,8 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
                    &BirdsEyeView::setChosenTarget);
   bench.onToggled("actionShowBest", view, [view](bool shown) { view->setBestShown(shown); });
   bench.onToggled("actionShowRays", view, [view](bool shown) { view->setRaysShown(shown); });
+  bench.onToggled("actionShowImagesInScene", view,
+                  [view](bool shown) { view->setImagesShown(shown); });
   connectVolume(bench, view,
                 [view](const std::optional<WorldBox>& volume) { view->showVolume(volume); });
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });

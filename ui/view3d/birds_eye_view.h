@@ -82,6 +82,12 @@ public:
     sceneStale_ = true;
     requestPicture();
   }
+  /// The images of the cameras, in the scene.
+  void setImagesShown(bool shown) {
+    scene_.showImages(shown);
+    sceneStale_ = true;
+    requestPicture();
+  }
   /// While placing, a click on the floor of this height (world z, meters) is a placeClicked().
   void setPlacing(bool placing, double floor = 0.0);
 

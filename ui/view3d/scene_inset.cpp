@@ -2,6 +2,7 @@
 #include "ui/view3d/scene_inset.h"
 
 #include "core/session/cloud_closeup.h"
+#include "ui/style/mixed_color.h"
 #include "ui/style/spacing.h"
 #include "ui/style/theme.h"
 #include "ui/text/quantity_text.h"
@@ -31,12 +32,6 @@ QColor toColor(const SceneColor& color) {
   return QColor::fromRgbF(float(color.x()), float(color.y()), float(color.z()));
 }
 
-QColor between(const QColor& from, const QColor& to, double share) {
-  const auto at = [share](float a, float b) { return a + (b - a) * float(share); };
-  return QColor::fromRgbF(at(from.redF(), to.redF()), at(from.greenF(), to.greenF()),
-                          at(from.blueF(), to.blueF()));
-}
-
 void paintParticles(QPainter& painter, const CloudCloseup& closeup, const QColor& unlikely,
                     const QColor& likely) {
   std::array<QPolygonF, kLevels> levels;
@@ -48,7 +43,7 @@ void paintParticles(QPainter& painter, const CloudCloseup& closeup, const QColor
         QPointF(closeup.particles[k].x(), closeup.particles[k].y());
   }
   for (int level = 0; level < kLevels; ++level) {
-    painter.setPen(QPen(between(unlikely, likely, double(level) / (kLevels - 1)), kDotPx,
+    painter.setPen(QPen(mixedColor(unlikely, likely, double(level) / (kLevels - 1)), kDotPx,
                         Qt::SolidLine, Qt::RoundCap));
     painter.drawPoints(levels[static_cast<std::size_t>(level)]);
   }
@@ -155,9 +150,9 @@ void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const
   painter.fillPath(frame, veil);
   painter.setClipPath(frame);
   painter.translate(box.center());
-  paintParticles(painter, *closeup, between(ground, color, 0.45),
-                 between(color, dark ? QColor(Qt::white) : QColor(Qt::black), dark ? 0.6 : 0.4));
-  paintOutline(painter, closeup->outline, between(color, ink, 0.35));
+  paintParticles(painter, *closeup, mixedColor(ground, color, 0.45),
+                 mixedColor(color, dark ? QColor(Qt::white) : QColor(Qt::black), dark ? 0.6 : 0.4));
+  paintOutline(painter, closeup->outline, mixedColor(color, ink, 0.35));
   painter.translate(-box.center());
   paintBar(painter, box, *closeup, ground, ink);
   painter.setClipping(false);

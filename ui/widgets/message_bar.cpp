@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/message_bar.h"
 
+#include "ui/style/mixed_color.h"
 #include "ui/style/symbolic_icon.h"
 #include "ui/style/theme.h"
 #include "ui/text/retranslation.h"
@@ -29,13 +30,6 @@ constexpr qsizetype kMostRecent = 30;
 constexpr double kTint = 0.10;
 constexpr double kEdge = 0.45;
 
-QColor mixed(const QColor& ground, const QColor& ink, double share) {
-  const auto part = [share](float a, float b) {
-    return static_cast<float>((1.0 - share) * a + share * b);
-  };
-  return QColor::fromRgbF(part(ground.redF(), ink.redF()), part(ground.greenF(), ink.greenF()),
-                          part(ground.blueF(), ink.blueF()));
-}
 } // namespace
 
 MessageBar::MessageBar(QWidget* parent)
@@ -194,8 +188,8 @@ QColor MessageBar::inkOfSeverity() const {
 void MessageBar::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   const QColor ground = palette().color(QPalette::Window);
-  painter.fillRect(rect(), mixed(ground, inkOfSeverity(), kTint));
-  painter.fillRect(QRect(0, height() - 1, width(), 1), mixed(ground, inkOfSeverity(), kEdge));
+  painter.fillRect(rect(), mixedColor(ground, inkOfSeverity(), kTint));
+  painter.fillRect(QRect(0, height() - 1, width(), 1), mixedColor(ground, inkOfSeverity(), kEdge));
 }
 
 void MessageBar::enterEvent(QEnterEvent* event) {

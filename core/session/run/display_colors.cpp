@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace dewpoint::session {
 
@@ -81,6 +82,22 @@ DisplayColor nearestShown(const Eigen::Vector3d& lab) {
   return at(shown).cwiseMax(0.0).cwiseMin(1.0);
 }
 
+/// A color, and how it looks.
+struct LabColor {
+  DisplayColor color;
+  Eigen::Vector3d lab; ///< OKLab
+};
+
+LabColor labColor(const DisplayColor& color) {
+  return {color, okLab(color)};
+}
+
+bool labsAreAlike(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+  Eigen::Vector3d difference = one - other;
+  difference[0] *= 0.5;
+  return difference.norm() < kAlike;
+}
+
 } // namespace
 
 std::optional<DisplayColor> middleColor(const ColorRange& range) {
@@ -113,47 +130,46 @@ DisplayColor legibleOn(const DisplayColor& color, bool darkGround) {
 }
 
 bool areAlike(const DisplayColor& one, const DisplayColor& other) {
-  Eigen::Vector3d difference = okLab(one) - okLab(other);
-  difference[0] *= 0.5;
-  return difference.norm() < kAlike;
+  return labsAreAlike(okLab(one), okLab(other));
 }
 
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorWish>& wishes,
                                         const std::vector<DisplayColor>& palette, bool darkGround) {
-  std::vector<std::optional<DisplayColor>> chosen(wishes.size());
+  std::vector<std::optional<LabColor>> chosen(wishes.size());
   for (std::size_t k = 0; k < wishes.size(); ++k) {
     if (wishes[k].fixed) {
-      chosen[k] = wishes[k].fixed;
+      chosen[k] = labColor(*wishes[k].fixed);
     } else if (!wishes[k].learned.empty()) {
       const auto middle = middleColor(wishes[k].learned[0]);
-      chosen[k] = middle ? std::optional(legibleOn(*middle, darkGround)) : std::nullopt;
+      chosen[k] = middle ? std::optional(labColor(legibleOn(*middle, darkGround))) : std::nullopt;
     }
   }
   // All of a group that look alike give way, so that none of them depends on their order.
   const auto wished = chosen;
   for (std::size_t k = 0; k < wishes.size(); ++k) {
     for (std::size_t other = 0; other < wishes.size() && !wishes[k].fixed; ++other) {
-      if (other != k && wished[k] && wished[other] && areAlike(*wished[k], *wished[other])) {
+      if (other != k && wished[k] && wished[other] &&
+          labsAreAlike(wished[k]->lab, wished[other]->lab)) {
         chosen[k].reset();
+        break;
       }
     }
   }
-  const auto isTaken = [&](const DisplayColor& color) {
-    return std::ranges::any_of(chosen,
-                               [&](const auto& one) { return one && areAlike(*one, color); });
+  std::vector<LabColor> offered;
+  std::ranges::transform(palette, std::back_inserter(offered), labColor);
+  const auto isTaken = [&](const LabColor& color) {
+    return std::ranges::any_of(
+        chosen, [&](const auto& one) { return one && labsAreAlike(one->lab, color.lab); });
   };
+  std::vector<DisplayColor> colors;
+  colors.reserve(chosen.size());
   for (std::size_t k = 0; k < wishes.size(); ++k) {
-    for (std::size_t next = k; !chosen[k] && next < k + palette.size(); ++next) {
-      if (const DisplayColor& color = palette[next % palette.size()]; !isTaken(color)) {
+    for (std::size_t next = k; !chosen[k] && next < k + offered.size(); ++next) {
+      if (const LabColor& color = offered[next % offered.size()]; !isTaken(color)) {
         chosen[k] = color;
       }
     }
-    chosen[k] = chosen[k].value_or(palette[k % palette.size()]);
-  }
-  std::vector<DisplayColor> colors;
-  colors.reserve(chosen.size());
-  for (const auto& color : chosen) {
-    colors.push_back(*color);
+    colors.push_back(chosen[k].value_or(offered[k % offered.size()]).color);
   }
   return colors;
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/frame.h"
+#include "ui/scene3d/camera_glyph.h"
+
+#include <vtkActor.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTexture.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+class vtkRenderer;
+
+namespace dewpoint::ui {
+
+/// The newest images of the cameras, each on the far end of the pyramid its camera looks through,
+/// somewhat translucent. Distortion is left as it is in the image: it would not be visible at this
+/// size.
+class FrustumImages {
+public:
+  /// Draws over what was added to `renderer` before.
+  explicit FrustumImages(vtkRenderer* renderer);
+  ~FrustumImages();
+  FrustumImages(const FrustumImages&) = delete;
+  FrustumImages& operator=(const FrustumImages&) = delete;
+
+  /// Of the cameras with a glyph that have an image in `frames` (null: none).
+  void show(const std::vector<CameraGlyph>& glyphs, const FrameSetPtr& frames);
+  void hide();
+
+private:
+  struct Sheet {
+    vtkNew<vtkPolyData> quad;
+    vtkNew<vtkImageData> pixels;
+    vtkNew<vtkTexture> texture;
+    vtkSmartPointer<vtkActor> actor;
+  };
+  Sheet& sheet(std::size_t index);
+
+  vtkRenderer* renderer_;
+  std::vector<std::unique_ptr<Sheet>> sheets_;
+};
+
+} // namespace dewpoint::ui

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <QColor>
+
+namespace dewpoint::ui {
+
+/// A color between two: the first for a share of 0, the second for 1.
+inline QColor mixedColor(const QColor& one, const QColor& other, double share) {
+  return QColor::fromRgbF(static_cast<float>((1.0 - share) * one.redF() + share * other.redF()),
+                          static_cast<float>((1.0 - share) * one.greenF() + share * other.greenF()),
+                          static_cast<float>((1.0 - share) * one.blueF() + share * other.blueF()));
+}
+
+} // namespace dewpoint::ui
