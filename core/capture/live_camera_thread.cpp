@@ -195,7 +195,7 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
     std::scoped_lock lock(shared.mutex); // first, so that nobody sees the frame and an old problem
     shared.problem.reset();
   }
-  shared.slot.put(std::make_shared<Frame>(
+  shared.frames.put(std::make_shared<Frame>(
       Frame{progress.frames++, std::chrono::duration_cast<TimeStamp>(grabbed - shared.zero),
             std::move(*image)}));
   shared.bell->ring();

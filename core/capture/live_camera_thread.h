@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/capture/frame.h"
+#include "core/capture/frame_queue.h"
 #include "core/capture/live_stream.h"
-#include "core/capture/newest_slot.h"
 #include "core/capture/picture.h"
 
 #include <atomic>
@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace dewpoint::capture {
 
@@ -50,9 +51,9 @@ public:
   /// Waits for the thread until the deadline, then abandons it.
   void joinUntil(Clock::time_point deadline);
 
-  std::optional<FramePtr> take() { return shared_->slot.take(); }
-  std::optional<Clock::time_point> waitingSince() const { return shared_->slot.fullSince(); }
-  std::int64_t dropped() const { return shared_->slot.dropped(); }
+  /// The frames that came since the last call, oldest first.
+  std::vector<FramePtr> takeFrames() { return shared_->frames.takeAll(); }
+  std::int64_t dropped() const { return shared_->frames.dropped(); }
   /// Whether frames are to be expected from it.
   bool delivers() const;
   /// What is wrong at present.
@@ -61,6 +62,9 @@ public:
   double framesPerSecond() const { return shared_->rate; }
 
 private:
+  /// Kept while nobody takes them: more than a camera sends until the reader looks again.
+  static constexpr std::size_t kMostFrames = 16;
+
   struct Shared {
     LiveCamera camera;
     PictureShape shape;
@@ -68,7 +72,7 @@ private:
     std::shared_ptr<Bell> bell;
     Clock::time_point zero;
 
-    NewestSlot<FramePtr> slot;
+    FrameQueue frames{kMostFrames};
     std::atomic<double> rate{0};
 
     mutable std::mutex mutex; ///< guards all below

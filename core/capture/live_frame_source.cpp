@@ -3,8 +3,10 @@
 
 #include "core/capture/frame_source.h"
 #include "core/capture/live_camera_thread.h"
+#include "core/capture/live_pairing.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace dewpoint::capture {
@@ -16,25 +18,31 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kLongestWait = 100ms; ///< so that whoever asks stays responsive
-constexpr auto kTogether = 40ms;     ///< how long one camera's frame waits for the others'
 constexpr auto kStopPatience = 1s;   ///< with threads that do not end, for all cameras together
 
 /// The frame at the time of what it shows.
 FramePtr inTime(FramePtr frame, TimeStamp delay) {
-  if (!frame || delay == TimeStamp{}) {
+  if (delay == TimeStamp{}) {
     return frame;
   }
   return std::make_shared<const Frame>(
       Frame{frame->index, frame->captureTime - delay, frame->image});
 }
 
+std::vector<TimeStamp> delaysOf(const std::vector<LiveCamera>& cameras) {
+  std::vector<TimeStamp> delays;
+  std::ranges::transform(cameras, std::back_inserter(delays),
+                         [](const LiveCamera& camera) { return timeStamp(camera.delay); });
+  return delays;
+}
+
 class LiveFrameSource final : public FrameSetSource {
 public:
-  LiveFrameSource(const std::vector<LiveCamera>& cameras, const LiveStreamFactory& factory) {
+  LiveFrameSource(const std::vector<LiveCamera>& cameras, const LiveStreamFactory& factory)
+      : delays_(delaysOf(cameras)), pairing_(delays_) {
     cameras_.reserve(cameras.size());
     for (const LiveCamera& camera : cameras) {
       cameras_.emplace_back(camera, factory, bell_, zero_);
-      delay_.push_back(timeStamp(camera.delay));
     }
   }
 
@@ -56,65 +64,65 @@ public:
   std::vector<Error> notices() const override;
 
 private:
-  Clock::time_point dueTime() const;
+  TimeStamp now() const { return std::chrono::duration_cast<TimeStamp>(Clock::now() - zero_); }
+  void collect();
+  /// The next group of frames; nothing when none is complete until `deadline`.
+  std::optional<std::vector<FramePtr>> awaited(Clock::time_point deadline);
 
   Clock::time_point zero_ = Clock::now();
   std::shared_ptr<Bell> bell_ = std::make_shared<Bell>();
   std::vector<LiveCameraThread> cameras_;
-  std::vector<TimeStamp> delay_; ///< of the cameras
+  std::vector<TimeStamp> delays_; ///< of the cameras
+  LivePairing pairing_;
   std::int64_t sets_ = 0;
   TimeStamp last_{};
 };
 
 double LiveFrameSource::framesPerSecond() const {
+  double fastest = 0.0;
   for (const LiveCameraThread& camera : cameras_) {
-    if (camera.framesPerSecond() > 0) {
-      return camera.framesPerSecond();
-    }
+    fastest = std::max(fastest, camera.framesPerSecond());
   }
-  return kDefaultFramesPerSecond;
+  return fastest > 0.0 ? fastest : kDefaultFramesPerSecond;
 }
 
-/// When the frames at hand make a set: now when all cameras that deliver have one, else as soon as
-/// the first has waited long enough; far in the future while there is none.
-Clock::time_point LiveFrameSource::dueTime() const {
-  auto first = Clock::time_point::max();
-  bool complete = true;
-  for (const LiveCameraThread& camera : cameras_) {
-    const auto since = camera.waitingSince();
-    if (since) {
-      first = std::min(first, *since);
-    } else if (camera.delivers()) {
-      complete = false;
+void LiveFrameSource::collect() {
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    const double rate = cameras_[k].framesPerSecond();
+    pairing_.setExpected(k, cameras_[k].delivers(),
+                         rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{});
+    for (FramePtr& frame : cameras_[k].takeFrames()) {
+      pairing_.add(k, inTime(std::move(frame), delays_[k]));
     }
   }
-  if (first == Clock::time_point::max()) {
-    return first;
+}
+
+std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point deadline) {
+  for (;;) {
+    const auto rings = bell_->rings();
+    collect();
+    if (auto frames = pairing_.take(now())) {
+      return frames;
+    }
+    if (Clock::now() >= deadline) {
+      return std::nullopt;
+    }
+    const auto due = pairing_.due();
+    bell_->waitBeyond(rings, due ? std::min(zero_ + *due, deadline) : deadline);
   }
-  return complete ? first : first + kTogether;
 }
 
 Result<FrameSetPtr> LiveFrameSource::next() {
-  const auto deadline = Clock::now() + kLongestWait;
-  for (;;) {
-    const auto rings = bell_->rings();
-    const auto until = std::min(dueTime(), deadline);
-    if (Clock::now() >= until) {
-      break;
-    }
-    bell_->waitBeyond(rings, until);
-  }
   auto set = std::make_shared<FrameSet>();
   set->index = sets_++;
+  set->frames = awaited(Clock::now() + kLongestWait)
+                    .value_or(std::vector<FramePtr>(cameras_.size(), nullptr));
   TimeStamp newest{};
-  for (LiveCameraThread& camera : cameras_) {
-    set->frames.push_back(inTime(camera.take().value_or(nullptr), delay_[set->frames.size()]));
-    if (set->frames.back()) {
-      newest = std::max(newest, set->frames.back()->captureTime);
-    }
+  for (const FramePtr& frame : set->frames) {
+    newest = frame ? std::max(newest, frame->captureTime) : newest;
   }
   if (newest == TimeStamp{}) {
-    newest = std::chrono::duration_cast<TimeStamp>(Clock::now() - zero_);
+    newest = now() - std::ranges::max(delays_); // what comes next may show that time
   }
   // A late camera's frame may be older than what the previous set already showed.
   last_ = set->time = std::max(last_, newest);
@@ -122,7 +130,7 @@ Result<FrameSetPtr> LiveFrameSource::next() {
 }
 
 std::int64_t LiveFrameSource::droppedFrames() const {
-  std::int64_t sum = 0;
+  std::int64_t sum = pairing_.dropped();
   for (const LiveCameraThread& camera : cameras_) {
     sum += camera.dropped();
   }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/frame.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::capture {
+
+/// Carries the frames of one camera from its thread to the reader, in order. When the reader does
+/// not come, the oldest ones are dropped. Every function may be called from any thread.
+class FrameQueue {
+public:
+  explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}
+
+  void put(FramePtr frame) {
+    std::scoped_lock lock(mutex_);
+    if (frames_.size() == capacity_) {
+      frames_.pop_front();
+      ++dropped_;
+    }
+    frames_.push_back(std::move(frame));
+  }
+
+  /// All frames that came since the last call, oldest first.
+  std::vector<FramePtr> takeAll() {
+    std::scoped_lock lock(mutex_);
+    std::vector<FramePtr> taken(frames_.begin(), frames_.end());
+    frames_.clear();
+    return taken;
+  }
+
+  std::int64_t dropped() const {
+    std::scoped_lock lock(mutex_);
+    return dropped_;
+  }
+
+private:
+  const std::size_t capacity_;
+  mutable std::mutex mutex_;
+  std::deque<FramePtr> frames_;
+  std::int64_t dropped_ = 0;
+};
+
+} // namespace dewpoint::capture

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/live_pairing.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dewpoint::capture {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Of the shortest interval: above one half, so that cameras of the same rate are always paired,
+/// and the pairing does not go back and forth when they are half an interval apart.
+constexpr double kWindow = 0.75;
+/// How long after it was due a camera's frame is still waited for.
+constexpr TimeStamp kPatience = 40ms;
+/// Without a frame for so many intervals a camera has stopped: nobody waits for it.
+constexpr int kStopped = 3;
+/// By how much a frame may come earlier than one interval after the last: a share of it, at most.
+constexpr double kJitterShare = 0.3;
+constexpr TimeStamp kMostJitter = 8ms;
+constexpr TimeStamp kUsualInterval = 33ms; ///< until the cameras' own are known
+/// How far whoever takes the groups may fall behind, as after a burst from the network, before the
+/// older ones are dropped.
+constexpr TimeStamp kMostBehind = 100ms;
+
+TimeStamp times(double factor, TimeStamp interval) {
+  return std::chrono::duration_cast<TimeStamp>(factor * interval);
+}
+
+} // namespace
+
+LivePairing::LivePairing(std::vector<TimeStamp> delays) {
+  for (const TimeStamp delay : delays) {
+    cameras_.push_back({.delay = delay});
+  }
+}
+
+void LivePairing::setExpected(std::size_t camera, bool delivers, TimeStamp interval) {
+  cameras_[camera].delivers = delivers;
+  cameras_[camera].interval = interval;
+}
+
+void LivePairing::add(std::size_t camera, FramePtr frame) {
+  Camera& its = cameras_[camera];
+  const TimeStamp time = frame->captureTime;
+  const bool isLate = taken_ && time < *taken_;
+  const bool isBefore = its.last && time <= *its.last; // its clock was set back
+  if (isLate || isBefore) {
+    ++dropped_;
+    its.last = time;
+    return;
+  }
+  its.last = time;
+  its.waiting.push_back(std::move(frame));
+}
+
+TimeStamp LivePairing::window() const {
+  TimeStamp shortest = TimeStamp::max();
+  for (const Camera& camera : cameras_) {
+    if (camera.delivers && camera.interval > TimeStamp{}) {
+      shortest = std::min(shortest, camera.interval);
+    }
+  }
+  return times(kWindow, shortest == TimeStamp::max() ? kUsualInterval : shortest);
+}
+
+TimeStamp LivePairing::deadlineOf(const Camera& camera, TimeStamp begin) const {
+  return begin + camera.delay + kPatience;
+}
+
+bool LivePairing::canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp now) const {
+  if (!camera.delivers || !camera.waiting.empty() || now >= deadlineOf(camera, begin)) {
+    return false;
+  }
+  if (!camera.last || camera.interval == TimeStamp{}) {
+    return true;
+  }
+  const bool stopped = now - camera.delay - *camera.last > kStopped * camera.interval;
+  const TimeStamp earliest =
+      camera.interval - std::min(kMostJitter, times(kJitterShare, camera.interval));
+  const bool comesLater = *camera.last + earliest > begin + window();
+  return !stopped && !comesLater;
+}
+
+std::optional<TimeStamp> LivePairing::oldest() const {
+  std::optional<TimeStamp> begin;
+  for (const Camera& camera : cameras_) {
+    if (!camera.waiting.empty()) {
+      const TimeStamp first = camera.waiting.front()->captureTime;
+      begin = begin ? std::min(*begin, first) : first;
+    }
+  }
+  return begin;
+}
+
+std::optional<LivePairing::Group> LivePairing::settledGroup(TimeStamp now) {
+  const auto begin = oldest();
+  if (!begin || std::ranges::any_of(cameras_, [&](const Camera& camera) {
+        return canStillAdd(camera, *begin, now);
+      })) {
+    return std::nullopt;
+  }
+  Group group{*begin, {}};
+  const TimeStamp end = *begin + window();
+  for (Camera& camera : cameras_) {
+    const bool adds = !camera.waiting.empty() && camera.waiting.front()->captureTime <= end;
+    group.frames.push_back(adds ? camera.waiting.front() : FramePtr());
+    if (adds) {
+      camera.waiting.pop_front();
+    }
+  }
+  return group;
+}
+
+std::optional<std::vector<FramePtr>> LivePairing::take(TimeStamp now) {
+  while (auto group = settledGroup(now)) {
+    settled_.push_back(std::move(*group));
+  }
+  if (!settled_.empty() && settled_.back().begin - settled_.front().begin > kMostBehind) {
+    for (; settled_.size() > 1; settled_.pop_front()) {
+      const auto& frames = settled_.front().frames;
+      dropped_ += std::ranges::count_if(frames, [](const auto& frame) { return frame != nullptr; });
+    }
+  }
+  if (settled_.empty()) {
+    return std::nullopt;
+  }
+  Group group = std::move(settled_.front());
+  settled_.pop_front();
+  taken_ = group.begin;
+  return std::move(group.frames);
+}
+
+std::optional<TimeStamp> LivePairing::due() const {
+  if (!settled_.empty()) {
+    return settled_.front().begin;
+  }
+  const auto begin = oldest();
+  if (!begin) {
+    return std::nullopt;
+  }
+  TimeStamp latest = *begin;
+  for (const Camera& camera : cameras_) {
+    if (camera.delivers && camera.waiting.empty()) {
+      latest = std::max(latest, deadlineOf(camera, *begin));
+    }
+  }
+  return latest;
+}
+
+} // namespace dewpoint::capture
