@@ -2,6 +2,7 @@
 #include "core/capture/live_camera_thread.h"
 
 #include "core/base/thread_precedence.h"
+#include "core/capture/shown_location.h"
 
 #include <algorithm>
 #include <utility>
@@ -109,7 +110,7 @@ std::optional<Error> LiveCameraThread::problem() const {
   }
   // A pipeline without a sender opens for as long as nothing comes.
   return Error{shared_->connected ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable,
-               shared_->camera.location, cameraField(shared_->camera.name),
+               shownLocation(shared_->camera.location), cameraField(shared_->camera.name),
                shared_->connected ? "connected, but no picture for two seconds"
                                   : "no answer for two seconds; still waiting"};
 }
@@ -129,7 +130,8 @@ void LiveCameraThread::setDown(Shared& shared, const std::string& detail) {
     shared.connected = false;
     const auto code =
         shared.everDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
-    shared.problem = Error{code, shared.camera.location, cameraField(shared.camera.name), detail};
+    shared.problem =
+        Error{code, shownLocation(shared.camera.location), cameraField(shared.camera.name), detail};
   }
   shared.bell->ring();
 }
@@ -186,7 +188,7 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
     shared.lastGrab = grabbed;
     shared.everDelivered = true;
   }
-  auto image = shaped(picture, shared.shape, shared.camera.location);
+  auto image = shaped(picture, shared.shape, shownLocation(shared.camera.location));
   if (!image) {
     setProblem(shared, image.error());
     return;

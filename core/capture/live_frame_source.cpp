@@ -4,6 +4,7 @@
 #include "core/capture/frame_source.h"
 #include "core/capture/live_camera_thread.h"
 #include "core/capture/live_pairing.h"
+#include "core/capture/shown_location.h"
 
 #include <algorithm>
 #include <iterator>
@@ -157,7 +158,7 @@ Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& 
   for (const LiveCamera& camera : cameras) {
     const PictureShape shape{camera.name, camera.rotateDegrees, camera.width, camera.height,
                              camera.mirrored};
-    if (auto usable = checkShape(shape, camera.location); !usable) {
+    if (auto usable = checkShape(shape, shownLocation(camera.location)); !usable) {
       return tl::make_unexpected(usable.error());
     }
   }

@@ -2,6 +2,7 @@
 #include "core/capture/live_stream.h"
 
 #include "core/capture/picture.h"
+#include "core/capture/shown_location.h"
 
 #include <opencv2/videoio.hpp>
 
@@ -104,7 +105,7 @@ Status checkLocation(const LiveCamera& camera) {
   if (pipeline || isStream(location) || deviceNumber(location)) {
     return {};
   }
-  return failure(ErrorCode::BadValue, camera.location, cameraField(camera.name),
+  return failure(ErrorCode::BadValue, shownLocation(camera.location), cameraField(camera.name),
                  "expected a device number, /dev/videoN, a stream address such as http://... or "
                  "rtsp://..., or gst: and a GStreamer pipeline");
 }

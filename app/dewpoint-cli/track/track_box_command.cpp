@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/capture/frame_writer.h"
 #include "core/capture/recording.h"
+#include "core/capture/shown_location.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
@@ -175,7 +176,7 @@ private:
 
 void BoxObserver::begin(const ParameterValues& parameters) {
   track_.header = {{"version", DEWPOINT_VERSION},
-                   {"source", options_.source},
+                   {"source", shownLocation(options_.source)},
                    {"method", options_.method},
                    {"seed", std::to_string(options_.seed)}};
   for (const auto& declaration : parameters.declarations()) {
