@@ -17,9 +17,11 @@
 #include "core/trajectory/trajectory_reader.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace dewpoint::app {
 namespace {
@@ -102,14 +104,61 @@ Result<std::unique_ptr<FrameSetSource>> openSimulation(const Scene& scene) {
   return openRecording(cameras, scene.framesPerSecond);
 }
 
-Result<std::unique_ptr<FrameSetSource>> openLiveCameras(const Project& project) {
+std::vector<LiveCamera> liveCamerasOf(const Project& project) {
   std::vector<LiveCamera> cameras;
   for (const auto& camera : project.cameras) {
     const auto& intrinsics = camera.camera.intrinsics;
     cameras.push_back({camera.camera.name, camera.location, camera.rotateDegrees, intrinsics.width,
                        intrinsics.height, camera.mirrored, camera.delay});
   }
-  return openLive(cameras);
+  return cameras;
+}
+
+using SeenSizes = std::vector<std::optional<cv::Size>>;
+
+bool isComplete(const SeenSizes& sizes) {
+  return std::ranges::all_of(sizes, [](const auto& size) { return size.has_value(); });
+}
+
+/// The size of the first image of each of these cameras; nothing for those that send none in time.
+SeenSizes seenSizes(FrameSetSource& source, const std::vector<std::size_t>& cameras) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto kPatience = std::chrono::seconds(3); // as long as opening a stream may take
+  SeenSizes sizes(cameras.size());
+  const auto deadline = Clock::now() + kPatience;
+  while (!isComplete(sizes) && Clock::now() < deadline) {
+    const auto set = source.next();
+    for (std::size_t k = 0; set && *set && k < cameras.size(); ++k) {
+      if (const FramePtr& frame = (*set)->frames[cameras[k]]) {
+        sizes[k] = frame->image.size();
+      }
+    }
+  }
+  return sizes;
+}
+
+/// Cameras that nobody has calibrated may send images of any size: what is guessed of them takes
+/// the size that comes.
+Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
+  std::vector<LiveCamera> cameras = liveCamerasOf(project);
+  std::vector<std::size_t> guessed;
+  for (std::size_t k = 0; k < cameras.size(); ++k) {
+    if (isGuessed(project, k)) {
+      guessed.push_back(k);
+      cameras[k].width = cameras[k].height = 0;
+    }
+  }
+  auto source = openLive(cameras);
+  if (!source || guessed.empty()) {
+    return source;
+  }
+  const SeenSizes sizes = seenSizes(**source, guessed);
+  for (std::size_t k = 0; k < guessed.size(); ++k) {
+    if (sizes[k]) {
+      guessForSize(project, guessed[k], *sizes[k]);
+    }
+  }
+  return isComplete(sizes) ? std::move(source) : openLive(liveCamerasOf(project));
 }
 
 Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
@@ -131,7 +180,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
   return openRecording(cameras, project.framesPerSecond);
 }
 
-Result<std::unique_ptr<FrameSetSource>> openSource(const Project& project) {
+Result<std::unique_ptr<FrameSetSource>> openSource(Project& project) {
   const auto live = std::count_if(project.cameras.begin(), project.cameras.end(), isLive);
   if (live == 0) {
     return openRecordings(project);

@@ -14,8 +14,8 @@ struct LiveCamera {
   /// "gst:" and a GStreamer pipeline that ends in an appsink.
   std::string location;
   int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
-  int width = 0;         ///< expected after the rotation, pixels; 0: any
-  int height = 0;        ///< expected after the rotation, pixels; 0: any
+  int width = 0;         ///< expected after the rotation, pixels; 0: that of the first picture
+  int height = 0;        ///< expected after the rotation, pixels; 0: that of the first picture
   bool mirrored = false; ///< left to right, after the rotation
   double delay = 0.0;    ///< seconds from what a picture shows to its grab, beyond the others'
 };

@@ -193,6 +193,9 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, Clock::ti
     setProblem(shared, image.error());
     return;
   }
+  // Where any size will do, all that follow have that of the first one.
+  shared.shape.width = image->cols;
+  shared.shape.height = image->rows;
   {
     std::scoped_lock lock(shared.mutex); // first, so that nobody sees the frame and an old problem
     shared.problem.reset();

@@ -67,7 +67,7 @@ private:
 
   struct Shared {
     LiveCamera camera;
-    PictureShape shape;
+    PictureShape shape; ///< used by the camera's thread alone
     LiveStreamFactory factory;
     std::shared_ptr<Bell> bell;
     Clock::time_point zero;

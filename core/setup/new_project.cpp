@@ -129,6 +129,12 @@ Camera guessedCamera(std::size_t index, std::size_t count, const cv::Size& size)
   return camera;
 }
 
+void takeGuess(std::vector<ProjectCamera>& cameras, std::size_t index, const cv::Size& size) {
+  const std::string name = cameras[index].camera.name;
+  cameras[index].camera = guessedCamera(index, cameras.size(), size);
+  cameras[index].camera.name = name;
+}
+
 Status guess(std::vector<ProjectCamera>& cameras, std::size_t index) {
   ProjectCamera& camera = cameras[index];
   cv::Size size(kGuessedWidth, kGuessedHeight);
@@ -139,9 +145,7 @@ Status guess(std::vector<ProjectCamera>& cameras, std::size_t index) {
     }
     size = *real;
   }
-  const std::string name = camera.camera.name;
-  camera.camera = guessedCamera(index, cameras.size(), size);
-  camera.camera.name = name;
+  takeGuess(cameras, index, size);
   return {};
 }
 
@@ -219,18 +223,26 @@ Status guessMissing(Project& project) {
   return any ? checkProject(project) : Status(); // boxes may lie beyond the images
 }
 
-bool isGuessed(const Project& project) {
+bool isGuessed(const Project& project, std::size_t index) {
   constexpr double kRounding = 1e-6; // of a file
-  for (std::size_t i = 0; i < project.cameras.size(); ++i) {
-    const Camera& camera = project.cameras[i].camera;
-    const Camera guessed = guessedCamera(i, project.cameras.size(),
-                                         {camera.intrinsics.width, camera.intrinsics.height});
-    if (camera.cameraFromWorld.isApprox(guessed.cameraFromWorld, kRounding) &&
-        std::abs(camera.intrinsics.focalX - guessed.intrinsics.focalX) < kRounding) {
+  const Camera& camera = project.cameras[index].camera;
+  const Camera guessed = guessedCamera(index, project.cameras.size(),
+                                       {camera.intrinsics.width, camera.intrinsics.height});
+  return camera.cameraFromWorld.isApprox(guessed.cameraFromWorld, kRounding) &&
+         std::abs(camera.intrinsics.focalX - guessed.intrinsics.focalX) < kRounding;
+}
+
+bool isGuessed(const Project& project) {
+  for (std::size_t index = 0; index < project.cameras.size(); ++index) {
+    if (isGuessed(project, index)) {
       return true;
     }
   }
   return false;
+}
+
+void guessForSize(Project& project, std::size_t camera, const cv::Size& size) {
+  takeGuess(project.cameras, camera, size);
 }
 
 std::filesystem::path proposedFile(const Project& project) {

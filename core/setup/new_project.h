@@ -3,6 +3,9 @@
 
 #include "core/project/project.h"
 
+#include <opencv2/core/types.hpp>
+
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -57,6 +60,11 @@ Status guessMissing(Project& project);
 
 /// Whether some camera stands where makeProject() guessed it: positions in space mean nothing.
 bool isGuessed(const Project& project);
+/// The same of one camera.
+bool isGuessed(const Project& project, std::size_t camera);
+/// Guesses a camera again, for images of this size in pixels: of a live one it is known only once
+/// it sends some.
+void guessForSize(Project& project, std::size_t camera, const cv::Size& size);
 
 /// The file that a project which is in none yet is best saved to: called as the project, beside its
 /// first recording; without a folder when no camera is a recording.

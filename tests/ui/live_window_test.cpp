@@ -3,6 +3,7 @@
 // the real window.
 #include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
+#include "core/setup/new_project.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"
 #include "tests/ui/window_fixture.h"
@@ -53,6 +54,7 @@ private Q_SLOTS:
   void cleanup() { window_.reset(); }
   void tracksTwoStreamsToTheBall();
   void saysWhichCameraDoesNotAnswer();
+  void imagesOfAnySizeAreSeenAtOnce();
 
 private:
   /// A project file with two stream cameras of the scene, at these addresses.
@@ -80,6 +82,30 @@ std::filesystem::path LiveWindowTest::savedProject(const std::string& first,
     qFatal("%s", sentence(saved.error()).c_str());
   }
   return file;
+}
+
+void LiveWindowTest::imagesOfAnySizeAreSeenAtOnce() {
+  const cv::Mat wide(720, 1280, CV_8UC3, cv::Scalar(40, 90, 160));
+  const cv::Mat tall(600, 480, CV_8UC3, cv::Scalar(40, 90, 160));
+  const test::MjpegServer left([&](auto&&...) { return wide; });
+  const test::MjpegServer right([&](auto&&...) { return tall; });
+  NewProject wanted;
+  wanted.cameras = {{"left", SourceKind::Stream, left.address()},
+                    {"right", SourceKind::Stream, right.address()}};
+  const auto made = makeProject(wanted);
+  QVERIFY(made);
+  const std::filesystem::path file = folder_.filePath("sizes.toml").toStdString();
+  QVERIFY(saveProject(made->project, file));
+  makeWindow({});
+  open(file);
+  const auto isSeen = [this](std::size_t camera, const cv::Size& size) {
+    const auto shown = window_->shown();
+    const FramePtr frame = shown && shown->frames ? shown->frames->frames[camera] : nullptr;
+    return frame != nullptr && frame->image.size() == size &&
+           (*shown->rig)[camera].intrinsics.width == size.width &&
+           (*shown->rig)[camera].intrinsics.height == size.height;
+  };
+  QVERIFY(waitFor([&] { return isSeen(0, wide.size()) && isSeen(1, tall.size()); }));
 }
 
 void LiveWindowTest::tracksTwoStreamsToTheBall() {

@@ -13,6 +13,7 @@
 #include "ui/cameraview/volume_painter.h"
 #include "ui/cameraview/zoom_label.h"
 #include "ui/text/camera_motion_text.h"
+#include "ui/text/error_sentence.h"
 #include "ui/text/reason_text.h"
 
 #include <QContextMenuEvent>
@@ -253,6 +254,15 @@ bool CameraView::follow() {
   return false;
 }
 
+QString CameraView::whyThereIsNoImage() const {
+  if (const Error* notice = snapshot_ ? noticeOf(*snapshot_, camera_) : nullptr) {
+    return errorSentence(*notice);
+  }
+  return snapshot_ && snapshot_->frames
+             ? tr("This camera delivered no image for this frame.")
+             : tr("No images yet. Press play (Space), or open a project (Ctrl+O).");
+}
+
 void CameraView::paintEvent(QPaintEvent*) {
   follow(); // the size may be another one
   QPainter painter(this);
@@ -264,9 +274,7 @@ void CameraView::paintEvent(QPaintEvent*) {
   if (!frame || frame->image.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                     snapshot_ && snapshot_->frames
-                         ? tr("This camera delivered no image for this frame.")
-                         : tr("No images yet. Press play (Space), or open a project (Ctrl+O)."));
+                     whyThereIsNoImage());
     return;
   }
   place();

@@ -102,6 +102,8 @@ private:
   /// Shows the newest snapshot if its picture is there (true), or else begins to make it.
   bool follow();
   void paintBelief(QPainter& painter) const;
+  /// In place of the image.
+  QString whyThereIsNoImage() const;
   /// What the target of that number makes of its overlay in this view.
   CameraOverlay overlayOf(std::size_t target) const;
   void paintInset(QPainter& painter, const std::vector<QRectF>& taken) const;

@@ -127,6 +127,8 @@ void SessionController::applyOpened(const OpenRequest& request,
   Q_EMIT replacing(request);
   if (!request.keepHistory) {
     document_.replace(inputs->project, request.unsaved);
+  } else if (inputs->source->isLive()) {
+    takeSizes(inputs->project);
   }
   Q_EMIT replaced(request);
   // The panels have just been filled; the views come with the next turn of the event loop, so that
@@ -138,11 +140,23 @@ void SessionController::applyOpened(const OpenRequest& request,
   });
 }
 
+void SessionController::takeSizes(const Project& opened) {
+  const auto change = [&](Project& project) {
+    for (std::size_t k = 0; k < project.cameras.size() && k < opened.cameras.size(); ++k) {
+      project.cameras[k].camera.intrinsics = opened.cameras[k].camera.intrinsics;
+      project.cameras[k].camera.cameraFromWorld = opened.cameras[k].camera.cameraFromWorld;
+    }
+  };
+  // Only what is guessed of live cameras differs: they are of the size that they send.
+  static_cast<void>(document_.edit(tr("Take the size of the images"), change));
+}
+
 void SessionController::start(const OpenRequest& request, SessionInputs inputs) {
-  // Without a target a recording waits for the click instead of running away.
+  // Without a target a recording waits for the click instead of running away; live cameras are
+  // seen at once.
   const bool wantsTarget =
       inputs.project.targets.empty() && !methodFamily(inputs.project.method).findsTargets();
-  const bool waits = request.unsaved || (wantsTarget && !inputs.source->isLive());
+  const bool waits = !inputs.source->isLive() && (request.unsaved || wantsTarget);
   inputs.threads = Preferences().filterThreads();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());

@@ -119,6 +119,8 @@ private:
   };
   void connectDocument();
   void applyOpened(const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs);
+  /// The document takes the image sizes that live cameras were found to send.
+  void takeSizes(const Project& opened);
   void start(const OpenRequest& request, SessionInputs inputs);
   void endRun();
   void publish(const TrackSnapshotPtr& snapshot);

@@ -2,6 +2,7 @@
 #include "core/session/run/snapshot_state.h"
 
 #include "core/base/overloaded.h"
+#include "core/capture/picture.h"
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
@@ -183,6 +184,16 @@ std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot) {
                target.estimate);
   }
   return people;
+}
+
+const Error* noticeOf(const TrackSnapshot& snapshot, int camera) {
+  const Camera* its = cameraOf(snapshot, camera);
+  if (its == nullptr) {
+    return nullptr;
+  }
+  const auto found =
+      std::ranges::find(snapshot.notices, capture::cameraField(its->name), &Error::field);
+  return found != snapshot.notices.end() ? &*found : nullptr;
 }
 
 int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel) {

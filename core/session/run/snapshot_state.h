@@ -29,6 +29,9 @@ const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferr
 /// the image. Null when none does.
 const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
 
+/// What is wrong with a camera at present, by its notice; null: nothing that is known.
+const Error* noticeOf(const TrackSnapshot& snapshot, int camera);
+
 /// One person of a snapshot; valid as long as the snapshot.
 struct PersonInSnapshot {
   std::size_t index = 0; ///< of the target
