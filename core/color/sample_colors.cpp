@@ -13,7 +13,7 @@
 namespace dewpoint::color {
 namespace {
 
-// Judgments; docs/color.md, "Several colors".
+// Judgments; docs/method-color.md, "Several colors".
 
 /// Samples that differ by no more show one color, colorDistance(). White balances of cameras make
 /// up to 6 of one color, orange and yellow differ by 10, red and white by 26.

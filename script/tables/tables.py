@@ -10,7 +10,7 @@ OURS = "dewpoint"
 SMOOTHED = "dewpoint-smoothed"
 QUICK_FRAMES = 5  # a start counts as quick that takes no more (kQuickFrames of the suite)
 COSTLY = ("csrt",)  # of which plan.toml asks fewer runs
-ACCURACY, PEOPLE, FIDELITY = "docs/accuracy.md", "docs/people.md", "docs/fidelity.md"
+ACCURACY, PEOPLE, FIDELITY = "docs/accuracy.md", "docs/measurements-people.md", "docs/fidelity.md"
 METHOD = "docs/method-dewpoint.md"
 BOXES = "docs/method-sugandi.md"
 

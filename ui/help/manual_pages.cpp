@@ -26,22 +26,38 @@ constexpr std::array kPageOfDock{
     PageRow{"historyDock", "window.md"}};
 
 constexpr std::array kPageOfMethod{
-    PageRow{"dewpoint", "method-dewpoint.md"}, PageRow{"barrera", "method-dynamics.md"},
-    PageRow{"dynamics", "method-dynamics.md"}, PageRow{"histogram", "method-sugandi.md"},
-    PageRow{"sugandi", "method-sugandi.md"},   PageRow{"people", "people.md"},
-    PageRow{"mohedano-msc", "people.md"},      PageRow{"mohedano-ms", "people.md"}};
+    PageRow{"dewpoint", "method-dewpoint.md"},   PageRow{"barrera", "method-dynamics.md"},
+    PageRow{"dynamics", "method-dynamics.md"},   PageRow{"histogram", "method-sugandi.md"},
+    PageRow{"sugandi", "method-sugandi.md"},     PageRow{"people", "method-people.md"},
+    PageRow{"mohedano-msc", "method-people.md"}, PageRow{"mohedano-ms", "method-people.md"}};
 
 } // namespace
 
 QStringList manualPages() {
-  return {QStringLiteral("quick-start.md"),     kWindowPage,
-          QStringLiteral("color.md"),           QStringLiteral("calibration.md"),
-          QStringLiteral("people.md"),          QStringLiteral("time-travel.md"),
-          QStringLiteral("plots.md"),           QStringLiteral("export.md"),
-          QStringLiteral("project-file.md"),    QStringLiteral("command-line.md"),
-          QStringLiteral("method-dewpoint.md"), QStringLiteral("method-dynamics.md"),
-          QStringLiteral("method-sugandi.md"),  QStringLiteral("fidelity.md"),
-          QStringLiteral("accuracy.md"),        QStringLiteral("speed.md")};
+  return {QStringLiteral("quick-start.md"),
+          kWindowPage,
+          QStringLiteral("color.md"),
+          QStringLiteral("calibration.md"),
+          QStringLiteral("people.md"),
+          QStringLiteral("time-travel.md"),
+          QStringLiteral("plots.md"),
+          QStringLiteral("export.md"),
+          QStringLiteral("glossary.md"),
+          QStringLiteral("project-file.md"),
+          QStringLiteral("command-line.md"),
+          QStringLiteral("method-dewpoint.md"),
+          QStringLiteral("method-dynamics.md"),
+          QStringLiteral("method-sugandi.md"),
+          QStringLiteral("method-people.md"),
+          QStringLiteral("method-calibration.md"),
+          QStringLiteral("method-color.md"),
+          QStringLiteral("fidelity.md"),
+          QStringLiteral("measurements-people.md"),
+          QStringLiteral("measurements-calibration.md"),
+          QStringLiteral("measurements-color.md"),
+          QStringLiteral("accuracy.md"),
+          QStringLiteral("speed.md"),
+          QStringLiteral("changelog.md")};
 }
 
 QString methodPageOf(const QString& method) {

@@ -23,7 +23,7 @@ namespace dewpoint::tests {
 namespace {
 
 /// The pages whose tables script/figures writes.
-constexpr std::array<const char*, 5> kPages{"docs/accuracy.md", "docs/people.md",
+constexpr std::array<const char*, 5> kPages{"docs/accuracy.md", "docs/measurements-people.md",
                                             "docs/fidelity.md", "docs/method-dewpoint.md",
                                             "docs/method-sugandi.md"};
 /// Tables of times, and those that no method has a part in.
