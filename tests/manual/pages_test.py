@@ -9,7 +9,8 @@ sys.dont_write_bytecode = True
 import pages  # noqa: E402
 
 # How-to pages written in the words of the glossary. A page that is rewritten joins them, and none leaves.
-IN_PLAIN_WORDS = ("calibration.md", "changelog.md", "color.md", "contributing.md", "how-to-cite.md", "people.md")
+IN_PLAIN_WORDS = ("calibration.md", "changelog.md", "color.md", "contributing.md", "export.md", "glossary.md", "how-to-cite.md",
+                  "people.md", "plots.md", "time-travel.md")
 
 
 class Pages(unittest.TestCase):
