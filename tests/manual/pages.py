@@ -93,7 +93,7 @@ def navigation(text):
 # Words and phrases that the glossary replaces, and what to write. Names of the window between asterisks and
 # code are left out.
 BANNED = {
-    r"look-?alikes?": "distractor; identical target", r"twins?": "identical target", r"the middle": "the center; median",
+    r"look-?alikes?": "distractor; identical target", r"twins?": "identical target", r"the middle(?! button)": "the center; median",
     r"moments?(?<!for a moment)(?<!at the moment)": "frame; time", r"bump(?:s|ed|ing)?": "camera moved",
     r"empty rooms?": "background image", r"verdicts?": "quality; assessment; calibration accuracy",
     r"judged?": "assess", r"turned": "rotated", r"anew": "again", r"surely": "(rewrite)", r"of late": "(rewrite)",
