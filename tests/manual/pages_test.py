@@ -57,7 +57,10 @@ class Pages(unittest.TestCase):
     def test_citation_and_version_agree(self):
         version = re.search(r"project\(Dewpoint VERSION ([\d.]+)", (pages.ROOT / "CMakeLists.txt").read_text()).group(1)
         self.assertIn(f"\nversion: {version}\n", (pages.DOCS / "CITATION.cff").read_text())
-        self.assertIn(f"Version {version}, ", (pages.DOCS / "how-to-cite.md").read_text())
+        # As the window says it (Help › About Dewpoint).
+        line = "Dewpoint: color particle filters that track in 3D with ordinary cameras."
+        self.assertIn(line, (pages.ROOT / "ui" / "help" / "about_dialog.cpp").read_text())
+        self.assertIn(f"{line} Version {version}, ", (pages.DOCS / "how-to-cite.md").read_text())
 
 
 class Rules(unittest.TestCase):
