@@ -40,4 +40,8 @@ void addSimulateCommand(CLI::App& app, int& exitCode);
 void addExperimentCommand(CLI::App& app, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
 
+// reference/: pages of the manual.
+/// Its pages show the commands that `app` has when it runs.
+void addReferenceCommand(CLI::App& app, int& exitCode);
+
 } // namespace dewpoint::app

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   addCalibrationCommand(app, exitCode);
   addPlanCommand(app, exitCode);
   addPrintBoardCommand(app, exitCode);
+  addReferenceCommand(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

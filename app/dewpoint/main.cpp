@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint/action_reference.h"
 #include "app/dewpoint/run_output.h"
 #include "app/dewpoint/screenshot.h"
 #include "app/wiring/open_project.h"
@@ -35,6 +36,7 @@ struct Options {
   std::string theme;
   std::string size;
   std::string language;
+  bool listActions = false;
 };
 
 std::vector<std::string> languageNames() {
@@ -73,6 +75,9 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--language", options.language,
                  "Language of the window; the system's when omitted")
       ->check(CLI::IsMember(languageNames()));
+  app.add_flag("--list-actions", options.listActions,
+               "Print all actions with their shortcuts as a page of the manual, then quit")
+      ->group(""); // of use to script/manual only: --help does not list it
   app.set_version_flag("--version", DEWPOINT_VERSION);
 }
 
@@ -92,6 +97,11 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   dewpoint::ui::useLanguage(options.language.empty() ? dewpoint::ui::Preferences().language()
                                                      : QString::fromStdString(options.language));
+  if (options.listActions) {
+    const QByteArray page = dewpoint::app::actionReference().toUtf8();
+    std::fwrite(page.constData(), 1, static_cast<std::size_t>(page.size()), stdout);
+    return 0;
+  }
 
   const dewpoint::ui::Theme theme =
       options.theme.empty() ? dewpoint::ui::Preferences().theme()

@@ -141,6 +141,7 @@ std::string commandArrow(const std::string& room, const std::string& include) {
       {"trajectory", {"common"}},
       {"simulate", {"common"}},
       {"experiment", {"common", "simulate"}},
+      {"reference", {"common"}},
   };
   const std::vector<std::string> target = split(include);
   const std::string other = target.size() > 3 ? target[2] : "";
