@@ -10,7 +10,7 @@ def output_of(program, *arguments):
     """Everything that a program prints. It has no settings of the user."""
     with tempfile.TemporaryDirectory() as settings:
         done = subprocess.run([program, *arguments], capture_output=True, text=True,
-                              env=dict(os.environ, XDG_CONFIG_HOME=settings))
+                              env=dict(os.environ, XDG_CONFIG_HOME=settings, QT_QPA_PLATFORM="offscreen"))
     return done.stdout + done.stderr
 
 
