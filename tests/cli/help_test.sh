@@ -11,3 +11,11 @@ expectExit 0 simulate --help
 expectText out.txt --out --seed
 expectExit 0 --version
 grep -qE '[0-9]+\.[0-9]+\.[0-9]+' out.txt || fail "no version in: $(cat out.txt)"
+
+# A page of the manual; only script/manual asks for it, so that it is not listed.
+expectExit 0 --help
+! grep -q reference out.txt || fail "a command that is not for users is listed: $(cat out.txt)"
+expectExit 0 reference methods
+expectText out.txt "### barrera" '| `motion_sigma` |'
+expectExit $kUsage reference poetry
+expectSentence PAGE methods poetry
