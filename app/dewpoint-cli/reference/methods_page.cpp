@@ -46,8 +46,9 @@ std::string methodSection(const Method& method) {
   const std::string needs =
       fmt::format("Needs at least {} camera{}{}.", cameras, cameras == 1 ? "" : "s",
                   method.family.needsCalibration ? ", calibrated" : "; no calibration");
-  return fmt::format("### {}\n\n{}: {} {} {}\n\n{}\n", method.name, markdownText(method.text.title),
-                     markdownText(method.text.sentence), origin, needs, parameterTable(method));
+  return fmt::format("### {}\n\n**{}.** {} {} {}\n\n{}\n", method.name,
+                     markdownText(method.text.title), markdownText(method.text.sentence), origin,
+                     needs, parameterTable(method));
 }
 
 } // namespace
