@@ -16,28 +16,37 @@ def pages():
     return [ROOT / "README.md", *sorted(DOCS.glob("*.md")), DOCS / "examples" / "README.md"]
 
 
+def code_lines(text):
+    """(line number, line) of the blocks of code, indented or fenced. Below an item of a list four spaces only say
+    that a line belongs to it."""
+    lines, fence, indent, before_is_blank = [], False, 4, True
+    for number, line in enumerate(text.split("\n"), 1):
+        goes_on = bool(lines) and lines[-1][0] == number - 1
+        if line.strip().startswith("```"):
+            fence = not fence
+        elif fence:
+            lines.append((number, line.strip()))
+        elif line.startswith(" " * indent) and (before_is_blank or goes_on):
+            lines.append((number, line[indent:]))
+        elif re.match(r"(\d+\.|[-*]) ", line):
+            indent = 8
+        elif before_is_blank and line and not line.startswith(" "):
+            indent = 4
+        before_is_blank = not line.strip()
+    return lines
+
+
+def without_code_blocks(text):
+    code = {number for number, _ in code_lines(text)}
+    return "\n".join("" if number in code else line for number, line in enumerate(text.split("\n"), 1))
+
+
 def without_code(text):
     """The text with nothing but line ends in place of code: blocks, and spans between backticks."""
     def blank(match):
         return re.sub(r"[^\n]", "", match.group(0))
 
-    text = re.sub(r"^```.*?^```$", blank, text, flags=re.S | re.M)
-    text = re.sub(r"(?<=\n\n)(?: {4}.*\n+)+", blank, text)
-    return re.sub(r"(`+)(?!`).+?(?<!`)\1(?!`)", blank, text)
-
-
-def code_lines(text):
-    """(line number, line) of the blocks of code, indented or fenced."""
-    lines, inside, before_is_blank = [], False, True
-    for number, line in enumerate(text.split("\n"), 1):
-        if line.startswith("```"):
-            inside = not inside
-        elif inside:
-            lines.append((number, line))
-        elif line.startswith("    ") and (before_is_blank or lines and lines[-1][0] == number - 1):
-            lines.append((number, line[4:]))
-        before_is_blank = not line.strip()
-    return lines
+    return re.sub(r"(?<!`)(`{1,2})(?!`)[^`\n]+?(?<!`)\1(?!`)", blank, without_code_blocks(text))
 
 
 def slug(heading):
@@ -63,11 +72,6 @@ def links(text):
     found = re.findall(r"\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)", text)
     found += [("", target) for target in re.findall(r"<(?:img|a)\b[^>]*\b(?:src|href)=\"([^\"]+)\"", text)]
     return [(words, target) for words, target in found if not re.match(r"[a-z]+:", target)]
-
-
-def without_code_blocks(text):
-    code = {number for number, _ in code_lines(text)}
-    return "\n".join("" if number in code else line for number, line in enumerate(text.split("\n"), 1))
 
 
 def link_faults(page, text):

@@ -95,6 +95,9 @@ class Rules(unittest.TestCase):
     def test_code(self):
         text = "a\n\n    one\n    two\n\nb\n    not code\n```sh\nthree\n```\n"
         self.assertEqual(pages.code_lines(text), [(3, "one"), (4, "two"), (9, "three")])
+        text = "1. a\n\n    of the item\n\n        code\n\nb\n\n    code\n"
+        self.assertEqual(pages.code_lines(text), [(5, "code"), (9, "code")])
+        self.assertEqual(pages.links("1. a\n\n    ![p](q.png)\n"), [("p", "q.png")])
 
 
 if __name__ == "__main__":
