@@ -2,6 +2,7 @@
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/progress.h"
+#include "app/dewpoint-cli/simulate/record_board.h"
 #include "app/dewpoint-cli/simulate/record_office.h"
 #include "app/wiring/open_project.h"
 #include "core/calibration/formats/calibration_file.h"
@@ -95,9 +96,22 @@ int simulateOffice(const SimulateOptions& options) {
   return recordOffice(scene, options.out, "--out");
 }
 
+/// The scene to calibrate from has no ball and no noise: of the options only how long it is.
+int simulateBoard(const SimulateOptions& options) {
+  if (options.motion || options.distractors || options.occluder || options.images || options.seed) {
+    report({ErrorCode::BadValue, "", "--seed, --motion, --look-alikes, --occluder, --images",
+            "they are for scenes with balls, not for the board"});
+    return kExitUsage;
+  }
+  return recordBoard(options.out, options.frames, "--out");
+}
+
 int simulate(const SimulateOptions& options) {
   if (options.scene == kOfficeScene) {
     return simulateOffice(options);
+  }
+  if (options.scene == kBoardScene) {
+    return simulateBoard(options);
   }
   auto scene = chosenScene(options);
   if (!scene) {
@@ -141,9 +155,11 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
       app.add_subcommand("simulate", "Render a scene with known truth to disk, ready to track.");
   auto options = std::make_shared<SimulateOptions>();
   command
-      ->add_option("SCENE", options->scene,
-                   fmt::format("Built-in scene ({}; {}: people) or a scene file (TOML)",
-                               fmt::join(sceneNames(), ", "), kOfficeScene))
+      ->add_option(
+          "SCENE", options->scene,
+          fmt::format("Built-in scene ({}; {}: people; {}: a board to calibrate from) or a "
+                      "scene file (TOML)",
+                      fmt::join(sceneNames(), ", "), kOfficeScene, kBoardScene))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write")->required();
   command->add_option("--seed", options->seed, "Seed of the scene's noise and clutter");
