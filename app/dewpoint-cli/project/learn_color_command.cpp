@@ -8,17 +8,14 @@
 #include "core/color/color_learning.h"
 #include "core/color/match_image.h"
 #include "core/geometry/camera_name.h"
-#include "core/project/project_check.h"
 #include "core/project/project_save.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/footage_lesson.h"
 #include "core/tracking/target_shape_name.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -36,9 +33,6 @@ struct LearnColorOptions {
   std::optional<std::string> shape;
   std::string mask, out;
 };
-
-/// The images of all cameras at one frame; empty where a camera has none.
-using FrameImages = std::map<std::int64_t, std::vector<cv::Mat>>;
 
 /// The first place is the click itself. Their colors are not taken yet.
 Result<std::vector<ColorSample>> markedSamplesOf(const LearnColorOptions& options,
@@ -66,77 +60,6 @@ Result<std::vector<ColorSample>> markedSamplesOf(const LearnColorOptions& option
   return add(options.more, "--more", false)
       .and_then([&] { return add(options.excluded, "--exclude", true); })
       .map([&] { return markedSamples; });
-}
-
-Status readImages(FrameSetSource& source, std::int64_t frame, FrameImages& images) {
-  if (images.contains(frame)) {
-    return {};
-  }
-  const auto total = source.frameCount();
-  const auto tooLate = [&] {
-    const std::string detail =
-        fmt::format("frame {} is asked for, the last is {}", frame, total.value_or(0) - 1);
-    return failure(ErrorCode::BadValue, "", "--frame", detail);
-  };
-  if (total && frame >= *total) {
-    return tooLate();
-  }
-  if (const auto sought = source.seek(frame); !sought) {
-    return sought;
-  }
-  const auto frames = source.next();
-  if (!frames) {
-    return tl::make_unexpected(frames.error());
-  }
-  if (!*frames) {
-    return tooLate();
-  }
-  for (const FramePtr& one : (*frames)->frames) {
-    images[frame].push_back(one ? one->image : cv::Mat());
-  }
-  return {};
-}
-
-/// Reads the frames of all places and takes the colors there.
-Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>& markedSamples) {
-  FrameImages images;
-  if (source.isLive()) {
-    return failure(ErrorCode::BadValue, "", "PROJECT",
-                   "its cameras are live; a color is learned from a recording here");
-  }
-  for (ColorSample& marked : markedSamples) {
-    if (const auto read = readImages(source, marked.frame, images); !read) {
-      return tl::make_unexpected(read.error());
-    }
-    auto sample =
-        takeSample(images[marked.frame].at(static_cast<std::size_t>(marked.camera)), marked);
-    if (!sample) {
-      return tl::make_unexpected(sample.error());
-    }
-    marked = std::move(*sample);
-  }
-  return images;
-}
-
-/// The target that is taught, with its radius and shape: the one named, the only one, or a new one.
-Result<Target*> taughtTarget(Project& project, const LearnColorOptions& options) {
-  auto& targets = project.targets;
-  const auto& name = options.target;
-  if (!name && targets.size() > 1) {
-    return failure(ErrorCode::MissingKey, "", "--target",
-                   fmt::format("the project has {} targets", targets.size()));
-  }
-  auto found = name ? std::ranges::find(targets, *name, &Target::name) : targets.begin();
-  if (found == targets.end()) {
-    Target added;
-    added.name = name.value_or("target 1");
-    found = targets.insert(targets.end(), added);
-  }
-  found->radius = options.radius.value_or(found->radius);
-  if (options.shape) {
-    found->shape = targetShapeNamed(*options.shape).value_or(found->shape);
-  }
-  return &*found;
 }
 
 Status writeMask(const std::string& file, const cv::Mat& image, const ColorRanges& ranges) {
@@ -185,17 +108,13 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
   }
 }
 
-/// The learned color into the project's target, its mask and the project into files.
-Status keep(const LearnColorOptions& options, const setup::ClickLesson& lesson,
-            const cv::Mat& image, std::size_t target, Project& project) {
-  setup::applyLesson(lesson, target, project);
-  printLearned(project.targets[target], lesson, project);
-  const auto drawn =
-      options.mask.empty() ? Status() : writeMask(options.mask, image, lesson.color.ranges());
-  if (!drawn || options.out.empty()) {
-    return drawn;
-  }
-  return checkProject(project).and_then([&] { return saveProject(project, options.out); });
+/// Says what was learned, and writes its mask and the project.
+Status keep(const LearnColorOptions& options, const setup::FootageLesson& taught) {
+  printLearned(taught.project.targets[taught.target], taught.lesson, taught.project);
+  const auto drawn = options.mask.empty()
+                         ? Status()
+                         : writeMask(options.mask, taught.image, taught.lesson.color.ranges());
+  return !drawn || options.out.empty() ? drawn : saveProject(taught.project, options.out);
 }
 
 Status checkMask(const std::string& mask) {
@@ -207,16 +126,21 @@ Status checkMask(const std::string& mask) {
   return {};
 }
 
+/// The error with the option that was typed in place of what the library calls it.
+Error asTyped(Error error, const LearnColorOptions& options) {
+  if (error.field == "pixel" || error.field == "box") { // in no file
+    error.field = options.box.empty() ? "--pixel" : "--box";
+  }
+  if (error.field == "frame" || error.field == "target") {
+    error.field = "--" + error.field;
+  }
+  if (error.file.empty()) {
+    error.file = options.project;
+  }
+  return error;
+}
+
 int learn(const LearnColorOptions& options) {
-  const auto fail = [&](Error error) {
-    if (error.field == "pixel" || error.field == "box") { // what was typed, in no file
-      error.field = options.box.empty() ? "--pixel" : "--box";
-    }
-    if (error.file.empty()) {
-      error.file = options.project;
-    }
-    return report(error);
-  };
   if (const auto writable = checkMask(options.mask); !writable) {
     report(writable.error());
     return kExitUsage;
@@ -234,25 +158,17 @@ int learn(const LearnColorOptions& options) {
   if (!inputs) {
     return report(inputs.error());
   }
-  auto images = takeSamples(*inputs->source, *samples);
-  if (!images) {
-    return fail(images.error());
+  setup::FootageClicks clicks{std::move(*samples), options.target, options.radius, std::nullopt};
+  if (options.shape) {
+    clicks.shape = targetShapeNamed(*options.shape);
   }
-  Project& taught = inputs->project;
-  const auto target = taughtTarget(taught, options);
-  if (!target) {
-    return fail(target.error());
+  const auto taught = setup::learnFromFootage(std::move(inputs->project), *inputs->source,
+                                              inputs->emptyRooms, std::move(clicks));
+  if (!taught) {
+    return report(asTyped(taught.error(), options));
   }
-  const auto index = static_cast<std::size_t>(*target - taught.targets.data());
-  const auto& shown = images->at(options.frame);
-  const auto lesson = setup::learnFromClicks(taught, static_cast<int>(index),
-                                             {shown, inputs->emptyRooms, options.frame}, *samples);
-  if (!lesson) {
-    return fail(lesson.error());
-  }
-  const auto& image = shown.at(static_cast<std::size_t>(samples->front().camera));
-  const auto kept = keep(options, *lesson, image, index, taught);
-  return kept ? static_cast<int>(kExitDone) : fail(kept.error());
+  const auto kept = keep(options, *taught);
+  return kept ? static_cast<int>(kExitDone) : report(asTyped(kept.error(), options));
 }
 
 } // namespace
