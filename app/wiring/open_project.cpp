@@ -256,8 +256,7 @@ Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& 
   return project;
 }
 
-Result<SessionInputs> openInputs(Project project) {
-  SessionInputs inputs;
+Result<Project> settledProject(Project project) {
   // Only now is it known how large the images are: a box may lie beyond them.
   if (const auto checked = guessMissing(project).and_then([&] { return checkProject(project); });
       !checked) {
@@ -265,6 +264,20 @@ Result<SessionInputs> openInputs(Project project) {
     error.file = error.file.empty() ? project.file.string() : error.file;
     return tl::make_unexpected(std::move(error));
   }
+  if (!project.scene.empty() && project.scene != kOfficeScene &&
+      !project.scene.ends_with(".toml")) {
+    project.parameters.giveAll(); // the built-in ones were made for the methods' own defaults
+  }
+  return project;
+}
+
+Result<SessionInputs> openInputs(Project wanted) {
+  SessionInputs inputs;
+  auto settled = settledProject(std::move(wanted));
+  if (!settled) {
+    return tl::make_unexpected(settled.error());
+  }
+  Project& project = *settled;
   if (project.scene == kOfficeScene) {
     auto office = openOffice(project);
     if (!office) {
@@ -275,9 +288,6 @@ Result<SessionInputs> openInputs(Project project) {
     const auto scene = sceneNamed(project.scene);
     if (!scene) {
       return tl::make_unexpected(scene.error());
-    }
-    if (!project.scene.ends_with(".toml")) {
-      project.parameters.giveAll(); // the built-in ones were made for the methods' own defaults
     }
     inputs.truth = truthOfScene(*scene);
     auto source = openSimulation(*scene);

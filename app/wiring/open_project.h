@@ -21,6 +21,10 @@ Trajectory truthOfScene(const Scene& scene);
 /// simulated project are filled in from its scene. `moved` as of loadProject().
 Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& moved = {});
 
+/// A resolved project as it is tracked, before any source of it is opened to stay: sizes of images
+/// that no calibration says are read from the sources, and all is checked.
+Result<Project> settledProject(Project project);
+
 /// Opens the sources of a resolved project, and its truth where it is known.
 Result<SessionInputs> openInputs(Project project);
 

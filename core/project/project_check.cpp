@@ -151,4 +151,12 @@ Status checkProject(const Project& project) {
   });
 }
 
+Status checkMethodTargets(const Project& project) {
+  const MethodFamily family = methodFamily(project.method);
+  if (family.lacksTargets(project.targets)) {
+    return wrong(ErrorCode::MissingKey, "target", family.lack(project.method));
+  }
+  return {};
+}
+
 } // namespace dewpoint::project

@@ -10,4 +10,8 @@ namespace dewpoint::project {
 /// positive image sizes. The error names the field as the project file does.
 Status checkProject(const Project& project);
 
+/// Whether a project names what its method is to follow; MissingKey names "target" and says what is
+/// missing.
+Status checkMethodTargets(const Project& project);
+
 } // namespace dewpoint::project

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <sstream>
@@ -207,6 +208,16 @@ std::string targetText(const Target& target) {
     text += sampleText(sample);
   }
   return text;
+}
+
+void replaceTargets(Project& project, std::vector<Target> targets) {
+  const std::vector<Target> before = std::exchange(project.targets, std::move(targets));
+  std::erase_if(project.corrections, [&](PositionCorrection& correction) {
+    const std::string& name = before.at(static_cast<std::size_t>(correction.target)).name;
+    const auto found = std::ranges::find(project.targets, name, &Target::name);
+    correction.target = static_cast<int>(found - project.targets.begin());
+    return found == project.targets.end();
+  });
 }
 
 } // namespace dewpoint::project

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dewpoint::project {
 
@@ -14,5 +15,9 @@ namespace dewpoint::project {
 Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
                   std::optional<Error>& error);
 std::string targetText(const Target& target);
+
+/// Puts other targets in place of those of a project. Corrections go with the target of their name,
+/// and are removed where there is none any more.
+void replaceTargets(Project& project, std::vector<Target> targets);
 
 } // namespace dewpoint::project

@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/common/parameter_settings.h"
 #include "app/dewpoint-cli/track/track_job.h"
 #include "app/wiring/open_project.h"
+#include "core/project/project_check.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <CLI/CLI.hpp>
@@ -45,11 +46,10 @@ Status checkTargets(const Project& project, const std::string& file) {
     return failure(ErrorCode::BadValue, file, "method",
                    project.method + " is for people, whom dewpoint-cli people tracks");
   }
-  const MethodFamily family = methodFamily(project.method);
-  if (family.lacksTargets(project.targets)) {
-    return failure(ErrorCode::MissingKey, file, "target", family.lack(project.method));
-  }
-  return {};
+  return checkMethodTargets(project).map_error([&](Error error) {
+    error.file = file;
+    return error;
+  });
 }
 
 /// The box whose corners are `x0,y0,z0,x1,y1,z1`.

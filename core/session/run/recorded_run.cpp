@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/run/recorded_run.h"
+
+#include "core/project/project_check.h"
+#include "core/session/run/camera_agreement_watch.h"
+#include "core/session/run/camera_motion_observer.h"
+#include "core/session/run/camera_motion_watch.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace dewpoint::session {
+namespace {
+
+/// Keeps what becomes of the frames of a run.
+class RunKeeper final : public FrameObserver {
+public:
+  RunKeeper(RecordedRun& kept, int particleLimit) : kept_(kept), particleLimit_(particleLimit) {}
+
+  Status tracked(const TrackingRun& run) override {
+    std::ranges::move(run.samples(), std::back_inserter(kept_.trajectory.samples));
+    std::ranges::move(run.boxSamples(), std::back_inserter(kept_.boxes.samples));
+    for (std::size_t k = 0; particleLimit_ > 0 && k < run.targets().size(); ++k) {
+      kept_.particles[{run.frames()->index, k}] = particlesOf(run, k, particleLimit_);
+    }
+    ++kept_.frames;
+    return {};
+  }
+
+private:
+  RecordedRun& kept_;
+  int particleLimit_;
+};
+
+void addNotice(const std::string& text, std::vector<std::string>& notices) {
+  if (std::ranges::find(notices, text) == notices.end()) {
+    notices.push_back(text);
+  }
+}
+
+} // namespace
+
+ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit) {
+  Eigen::ArrayXXd positions;
+  Eigen::ArrayXd weights;
+  run.particles(target, limit, positions, weights);
+  return {positions, weights};
+}
+
+Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
+                              const std::vector<cv::Mat>& emptyRooms, const RunOrder& order,
+                              const RunProgress& progress) {
+  if (const auto good = checkMethodTargets(project); !good) {
+    return tl::make_unexpected(good.error());
+  }
+  auto run = TrackingRun::create(project, order.threads, emptyRooms);
+  if (!run) {
+    return tl::make_unexpected(run.error());
+  }
+  // The parameters in use stand in the header.
+  const Project used = run->definition()->appliedTo(project);
+  RecordedRun kept;
+  kept.trajectory.header = trajectoryHeader(used);
+  kept.boxes.header = boxTrackHeader(used);
+
+  CameraMotionWatch motion(run->rig());
+  CameraMotionObserver motionObserver(motion);
+  CameraAgreementWatch agreement(run->rig(), motion);
+  RunKeeper keeper(kept, order.particleLimit);
+  const std::array<FrameObserver*, 3> observers{&motionObserver, &agreement, &keeper};
+  const auto total = order.frames.count(source);
+  bool isWanted = true;
+  const Status tracked = trackFrames(source, order.frames, *run, observers, [&] {
+    isWanted = progress(kept.frames, total);
+    return isWanted;
+  });
+  if (!tracked && kept.frames == 0) {
+    return tl::make_unexpected(tracked.error());
+  }
+  kept.finished = tracked && (isWanted || kept.frames == total);
+  if (!tracked) {
+    kept.broken = tracked.error();
+  }
+  for (const Target& target : run->targets()) {
+    kept.targets.push_back(target.name);
+  }
+  for (const Error& notice : source.notices()) {
+    addNotice(sentence(notice), kept.notices);
+  }
+  for (const Error& notice : motion.notices()) {
+    addNotice(sentence(notice), kept.notices);
+  }
+  for (const CameraDisagreement& found : agreement.found(run->definition()->family())) {
+    addNotice(disagreementSentence(found, run->rig()), kept.notices);
+  }
+  return kept;
+}
+
+} // namespace dewpoint::session
