@@ -186,6 +186,7 @@ TEST(SourceRules, ArrowsUpAndAcrossFail) {
   EXPECT_EQ(complaints("ui/cameraview/view.h", "\"app/wiring/wiring.h\""), 1U);
   EXPECT_EQ(complaints("ui/cameraview/view.h", "\"ui/mainwindow/main_window.h\""), 1U);
   EXPECT_EQ(complaints("app/dewpoint-cli/main.cpp", "\"ui/session/session_bridge.h\""), 1U);
+  EXPECT_EQ(complaints("app/python/module.cpp", "\"ui/session/session_bridge.h\""), 1U);
   const std::string job = "\"app/dewpoint-cli/track/track_job.h\"";
   EXPECT_EQ(complaints("app/dewpoint-cli/common/progress.cpp", job), 1U);
   EXPECT_EQ(complaints("app/dewpoint-cli/experiment/suite_command.cpp", job), 1U);

@@ -156,7 +156,7 @@ std::string commandArrow(const std::string& room, const std::string& include) {
 
 std::string appArrow(const std::string& folder, const std::string& room,
                      const std::string& include) {
-  const bool windowless = folder == "dewpoint-cli" || folder == "wiring";
+  const bool windowless = folder == "dewpoint-cli" || folder == "python" || folder == "wiring";
   if (windowless && (include.rfind("ui/", 0) == 0 || isQt(include) || isVtk(include))) {
     return "app/" + folder + " works without Qt and VTK";
   }

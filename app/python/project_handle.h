@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "core/session/session_inputs.h"
+
+#include <memory>
+#include <pybind11/pybind11.h>
+#include <string>
+
+namespace dewpoint::app {
+
+/// A project as Python holds it.
+struct ProjectHandle {
+  Project project;
+  std::string origin; ///< the file or name it was opened by, for errors about it; may be empty
+};
+using ProjectHandlePtr = std::shared_ptr<ProjectHandle>;
+using ProjectClass = pybind11::class_<ProjectHandle, ProjectHandlePtr>;
+
+// The methods of a project, by what they are for.
+void bindParameters(pybind11::module_& module, ProjectClass& project);
+void bindLearning(pybind11::module_& module, ProjectClass& project);
+void bindCalibration(pybind11::module_& module, ProjectClass& project);
+void bindTracking(pybind11::module_& module, ProjectClass& project);
+
+/// Throws the exception of an error about a project, as the command line prints it.
+[[noreturn]] void raiseAbout(const ProjectHandle& handle, Error error);
+/// Opens the sources of a project; releases the GIL meanwhile.
+SessionInputs openedInputs(const ProjectHandle& handle);
+
+} // namespace dewpoint::app

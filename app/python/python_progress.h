@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/floors.h"
+
+#include <exception>
+#include <pybind11/pybind11.h>
+#include <utility>
+
+namespace dewpoint::app {
+
+/// Calls a Python function (or none) from work that runs without the GIL, in any thread. It ends
+/// the work when the function returns False or raises, and on Ctrl-C; an exception is kept until
+/// rethrow(): none passes through core.
+class PythonProgress {
+public:
+  explicit PythonProgress(pybind11::object callback) : callback_(std::move(callback)) {}
+
+  /// Whether the work is to go on. Takes the GIL, which also guards what is kept.
+  template <class... Arguments> bool call(Arguments&&... arguments) {
+    const pybind11::gil_scoped_acquire gil;
+    if (failed_) {
+      return false;
+    }
+    try {
+      if (PyErr_CheckSignals() != 0) {
+        throw pybind11::error_already_set();
+      }
+      return callback_.is_none() ||
+             callback_(std::forward<Arguments>(arguments)...).ptr() != Py_False;
+    } catch (...) {
+      failed_ = std::current_exception();
+    }
+    return false;
+  }
+  /// Throws what the function raised; with the GIL, after the work.
+  void rethrow() {
+    if (failed_) {
+      std::rethrow_exception(std::exchange(failed_, nullptr));
+    }
+  }
+
+private:
+  pybind11::object callback_;
+  std::exception_ptr failed_;
+};
+
+} // namespace dewpoint::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/python/project_handle.h"
+#include "core/capture/frame_source.h"
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <pybind11/pybind11.h>
+
+namespace dewpoint::app {
+
+/// The images of a project's cameras as Python reads them. Threads take turns.
+class RecordingHandle {
+public:
+  explicit RecordingHandle(SessionInputs inputs) : inputs_(std::move(inputs)) {}
+
+  std::optional<std::int64_t> frameCount() const { return inputs_.source->frameCount(); }
+  double framesPerSecond() const { return inputs_.source->framesPerSecond(); }
+  /// The next frame set that has images; null at the end. Waits without the GIL for live cameras.
+  FrameSetPtr next();
+  /// Makes `frame` the next one.
+  void seek(std::int64_t frame);
+  FrameSetPtr at(std::int64_t frame);
+
+private:
+  Result<FrameSetPtr> take();
+
+  SessionInputs inputs_;
+  std::mutex mutex_;
+};
+
+} // namespace dewpoint::app
