@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Projects from Python: opened, changed, saved; errors in the sentences of the command line."""
 
+import os
 import unittest
 import warnings
 
@@ -140,6 +141,19 @@ class Errors(InFolder):
         with open("made/camera-2.mkv", "wb") as video:
             video.write(b"no video")
         self.track("taught.toml")
+
+    def test_of_a_recording_that_breaks_off(self):
+        cli("simulate", "smooth", "--frames", "20", "--out", "scene")
+        # The file announces its frames at its start, so half of it ends before its own end.
+        video = "scene/camera-1.mkv"
+        os.truncate(video, os.path.getsize(video) // 2)
+        error = self.track("scene/project.toml")
+        self.assertEqual(error.code, dewpoint.ErrorCode.ENDED_EARLY)
+        self.assertFalse(error.result.finished)
+        self.assertEqual(error.result.frame_count, len(error.result.times))
+        self.assertTrue(0 < error.result.frame_count < 20)
+        written = dewpoint.read_trajectory("run/trajectory.csv")
+        numpy.testing.assert_array_equal(written[0].positions, error.result[0].positions)
 
     def test_of_arguments(self):
         project = dewpoint.open("demo")
