@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
+#include "core/base/one_line.h"
+
 namespace dewpoint::base {
 
 const char* phrase(ErrorCode code) {
@@ -42,14 +44,14 @@ const char* phrase(ErrorCode code) {
 std::string sentence(const Error& error) {
   std::string text;
   if (!error.file.empty()) {
-    text += error.file + ": ";
+    text += onOneLine(error.file) + ": ";
   }
   if (!error.field.empty()) {
-    text += error.field + ": ";
+    text += onOneLine(error.field) + ": ";
   }
   text += phrase(error.code);
   if (!error.detail.empty()) {
-    text += " (" + error.detail + ")";
+    text += " (" + onOneLine(error.detail) + ")";
   }
   return text;
 }

@@ -17,6 +17,16 @@
 
 namespace dewpoint::base {
 
+/// Any number of TOML, whole ones rounded to the nearest double (node::value<double>() has none for
+/// those above 2^53); nothing for what is none.
+inline std::optional<double> tomlNumber(const toml::node& node) {
+  if (const auto* whole = node.as_integer()) {
+    return static_cast<double>(whole->get());
+  }
+  const auto* real = node.as_floating_point();
+  return real != nullptr ? std::optional(real->get()) : std::nullopt;
+}
+
 /// Takes the known keys out of one TOML table and keeps the first error in it, with
 /// the line where it stands. Keys that nobody requested are an error: they are typing mistakes.
 class TableReader {
@@ -31,8 +41,8 @@ public:
     if (node == nullptr) {
       return;
     }
-    const auto read = node->value<double>();
-    if (!node->is_number() || !read) {
+    const auto read = tomlNumber(*node);
+    if (!read) {
       fail(ErrorCode::WrongType, key, "a number is expected");
     } else if (isWithin(key, *read, low, high)) {
       value = *read;
@@ -112,7 +122,7 @@ public:
       return false;
     }
     for (std::size_t i = 0; i < count; ++i) {
-      values[i] = *(*array)[i].value<double>();
+      values[i] = tomlNumber((*array)[i]).value_or(0.0);
       if (!isWithin(key, values[i], low, high)) {
         return false;
       }
@@ -120,8 +130,9 @@ public:
     return true;
   }
 
-  /// The tables of an array of tables; empty when the key is absent.
-  std::vector<const toml::table*> tables(const char* key) {
+  /// The tables of an array of tables; empty when the key is absent. More than `most` are an error.
+  std::vector<const toml::table*> tables(const char* key,
+                                         std::size_t most = std::size_t{1} << 20U) {
     std::vector<const toml::table*> result;
     const toml::node* node = find(key);
     if (node == nullptr) {
@@ -131,6 +142,11 @@ public:
     if (array == nullptr ||
         !std::ranges::all_of(*array, [](const toml::node& item) { return item.is_table(); })) {
       fail(ErrorCode::WrongType, key, fmt::format("tables [[{}]] are expected", key));
+      return result;
+    }
+    if (array->size() > most) {
+      fail(ErrorCode::BadValue, key,
+           fmt::format("{}; at most {} are possible", array->size(), most));
       return result;
     }
     for (const toml::node& item : *array) {

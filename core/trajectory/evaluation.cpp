@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace dewpoint::trajectory {
 namespace {
@@ -26,17 +27,17 @@ struct Pair {
 
 std::vector<std::string> targetNames(const Trajectory& trajectory) {
   std::vector<std::string> names;
+  std::set<std::string> seen;
   for (const TrajectorySample& sample : trajectory.samples)
-    if (std::find(names.begin(), names.end(), sample.target) == names.end())
+    if (seen.insert(sample.target).second)
       names.push_back(sample.target);
   return names;
 }
 
-Samples samplesOf(const Trajectory& trajectory, const std::string& target) {
-  Samples samples;
+std::map<std::string, Samples> samplesByTarget(const Trajectory& trajectory) {
+  std::map<std::string, Samples> samples;
   for (const TrajectorySample& sample : trajectory.samples)
-    if (sample.target == target)
-      samples.push_back(&sample);
+    samples[sample.target].push_back(&sample);
   return samples;
 }
 
@@ -178,13 +179,15 @@ Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Traje
       estimate.header.cameras.empty() ? truth.header.cameras : estimate.header.cameras;
   const auto names = targetNames(estimate);
   const auto truths = targetNames(truth);
+  auto estimates = samplesByTarget(estimate);
+  auto truthSamples = samplesByTarget(truth);
   std::vector<Evaluation> evaluations;
   for (const std::string& name : names) {
-    const bool named = std::find(truths.begin(), truths.end(), name) != truths.end();
+    const bool named = truthSamples.contains(name);
     if (!named && !(truths.size() == 1 && (names.size() == 1 || truths.front().empty())))
       continue;
-    auto result = evaluateTarget(name, samplesOf(estimate, name),
-                                 samplesOf(truth, named ? name : truths.front()), cameras, gate);
+    auto result = evaluateTarget(name, estimates[name], truthSamples[named ? name : truths.front()],
+                                 cameras, gate);
     if (!result)
       return tl::make_unexpected(result.error());
     evaluations.push_back(std::move(*result));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/trajectory_reader.h"
 
+#include "core/base/limits.h"
+#include "core/base/table_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -42,7 +43,8 @@ std::optional<std::string> takeQuoted(std::string_view& text) {
   return std::nullopt;
 }
 
-/// The cells of one line; nothing if a quote never ends.
+/// The cells of one line; nothing if a quote never ends. Of more than limits::kMostColumns only the
+/// first are there, and one.
 std::optional<Cells> splitLine(std::string_view line) {
   Cells cells;
   while (true) {
@@ -56,7 +58,7 @@ std::optional<Cells> splitLine(std::string_view line) {
       cells.emplace_back(trimmed(line.substr(0, end)));
       line.remove_prefix(end);
     }
-    if (line.empty())
+    if (line.empty() || cells.size() > limits::kMostColumns)
       return cells;
     line.remove_prefix(1);
   }
@@ -98,9 +100,6 @@ public:
   explicit Reader(std::string file) : file_(std::move(file)) {}
 
   Result<Trajectory> read(std::string_view text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark))
-      text.remove_prefix(kByteOrderMark.size());
     // A line without its end was cut off while it was written.
     for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
       std::string_view line = text.substr(0, end);
@@ -120,24 +119,29 @@ private:
   Status readLine(std::string_view line) {
     if (trimmed(line).empty())
       return {};
-    if (line.front() == '#') {
-      readComment(trimmed(line.substr(1)));
-      return {};
-    }
+    if (line.front() == '#')
+      return readComment(trimmed(line.substr(1)));
     auto cells = splitLine(line);
     if (!cells)
       return notParsed("a quoted text is not closed");
+    if (cells->size() > limits::kMostColumns)
+      return notParsed(fmt::format("more than {} cells", limits::kMostColumns));
     if (columns_.empty())
       return readColumns(std::move(*cells));
     if (cells->size() != columns_.size())
       return notParsed(fmt::format("{} cells, but {} columns", cells->size(), columns_.size()));
+    if (trajectory_.samples.size() == limits::kMostRows)
+      return notParsed(fmt::format("more than {} rows", limits::kMostRows));
     return readSample(*cells);
   }
 
-  void readComment(std::string_view text) {
+  Status readComment(std::string_view text) {
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos)
-      return;
+      return {};
+    const TrajectoryHeader& header = trajectory_.header;
+    if (header.entries.size() + header.cameras.size() >= limits::kMostHeaderEntries)
+      return notParsed(fmt::format("more than {} comments", limits::kMostHeaderEntries));
     const std::string_view key = trimmed(text.substr(0, colon));
     const std::string_view value = trimmed(text.substr(colon + 1));
     if (key == "camera") {
@@ -146,6 +150,7 @@ private:
     } else if (key != "units") {
       trajectory_.header.entries.emplace_back(key, value);
     }
+    return {};
   }
 
   Status readColumns(Cells cells) {
@@ -223,6 +228,8 @@ private:
     }
     if (!status)
       return status;
+    if (sample.frame > limits::kMostFrames || sample.frame < -limits::kMostFrames)
+      return badNumber("frame", fmt::format("{}", sample.frame));
     sample.valid = valid != 0;
     sample.corrected = corrected != 0;
     sample.ambiguous = ambiguous != 0;
@@ -261,16 +268,8 @@ private:
 } // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored))
-    return failure(ErrorCode::FileMissing, path.string(), "", "");
-  if (std::filesystem::is_directory(path, ignored))
-    return failure(ErrorCode::FileUnreadable, path.string(), "", "it is a folder");
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream)
-    return failure(ErrorCode::FileUnreadable, path.string(), "", "");
-  return Reader(path.string()).read(text);
+  return readTableText(path).and_then(
+      [&](const std::string& text) { return Reader(path.string()).read(text); });
 }
 
 } // namespace dewpoint::trajectory

@@ -2,6 +2,7 @@
 #include "ui/text/error_sentence.h"
 
 #include "core/base/error.h"
+#include "core/base/one_line.h"
 
 #include <QCoreApplication>
 
@@ -10,14 +11,14 @@ namespace dewpoint::ui {
 QString errorSentence(const Error& error) {
   QString text;
   if (!error.file.empty()) {
-    text += QString::fromStdString(error.file) + QStringLiteral(": ");
+    text += QString::fromStdString(onOneLine(error.file)) + QStringLiteral(": ");
   }
   if (!error.field.empty()) {
-    text += QString::fromStdString(error.field) + QStringLiteral(": ");
+    text += QString::fromStdString(onOneLine(error.field)) + QStringLiteral(": ");
   }
   text += QCoreApplication::translate("Error", phrase(error.code));
   if (!error.detail.empty()) {
-    text += QStringLiteral(" (%1)").arg(QString::fromStdString(error.detail));
+    text += QStringLiteral(" (%1)").arg(QString::fromStdString(onOneLine(error.detail)));
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_store.h"
 
+#include "core/base/table_text.h"
 #include "core/base/text_file.h"
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ Result<std::vector<std::string>> readLines(const std::filesystem::path& file,
   if (!std::filesystem::exists(file)) {
     return lines;
   }
-  const auto text = readTextFile(file);
+  const auto text = readTableText(file);
   if (!text) {
     return tl::make_unexpected(text.error());
   }

@@ -10,13 +10,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace dewpoint::trajectory {
 namespace {
 
 /// Rows farther apart than this many usual distances have others missing between them.
 constexpr double kUneven = 1.1;
-/// More rows than this are a mistake in the rate.
+/// More rows than this are a mistake in the rate; so many cells, of all targets, take 5 GB.
 constexpr double kMostRows = 2e7;
 
 tl::unexpected<Error> unusable(std::string field, std::string detail) {
@@ -26,8 +27,9 @@ tl::unexpected<Error> unusable(std::string field, std::string detail) {
 Result<std::vector<std::string>> chosenTargets(const Trajectory& trajectory,
                                                const ExportOptions& options) {
   std::vector<std::string> all;
+  std::set<std::string> seen;
   for (const TrajectorySample& sample : trajectory.samples) {
-    if (std::ranges::find(all, sample.target) == all.end()) {
+    if (seen.insert(sample.target).second) {
       all.push_back(sample.target);
     }
   }
@@ -115,6 +117,11 @@ Result<ExportTable> recordedTable(const Trajectory& live, const Trajectory& afte
     row = table.times.size();
     table.times.push_back(time);
     table.frames.push_back(static_cast<std::int64_t>(row));
+  }
+  // A file in which every row is of another target would take the square of its size.
+  if (static_cast<double>(rows.size()) * static_cast<double>(table.targets.size()) > kMostRows) {
+    return unusable("targets", fmt::format("{} targets at {} times cannot be written in one table",
+                                           table.targets.size(), rows.size()));
   }
   table.cells.assign(table.targets.size(), std::vector<ExportCell>(rows.size()));
   for (std::size_t k = 0; k < after.samples.size(); ++k) {
@@ -260,7 +267,8 @@ ExportTable atTimes(const ExportTable& table, std::vector<double> times,
 
 Result<ExportTable> resampled(const ExportTable& table, double rate, const ExportOptions& options) {
   const double span = table.times.back() - table.times.front();
-  if (!std::isfinite(rate) || rate <= 0.0 || span * rate > kMostRows) {
+  const double cells = span * rate * static_cast<double>(table.targets.size());
+  if (!std::isfinite(rate) || rate <= 0.0 || !(cells <= kMostRows)) {
     return unusable("rate", fmt::format("{} rows per second cannot be written", rate));
   }
   std::vector<double> times;

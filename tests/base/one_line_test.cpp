@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
+#include "core/base/one_line.h"
+
+#include <gtest/gtest.h>
+
+namespace dewpoint::tests {
+namespace {
+
+TEST(OneLine, KeepsWhatIsPlain) {
+  const std::string text = "Größe: 3 m, \xE2\x82\xAC, \xF0\x9F\x98\x80";
+  EXPECT_EQ(base::onOneLine(text), text);
+  EXPECT_EQ(base::onOneLine(""), "");
+}
+
+TEST(OneLine, HasNoControlCharactersAndIsUtf8) {
+  EXPECT_EQ(base::onOneLine(std::string("a\nb\r\tc\0d\x7F", 9)), "a?b??c?d?");
+  // Bytes that begin or go on with nothing, an overlong slash, a surrogate, beyond U+10FFFF, cut
+  // off.
+  EXPECT_EQ(base::onOneLine("\xFF\x80|\xC0\xAF|\xED\xA0\x80|\xF4\x90\x80\x80|\xE2\x82"),
+            "??|??|???|????|??");
+}
+
+TEST(OneLine, IsCutWhereItIsLong) {
+  const std::string line = base::onOneLine(std::string(1'000'000, 'x'));
+  EXPECT_EQ(line.size(), 4003U);
+  EXPECT_TRUE(line.ends_with("x..."));
+}
+
+TEST(OneLine, IsEachPartOfASentence) {
+  const Error error{ErrorCode::BadValue, "a\nb.toml", "c\x01", "d\r"};
+  EXPECT_EQ(base::sentence(error), "a?b.toml: c?: not a usable value (d?)");
+}
+
+} // namespace
+} // namespace dewpoint::tests
