@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_times.h"
 
-#include "core/base/text_file.h"
+#include "core/base/limits.h"
+#include "core/base/table_text.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,7 @@ Cells cellsOf(std::string_view line) {
     if (separator != ' ' || !cell.empty()) {
       cells.push_back(cell);
     }
-    if (end == std::string_view::npos) {
+    if (end == std::string_view::npos || cells.size() == limits::kMostColumns) {
       return cells;
     }
     line.remove_prefix(end + 1);
@@ -163,6 +164,10 @@ Status TimeTable::readLine(std::string_view line) {
     return failure(ErrorCode::NotParsed, file_, field_,
                    fmt::format("line {} has no time in column {}", number_, columns_->time + 1));
   }
+  if (lines_.size() == limits::kMostRows) {
+    return failure(ErrorCode::NotParsed, file_, field_,
+                   fmt::format("line {} is one more than {} times", number_, limits::kMostRows));
+  }
   lines_.push_back(
       {columns_->camera ? cells[*columns_->camera] : std::string_view(), *time * columns_->unit});
   return {};
@@ -172,7 +177,7 @@ Status TimeTable::readLine(std::string_view line) {
 
 Result<CaptureTimes> readCaptureTimes(const std::string& file, const std::vector<std::string>& ids,
                                       const std::string& field) {
-  const auto text = readTextFile(file);
+  const auto text = readTableText(file);
   if (!text) {
     Error error = text.error();
     error.field = field;

@@ -18,7 +18,8 @@ constexpr double kExactRotation = 1e-12;    // what rounding in double precision
 tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d& matrix) {
   const double deviation =
       (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(deviation <= kRotationTolerance)) {
+  // Eigen's maximum may pass over what is not a number.
+  if (!matrix.allFinite() || !(deviation <= kRotationTolerance)) {
     return tl::make_unexpected(
         fmt::format("not a rotation: its rows are not orthonormal, off by {:.3g}", deviation));
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_corrections.h"
 
+#include "core/base/limits.h"
+
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <set>
 
 namespace dewpoint::project {
@@ -23,10 +24,10 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
   TableReader reader(table, file, prefix);
   PositionCorrection correction;
   reader.require("frame");
-  reader.integer("frame", correction.frame, 0, std::numeric_limits<std::int64_t>::max());
+  reader.integer("frame", correction.frame, 0, limits::kMostFrames);
   int target = 1;
   reader.require("target");
-  reader.integer("target", target, 1, 1000);
+  reader.integer("target", target, 1, limits::kMostTargets);
   correction.target = target - 1;
   reader.require("position");
   reader.numbers("position", correction.position.data(), 3, -kMostMeters, kMostMeters);
@@ -36,7 +37,7 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
     correction.covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
   }
   std::int64_t from = -1;
-  reader.integer("tracked_from", from, 0, std::numeric_limits<std::int64_t>::max());
+  reader.integer("tracked_from", from, 0, limits::kMostFrames);
   if (from >= 0) {
     correction.trackedFrom = from;
   }
@@ -44,7 +45,7 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
     TableReader click(*one, file, fmt::format("{}click {}.", prefix, correction.clicks.size() + 1));
     int camera = 1;
     click.require("camera");
-    click.integer("camera", camera, 1, 1000);
+    click.integer("camera", camera, 1, limits::kMostCameras);
     PointClick& read = correction.clicks.emplace_back();
     read.camera = camera - 1;
     click.require("pixel");

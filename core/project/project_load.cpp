@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_load.h"
 
+#include "core/base/limits.h"
 #include "core/base/table_reader.h"
 #include "core/base/toml_text.h"
 #include "core/calibration/formats/calibration_file.h"
@@ -123,9 +124,9 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
 void readParameters(const toml::table& table, const std::string& file, Project& project,
                     std::optional<Error>& error) {
   for (const auto& [key, node] : table) {
-    const auto value = node.value<double>();
+    const auto value = tomlNumber(node);
     const std::string field = "parameters." + std::string(key.str());
-    if (!value || !node.is_number()) {
+    if (!value) {
       error = Error{ErrorCode::WrongType, file, field,
                     fmt::format("a number is expected, line {}", node.source().begin.line)};
       return;
@@ -188,11 +189,11 @@ void readParts(TableReader& reader, const std::string& file, const ProjectPlace&
     readParameters(*parameters, file, project, error);
     reader.recordError(error);
   }
-  for (const toml::table* table : reader.tables("target")) {
+  for (const toml::table* table : reader.tables("target", limits::kMostTargets)) {
     project.targets.push_back(readTarget(*table, file, project.targets.size(), error));
     reader.recordError(error);
   }
-  for (const toml::table* table : reader.tables("camera")) {
+  for (const toml::table* table : reader.tables("camera", limits::kMostCameras)) {
     project.cameras.push_back(readCamera(*table, file, place, project.cameras.size(),
                                          !project.scene.empty() && !hasSource(*table), calibrated,
                                          !methodFamily(project.method).needsCalibration, error));
@@ -205,7 +206,7 @@ void readMarkers(TableReader& reader, const std::string& file, Project& project)
     TableReader one(*table, file, fmt::format("mark {}.", project.markers.size() + 1));
     ProjectMarker& marker = project.markers.emplace_back();
     one.require("frame");
-    one.integer("frame", marker.frame, 0, std::numeric_limits<std::int64_t>::max());
+    one.integer("frame", marker.frame, 0, limits::kMostFrames);
     one.text("name", marker.name);
     reader.recordError(one.finish());
   }
@@ -228,9 +229,9 @@ Result<Project> loadProject(const std::filesystem::path& file, const MovedFiles&
     return tl::make_unexpected(table.error());
   }
   // A newer format is refused below, with the line where it stands.
-  if (const auto format = (*table)["format"].value<std::int64_t>();
-      format && *format >= 1 && *format < kProjectFormat) {
-    migrateProject(*table, *format);
+  if (const auto* format = (*table)["format"].as_integer();
+      format != nullptr && format->get() >= 1 && format->get() < kProjectFormat) {
+    migrateProject(*table, format->get());
   }
   Project project;
   project.file = std::filesystem::absolute(file);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_people.h"
 
+#include "core/base/limits.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dewpoint::project {
 namespace {
@@ -18,7 +19,7 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
   TableReader reader(table, file, fmt::format("person {}.", index + 1));
   PersonCorrection person;
   reader.require("frame");
-  reader.integer("frame", person.frame, 0, std::numeric_limits<std::int64_t>::max());
+  reader.integer("frame", person.frame, 0, limits::kMostFrames);
   reader.require(reader.has("camera") ? "pixel" : "place");
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   if (reader.numbers("place", position.data(), 2, -kFarthest, kFarthest)) {
@@ -26,7 +27,7 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
   }
   int camera = 1;
   PersonCorrection::Click click;
-  reader.integer("camera", camera, 1, 1000);
+  reader.integer("camera", camera, 1, limits::kMostCameras);
   if (reader.numbers("pixel", click.pixel.data(), 2, -kLargestPixel, kLargestPixel)) {
     click.camera = camera - 1;
     person.click = click;

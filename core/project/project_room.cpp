@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_room.h"
 
+#include "core/base/limits.h"
+
 #include <array>
 #include <set>
 
@@ -76,7 +78,7 @@ MeasuredPoint readPoint(const toml::table& table, const std::string& file, std::
     TableReader click(*one, file, fmt::format("{}click {}.", prefix, point.clicks.size() + 1));
     int camera = 1;
     click.require("camera");
-    click.integer("camera", camera, 1, 1000);
+    click.integer("camera", camera, 1, limits::kMostCameras);
     PointClick& read = point.clicks.emplace_back();
     read.camera = camera - 1;
     click.require("pixel");
@@ -94,7 +96,8 @@ Status checkPoint(const MeasuredPoint& point, std::size_t index, const Project& 
                    fmt::format("numbers up to {} m are expected", kLargest));
   }
   // The cameras of a scene come later, when it is opened.
-  const int cameras = project.cameras.empty() ? 1000 : static_cast<int>(project.cameras.size());
+  const int cameras = project.cameras.empty() ? int{limits::kMostCameras}
+                                              : static_cast<int>(project.cameras.size());
   const bool sceneOpen =
       project.scene.empty() || std::ranges::none_of(project.cameras, &ProjectCamera::adjusted);
   std::set<int> seen;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_targets.h"
 
+#include "core/base/limits.h"
 #include "core/tracking/target_shape_name.h"
 
 #include <fmt/format.h>
@@ -52,9 +53,9 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
   ColorSample sample;
   reader.require("camera");
   int camera = 1;
-  reader.integer("camera", camera, 1, 1000);
+  reader.integer("camera", camera, 1, limits::kMostCameras);
   sample.camera = camera - 1;
-  reader.integer("frame", sample.frame, 0, std::numeric_limits<std::int64_t>::max());
+  reader.integer("frame", sample.frame, 0, limits::kMostFrames);
   double place[4] = {0.0, 0.0, 0.0, 0.0};
   if (reader.has("box")) {
     reader.numbers("box", place, 4, 0.0, kLargestSide);
@@ -84,9 +85,9 @@ std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
   TargetBox box;
   reader.require("camera");
   int camera = 1;
-  reader.integer("camera", camera, 1, 1000);
+  reader.integer("camera", camera, 1, limits::kMostCameras);
   box.camera = camera - 1;
-  reader.integer("frame", box.frame, 0, std::numeric_limits<std::int64_t>::max());
+  reader.integer("frame", box.frame, 0, limits::kMostFrames);
   for (const auto& [key, value] : {std::pair("x", &box.box.x), std::pair("y", &box.box.y)}) {
     reader.require(key);
     reader.number(key, *value, -kLargestSide, kLargestSide);

@@ -46,6 +46,17 @@ TEST_F(CaptureTimesFile, HasLinesOfSeveralCamerasInAnyOrder) {
   EXPECT_EQ(errorOf(table, {"left", "2"}).detail, "it has no line of camera left or 2");
 }
 
+TEST_F(CaptureTimesFile, OfWindowsIsTheSame) {
+  EXPECT_EQ(read("\xEF\xBB\xBFtime_s,cam_id\r\n2.5,0\r\n3,0\r\n", {"0"}).value(),
+            (CaptureTimes{2.5, 3.0}));
+}
+
+TEST_F(CaptureTimesFile, OfALineWithoutAnEndIsAnError) {
+  EXPECT_EQ(errorOf("time_s\n" + std::string(1'000'000, ',') + "\n").code, ErrorCode::NotParsed);
+  EXPECT_EQ(errorOf(std::string(1'000'000, '1')).code, ErrorCode::BadValue); // 1e999999
+  EXPECT_EQ(errorOf("time_s\n1e400\n").code, ErrorCode::NotParsed);
+}
+
 TEST_F(CaptureTimesFile, SaysWhatIsWrong) {
   EXPECT_EQ(readCaptureTimes(folder_ / "none.csv", {}, "camera left").error().code,
             ErrorCode::FileMissing);

@@ -63,6 +63,19 @@ Status doubtPrincipalPoint(const CameraRig& rig, const std::string& file) {
   return {};
 }
 
+/// Also where the user says the unit: further away than this is not in any room, and our own files
+/// do not take it.
+Status checkReach(const CameraRig& rig, const std::string& file) {
+  constexpr double kFarthest = 1e9; // meters
+  for (const Camera& camera : rig) {
+    if (!(camera.cameraFromWorld.translation().cwiseAbs().maxCoeff() <= kFarthest)) {
+      return failure(ErrorCode::BadValue, file, camera.name + ".translation",
+                     fmt::format("more than {} m", kFarthest));
+    }
+  }
+  return {};
+}
+
 Status doubtUnit(const CameraRig& rig, const std::string& file) {
   const double spread = cameraSpread(rig);
   if (spread > kWidestRoom) {
@@ -122,6 +135,9 @@ Status checkPlausible(const ReadCalibration& calibration, const CalibrationHints
   Status status = doubtPrincipalPoint(rig, file);
   if (status && !hints.unit && calibration.hasPoses) {
     status = doubtUnit(rig, file);
+  }
+  if (status && calibration.hasPoses) {
+    status = checkReach(rig, file);
   }
   if (status && !hints.posesAreWorldFromCamera && calibration.hasPoses) {
     status = doubtDirection(rig, file);

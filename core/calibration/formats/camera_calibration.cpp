@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/camera_calibration.h"
 
+#include "core/base/limits.h"
 #include "core/base/table_reader.h"
 #include "core/geometry/rotation_check.h"
 #include "core/geometry/rotation_vector.h"
@@ -22,7 +23,7 @@ bool readMatrix(TableReader& reader, const char* key, Eigen::Matrix3d& matrix) {
     const toml::array* columns = (*rows)[row].as_array();
     good = columns != nullptr && columns->size() == 3;
     for (std::size_t column = 0; good && column < 3; ++column) {
-      const auto value = (*columns)[column].value<double>();
+      const auto value = tomlNumber((*columns)[column]);
       good = value.has_value();
       matrix(static_cast<int>(row), static_cast<int>(column)) = value.value_or(0.0);
     }
@@ -33,6 +34,9 @@ bool readMatrix(TableReader& reader, const char* key, Eigen::Matrix3d& matrix) {
   } else if (!matrix.allFinite()) {
     reader.fail(ErrorCode::BadValue, key, "a number is not finite");
     good = false;
+  } else if (matrix.cwiseAbs().maxCoeff() > kLargest) {
+    reader.fail(ErrorCode::BadValue, key, fmt::format("a number is larger than {}", kLargest));
+    good = false;
   }
   return good;
 }
@@ -40,11 +44,15 @@ bool readMatrix(TableReader& reader, const char* key, Eigen::Matrix3d& matrix) {
 void readIntrinsics(TableReader& reader, Intrinsics& intrinsics) {
   double size[2] = {};
   reader.require("size");
-  if (reader.numbers("size", size, 2, 1, 100000)) {
+  if (reader.numbers("size", size, 2, 1, limits::kMostImageSide)) {
     intrinsics.width = static_cast<int>(size[0]);
     intrinsics.height = static_cast<int>(size[1]);
     if (intrinsics.width != size[0] || intrinsics.height != size[1]) {
       reader.fail(ErrorCode::BadValue, "size", "whole pixels are expected");
+    } else if (!limits::isImageSize(intrinsics.width, intrinsics.height)) {
+      reader.fail(ErrorCode::BadValue, "size",
+                  fmt::format("{} x {} pixels are more than {}", intrinsics.width,
+                              intrinsics.height, limits::kMostImagePixels));
     }
   }
   Eigen::Matrix3d matrix;
@@ -128,6 +136,9 @@ Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
   reader.require("translation");
   reader.numbers("translation", translation.data(), 3, -kLargest, kLargest);
   camera.cameraFromWorld.translation() = unit * translation;
+  if (!(camera.cameraFromWorld.translation().cwiseAbs().maxCoeff() <= kLargest)) {
+    reader.fail(ErrorCode::BadValue, "translation", fmt::format("more than {} m", kLargest));
+  }
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/camera_parts.h"
 
+#include "core/base/limits.h"
 #include "core/geometry/rotation_check.h"
 
 #include <fmt/format.h>
@@ -11,22 +12,29 @@
 namespace dewpoint::calibration {
 namespace {
 
-/// Pixels.
-constexpr double kLargestSize = 100000;
+/// As in our own files, so that what was read can be written.
+constexpr double kLargestNumber = 1e9;
 
 std::string sizeFault(const CameraParts& parts) {
   const auto whole = [](double value) {
-    return value >= 1.0 && value <= kLargestSize && value == std::floor(value);
+    return value >= 1.0 && value <= limits::kMostImageSide && value == std::floor(value);
   };
-  return whole(parts.width) && whole(parts.height)
+  if (!whole(parts.width) || !whole(parts.height)) {
+    return fmt::format("the image size must be whole pixels, 1 to {}, found {} x {}",
+                       limits::kMostImageSide, parts.width, parts.height);
+  }
+  return limits::isImageSize(std::int64_t(parts.width), std::int64_t(parts.height))
              ? ""
-             : fmt::format("the image size must be whole pixels, found {} x {}", parts.width,
-                           parts.height);
+             : fmt::format("{} x {} pixels are more than {}", parts.width, parts.height,
+                           limits::kMostImagePixels);
 }
 
 std::string matrixFault(const Eigen::Matrix3d& matrix) {
   if (!matrix.allFinite()) {
     return "a number is not finite";
+  }
+  if (matrix.cwiseAbs().maxCoeff() > kLargestNumber) {
+    return fmt::format("a number is larger than {}", kLargestNumber);
   }
   if (matrix(0, 0) <= 0.0 || matrix(1, 1) <= 0.0) {
     return fmt::format("the focal length must be positive, found {} and {}", matrix(0, 0),
@@ -43,6 +51,9 @@ std::string distortionFault(const CameraParts& parts) {
   const auto& values = parts.distortion;
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
     return "a number is not finite";
+  }
+  if (std::ranges::any_of(values, [](double value) { return std::abs(value) > kLargestNumber; })) {
+    return fmt::format("a number is larger than {}", kLargestNumber);
   }
   if (parts.lens == LensModel::Fisheye) {
     return values.size() == 4 ? "" : "a fisheye has four coefficients";

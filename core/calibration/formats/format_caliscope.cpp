@@ -3,6 +3,7 @@
 
 #include "core/base/toml_text.h"
 #include "core/calibration/formats/camera_calibration.h"
+#include "core/calibration/formats/camera_limit.h"
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/number_text.h"
 
@@ -39,7 +40,8 @@ Status readCamera(const std::string& key, const toml::table& table, const std::s
   if (camera->name.empty()) {
     camera->name = name;
   }
-  if (table["rotation_count"].value_or(0) != 0) {
+  if (const auto* turns = table["rotation_count"].as_integer();
+      turns != nullptr && turns->get() != 0) {
     calibration.decisions.push_back(
         fmt::format("Camera {} is shown turned there; its calibration is that of the unturned "
                     "image.",
@@ -69,6 +71,9 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   }
   std::ranges::stable_sort(sections, {},
                            [](const auto& section) { return section.second->source().begin.line; });
+  if (sections.size() > limits::kMostCameras) {
+    return tooManyCameras(file);
+  }
   for (const auto& [key, section] : sections) {
     if (const auto status = readCamera(key, *section, file, calibration); !status) {
       return tl::make_unexpected(status.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/format_kalibr.h"
 
+#include "core/calibration/formats/camera_limit.h"
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/number_text.h"
 #include "core/calibration/formats/yaml_reader.h"
@@ -70,6 +71,9 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
     return tl::make_unexpected(node.error());
   }
   const YamlReader reader(*node, file);
+  if (reader.error()) {
+    return tl::make_unexpected(*reader.error());
+  }
   ReadCalibration calibration;
   calibration.decisions = {
       "T_cn_cnm1 leads from the camera before to each camera: chained from cam0, whose axes are "
@@ -78,6 +82,9 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
       "camera_model, intrinsics: fu fv pu pv in pixels; timeshift_cam_imu is left out."};
   Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
   for (int k = 0; reader.has(fmt::format("cam{}", k).c_str()); ++k) {
+    if (calibration.rig.size() == limits::kMostCameras) {
+      return tooManyCameras(file);
+    }
     const std::string name = fmt::format("cam{}", k);
     const YamlReader section = reader.child(name);
     auto parts = readParts(section, name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/format_mccalib.h"
 
+#include "core/base/limits.h"
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/filestorage_text.h"
 #include "core/calibration/formats/number_text.h"
@@ -49,6 +50,11 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   if (reader.error()) {
     return tl::make_unexpected(*reader.error());
   }
+  if (!(count >= 1.0 && count <= double(limits::kMostCameras))) {
+    reader.fail(ErrorCode::BadValue, "nb_camera",
+                fmt::format("1 to {} cameras are expected, found {}", limits::kMostCameras, count));
+    return tl::make_unexpected(*reader.error());
+  }
   ReadCalibration calibration;
   calibration.decisions = {"camera_pose_matrix is rig from camera: inverted."};
   std::string group;
@@ -66,9 +72,6 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
     }
     group = ownGroup;
     calibration.rig.push_back(std::move(*camera));
-  }
-  if (calibration.rig.empty()) {
-    return failure(ErrorCode::BadValue, file, "nb_camera", "the file holds no camera");
   }
   return calibration;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/format_qualisys.h"
 
+#include "core/calibration/formats/camera_limit.h"
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/number_text.h"
 
@@ -124,6 +125,9 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
     auto camera = readCamera(node, file);
     if (!camera) {
       return tl::make_unexpected(camera.error());
+    }
+    if (calibration.rig.size() == limits::kMostCameras) {
+      return tooManyCameras(file);
     }
     calibration.rig.push_back(std::move(*camera));
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/read_calibration.h"
 
+#include "core/base/limits.h"
 #include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_plausibility.h"
 #include "core/calibration/formats/format_catalog.h"
@@ -13,7 +14,8 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 64U << 20U; // mrcal keeps its optimization inputs in there
+/// mrcal keeps all that a calibration was made from under this key, and may be large.
+constexpr const char* kInputs = "optimization_inputs";
 
 /// The format a person named, or the one the content shows; adds the sentence why.
 Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
@@ -120,13 +122,12 @@ Result<ReadCalibration> readOne(const CalibrationText& source, const Calibration
 }
 
 Result<CalibrationText> readSource(const std::filesystem::path& file) {
-  std::error_code problem;
-  if (std::filesystem::file_size(file, problem) > kLargestFile && !problem) {
-    return failure(ErrorCode::NotParsed, file.string(), "", "too large for a calibration");
-  }
   auto text = readTextFile(file);
   if (!text) {
     return tl::make_unexpected(text.error());
+  }
+  if (text->size() > limits::kMostCalibrationBytes && text->find(kInputs) == std::string::npos) {
+    return failure(ErrorCode::NotParsed, file.string(), "", "too large for a calibration");
   }
   return CalibrationText{file, std::move(*text)};
 }

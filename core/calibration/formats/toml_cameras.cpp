@@ -3,6 +3,7 @@
 
 #include "core/base/toml_text.h"
 #include "core/calibration/formats/camera_calibration.h"
+#include "core/calibration/formats/camera_limit.h"
 
 #include <algorithm>
 #include <utility>
@@ -70,7 +71,11 @@ Result<CameraRig> camerasFromToml(const CalibrationText& source,
     return tl::make_unexpected(table.error());
   }
   CameraRig rig;
-  for (const auto& [key, section] : cameraTables(*table)) {
+  const CameraTables sections = cameraTables(*table);
+  if (sections.size() > limits::kMostCameras) {
+    return tooManyCameras(source.file.string());
+  }
+  for (const auto& [key, section] : sections) {
     auto camera = cameraFromToml(*section, source.file.string(), key + ".", passedOver);
     if (!camera) {
       return tl::make_unexpected(camera.error());

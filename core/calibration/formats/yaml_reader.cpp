@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/yaml_reader.h"
 
+#include "core/base/limits.h"
 #include "core/calibration/formats/number_text.h"
 
 #include <fmt/format.h>
@@ -9,11 +10,20 @@
 #include <utility>
 
 namespace dewpoint::calibration {
+namespace {
+
+/// Of one mapping, each of which is looked through for every key: one per camera, and some more.
+constexpr std::size_t kMostKeys = 2 * limits::kMostCameras;
+
+} // namespace
 
 Result<YAML::Node> parseYaml(const std::string& text, const std::string& file) {
   std::string body = text;
   if (body.starts_with("%YAML:")) {
     body.replace(0, 1, "#"); // keeps the numbers of the lines
+  }
+  if (body.size() > limits::kMostCalibrationBytes) {
+    return failure(ErrorCode::NotParsed, file, "", "too large for a calibration");
   }
   try {
     YAML::Node node = YAML::Load(body);
@@ -29,7 +39,13 @@ Result<YAML::Node> parseYaml(const std::string& text, const std::string& file) {
 
 YamlReader::YamlReader(const YAML::Node& node, std::string file, std::string prefix)
     : node_(node), file_(std::move(file)), prefix_(std::move(prefix)),
-      error_(std::make_shared<std::optional<Error>>()) {}
+      error_(std::make_shared<std::optional<Error>>()) {
+  if (node_.IsDefined() && node_.IsMap() && node_.size() > kMostKeys) {
+    *error_ = Error{ErrorCode::BadValue, file_, field(fmt::format("key {}", kMostKeys + 1)),
+                    fmt::format("at most {} keys are possible", kMostKeys)};
+    node_ = YAML::Node(YAML::NodeType::Undefined);
+  }
+}
 
 YAML::Node YamlReader::find(const std::string& key) const {
   if (!node_.IsDefined() || !node_.IsMap()) {
@@ -61,7 +77,15 @@ YamlReader YamlReader::child(const std::string& key) const {
 
 std::vector<std::string> YamlReader::keys() const {
   std::vector<std::string> names;
+  if (!node_.IsDefined()) {
+    return names;
+  }
   for (const auto& item : node_) {
+    if (names.size() == limits::kMostCameras) {
+      fail(ErrorCode::BadValue, fmt::format("camera {}", names.size() + 1),
+           fmt::format("at most {} cameras are possible", limits::kMostCameras));
+      break;
+    }
     if (item.first.IsDefined() && item.first.IsScalar()) {
       names.push_back(item.first.Scalar());
     }
@@ -80,23 +104,40 @@ double YamlReader::number(const char* key) const {
 
 namespace {
 
-/// False when something in there is no number.
-bool collect(const YAML::Node& node, std::vector<double>& values) {
-  if (node.IsSequence()) {
-    return std::all_of(node.begin(), node.end(),
-                       [&](const YAML::Node& item) { return collect(item, values); });
+/// Of a node. The pictures of a board, which OpenCV writes beside a calibration, have some 10,000.
+constexpr std::size_t kMostNumbers = 100'000;
+/// A matrix of rows has two levels of sequences.
+constexpr int kMostLevels = 4;
+
+/// Takes the numbers of a node. An alias may stand for a node that holds it, or for one that stands
+/// in many places: what is looked at is counted, not what the text is long.
+class NumberCollector {
+public:
+  /// False when something in there is no number, or is too much.
+  bool collect(const YAML::Node& node, int level = 0) {
+    if (++seen_ > kMostNumbers || level > kMostLevels) {
+      return false;
+    }
+    if (node.IsSequence()) {
+      return std::all_of(node.begin(), node.end(),
+                         [&](const YAML::Node& item) { return collect(item, level + 1); });
+    }
+    const auto value = node.IsScalar() ? numberOf(node.Scalar()) : std::nullopt;
+    values_.push_back(value.value_or(0.0));
+    return value.has_value();
   }
-  const auto value = node.IsScalar() ? numberOf(node.Scalar()) : std::nullopt;
-  values.push_back(value.value_or(0.0));
-  return value.has_value();
-}
+  std::vector<double> take() { return std::move(values_); }
+
+private:
+  std::size_t seen_ = 0;
+  std::vector<double> values_;
+};
 
 } // namespace
 
 std::vector<double> YamlReader::numbers(const char* key,
                                         std::initializer_list<std::size_t> counts) const {
   YAML::Node node = find(key);
-  std::vector<double> values;
   if (node.IsDefined() && node.IsMap()) {
     for (const auto& item : node) {
       if (item.first.Scalar() == "data") {
@@ -105,9 +146,12 @@ std::vector<double> YamlReader::numbers(const char* key,
       }
     }
   }
+  NumberCollector numbers;
+  const bool areNumbers = node.IsDefined() && numbers.collect(node);
+  std::vector<double> values = numbers.take();
   if (!node.IsDefined()) {
     fail(ErrorCode::MissingKey, key, "");
-  } else if (!collect(node, values)) {
+  } else if (!areNumbers) {
     fail(ErrorCode::WrongType, key, "numbers are expected");
   } else if (counts.size() > 0 && std::ranges::find(counts, values.size()) == counts.end()) {
     fail(

@@ -2,6 +2,7 @@
 #include "core/simulation/scene/scene_file.h"
 
 #include "core/base/angle.h"
+#include "core/base/limits.h"
 #include "core/base/table_reader.h"
 #include "core/geometry/camera_name.h"
 
@@ -179,6 +180,19 @@ Status readAll(const std::vector<const toml::table*>& tables, const std::string&
   return {};
 }
 
+/// All images of one instant are rendered and kept at the same time.
+Status checkPixels(const CameraRig& cameras, const std::string& file) {
+  std::int64_t pixels = 0;
+  for (const Camera& camera : cameras) {
+    pixels += std::int64_t{camera.intrinsics.width} * camera.intrinsics.height;
+  }
+  return pixels <= limits::kMostImagePixels
+             ? Status()
+             : failure(ErrorCode::BadValue, file, "camera",
+                       fmt::format("{} pixels in all images together; at most {} are possible",
+                                   pixels, limits::kMostImagePixels));
+}
+
 Result<Scene> readScene(const toml::table& table, const std::string& file) {
   TableReader reader(table, file, "");
   Scene scene = demoScene();
@@ -192,9 +206,9 @@ Result<Scene> readScene(const toml::table& table, const std::string& file) {
   reader.boolean("clutter", scene.clutter);
   reader.number("noise_sigma", scene.noiseSigma, 0.0, 100.0);
   reader.number("exposure_seconds", scene.exposureSeconds, 0.0, 10.0);
-  const auto balls = reader.tables("ball");
-  const auto cameras = reader.tables("camera");
-  const auto lights = reader.tables("light");
+  const auto balls = reader.tables("ball", limits::kMostTargets);
+  const auto cameras = reader.tables("camera", limits::kMostCameras);
+  const auto lights = reader.tables("light", limits::kMostTargets);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
   }
@@ -205,6 +219,9 @@ Result<Scene> readScene(const toml::table& table, const std::string& file) {
   if (status) {
     status = readAll(lights, file, scene.lights, readLight);
     std::ranges::stable_sort(scene.lights, {}, &SceneLight::time);
+  }
+  if (status) {
+    status = checkPixels(scene.cameras, file);
   }
   if (!status) {
     return tl::make_unexpected(std::move(status.error()));

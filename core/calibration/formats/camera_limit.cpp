@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/formats/camera_limit.h"
+
+#include <fmt/format.h>
+
+namespace dewpoint::calibration {
+
+tl::unexpected<Error> tooManyCameras(const std::string& file) {
+  return failure(ErrorCode::BadValue, file, fmt::format("camera {}", limits::kMostCameras + 1),
+                 fmt::format("at most {} cameras are possible", limits::kMostCameras));
+}
+
+} // namespace dewpoint::calibration

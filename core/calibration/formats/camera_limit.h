@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/limits.h"
+
+#include <string>
+
+namespace dewpoint::calibration {
+
+/// The error of a file with more than limits::kMostCameras.
+tl::unexpected<Error> tooManyCameras(const std::string& file);
+
+} // namespace dewpoint::calibration
