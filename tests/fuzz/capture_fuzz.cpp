@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_times.h"
+#include "tests/fuzz/expectation.h"
+#include "tests/fuzz/fuzzed_readers.h"
+#include "tests/fuzz/input_file.h"
+
+#include <algorithm>
+
+namespace dewpoint::tests {
+
+void fuzzCaptureTimes(std::string_view bytes) {
+  static const InputFile kFile("times.csv");
+  const auto times = readCaptureTimes(kFile.hold(bytes).string(), {"left", "0"}, "camera left");
+  if (!times) {
+    expectPlain(times.error());
+  } else {
+    expect(!times->empty() && std::ranges::is_sorted(*times), "times that do not rise");
+  }
+}
+
+} // namespace dewpoint::tests

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/fuzzed_readers.h"
+
+namespace dewpoint::tests {
+
+std::span<const FuzzedReader> fuzzedReaders() {
+  static constexpr FuzzedReader kReaders[] = {
+      {"project", fuzzProject},
+      {"scene", fuzzScene},
+      {"trajectory", fuzzTrajectory},
+      {"capture-times", fuzzCaptureTimes},
+      {"board", fuzzBoard},
+      {"calibration", fuzzCalibration},
+      {"dewpoint", fuzzDewpoint},
+      {"anipose", fuzzAnipose},
+      {"pose2sim", fuzzPose2sim},
+      {"caliscope", fuzzCaliscope},
+      {"opencv", fuzzOpencv},
+      {"opencv-stereo", fuzzOpencvStereo},
+      {"ros", fuzzRos},
+      {"kalibr", fuzzKalibr},
+      {"mrcal", fuzzMrcal},
+      {"mc-calib", fuzzMcCalib},
+      {"qualisys", fuzzQualisys},
+      {"multical", fuzzMultical},
+      {"opencv-extrinsics", fuzzOpencvExtrinsics},
+      {"ros-transforms", fuzzRosTransforms},
+  };
+  return kReaders;
+}
+
+} // namespace dewpoint::tests
