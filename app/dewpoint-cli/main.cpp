@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_pages/describe_option.h"
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/usage_sentence.h"
@@ -36,6 +37,7 @@ int run(int argc, char** argv) {
   addPlanCommand(app, exitCode);
   addPrintBoardCommand(app, exitCode);
   addReferenceCommand(app, exitCode);
+  addDescribeOption(app, "dewpoint");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

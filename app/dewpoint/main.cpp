@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_pages/describe_option.h"
 #include "app/dewpoint/action_reference.h"
 #include "app/dewpoint/run_output.h"
 #include "app/dewpoint/screenshot.h"
@@ -17,12 +18,14 @@
 #include <QApplication>
 #include <QIcon>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -79,9 +82,24 @@ void describe(CLI::App& app, Options& options) {
                "Print all actions with their shortcuts as a page of the manual, then quit")
       ->group(""); // of use to script/manual only: --help does not list it
   app.set_version_flag("--version", DEWPOINT_VERSION);
+  dewpoint::app::addDescribeOption(app, "dewpoint-cli");
+}
+
+/// Whether the command line only asks for a text, which needs no display.
+bool asksForText(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+    return argument == "--help" || argument == "-h" || argument == "--version" ||
+           argument.starts_with("--describe");
+  });
 }
 
 int run(int argc, char** argv) {
+  CLI::App app("Tracks colored objects in 3D with particle filters.", "dewpoint");
+  Options options;
+  describe(app, options);
+  if (asksForText(argc, argv)) {
+    CLI11_PARSE(app, argc, argv);
+  }
   dewpoint::base::setPrecedence(dewpoint::base::Precedence::Patient); // before any thread is made
   dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv); // takes its own options out of argv
@@ -91,9 +109,6 @@ int run(int argc, char** argv) {
   QApplication::setDesktopFileName(QStringLiteral("dewpoint"));
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/dewpoint.svg")));
 
-  CLI::App app("Tracks colored objects in 3D with particle filters.", "dewpoint");
-  Options options;
-  describe(app, options);
   CLI11_PARSE(app, argc, argv);
   dewpoint::ui::useLanguage(options.language.empty() ? dewpoint::ui::Preferences().language()
                                                      : QString::fromStdString(options.language));
