@@ -35,8 +35,15 @@ std::filesystem::path toPath(const QString& file) {
   return file.toStdString();
 }
 
+/// The second ending is what a double click on a desktop goes by.
 bool isProject(const QString& file) {
-  return file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive);
+  return file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive) ||
+         file.endsWith(QStringLiteral(".dewpoint"), Qt::CaseInsensitive);
+}
+
+/// A filter of a file dialog that names *.toml, with all endings of projects.
+QString withAllEndings(QString filter) {
+  return filter.replace(QStringLiteral("*.toml"), QStringLiteral("*.toml *.dewpoint"));
 }
 
 QStringList filesOf(const QMimeData& data) {
@@ -188,8 +195,9 @@ void ProjectController::openMade(const Project& project, const QString& note) {
 
 void ProjectController::askOpen() {
   whenSettled([this] {
-    const QString file = askForFile(&bench_.window, tr("Open a project"),
-                                    tr("Dewpoint projects (*.toml);;All files (*)"));
+    const QString file =
+        askForFile(&bench_.window, tr("Open a project"),
+                   withAllEndings(tr("Dewpoint projects (*.toml);;All files (*)")));
     if (!file.isEmpty()) {
       open(toPath(file));
     }
@@ -207,9 +215,9 @@ void ProjectController::save() {
 void ProjectController::askSaveAs() {
   const Project& project = bench_.document.project();
   const auto proposed = project.file.empty() ? proposedFile(project) : project.file;
-  const QString file =
-      askForFileToSave(&bench_.window, tr("Save the project"),
-                       QString::fromStdString(proposed.string()), tr("Dewpoint projects (*.toml)"));
+  const QString file = askForFileToSave(&bench_.window, tr("Save the project"),
+                                        QString::fromStdString(proposed.string()),
+                                        withAllEndings(tr("Dewpoint projects (*.toml)")));
   if (!file.isEmpty()) {
     saveTo(toPath(file));
   }
