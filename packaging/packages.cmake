@@ -58,12 +58,13 @@ function(dewpoint_describe_package component package section summary description
   set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
 endfunction()
 
-set(what "Dewpoint follows colored objects in three dimensions with two or more calibrated cameras, live or in
-recordings, by particle filters, and writes their paths with the uncertainty.")
+set(what "Dewpoint follows colored objects in three dimensions with two or more
+calibrated cameras, live or in recordings, by particle filters, and writes
+their paths with the uncertainty.")
 set(CPACK_COMPONENTS_ALL)
 if(TARGET dewpoint)
   dewpoint_describe_package(window dewpoint science "track colored objects in 3D with ordinary cameras"
-    "${what}\nThis package has the window, with camera views, bird's-eye view, plots and calibration.")
+    "${what}\nThis package has the window: camera views, bird's-eye view, plots,\ncalibration.")
   set(CPACK_DEBIAN_WINDOW_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "dewpoint-doc (= ${PROJECT_VERSION}), hicolor-icon-theme")
   set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "${wanted}")
@@ -74,11 +75,11 @@ dewpoint_describe_package(cli dewpoint-cli science "track colored objects in 3D 
 set(CPACK_DEBIAN_CLI_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "dewpoint, dewpoint-doc")
 dewpoint_describe_package(development libdewpoint-dev libdevel "libraries and headers to track objects in 3D"
-  "${what}\nThis package has static libraries, headers and a CMake package for programs of your own.")
+  "${what}\nThis package has static libraries, headers and a CMake package for\nprograms of your own.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${headers}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "dewpoint-doc")
 dewpoint_describe_package(documentation dewpoint-doc doc "manual of Dewpoint, which tracks objects in 3D"
-  "${what}\nThis package has the manual, which the window opens with F1, and example projects.")
+  "${what}\nThis package has the manual, which the window opens with F1, and examples.")
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 
 set(CPACK_GENERATOR DEB)
