@@ -6,6 +6,7 @@
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/base/text_file.h"
 #include "core/base/units.h"
+#include "core/camera_motion/agreement/disagreement_sentence.h"
 #include "core/session/run/camera_agreement_watch.h"
 #include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/camera_motion_watch.h"

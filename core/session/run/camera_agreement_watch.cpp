@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/camera_agreement_watch.h"
 
-#include "core/base/units.h"
-#include "core/geometry/camera_name.h"
 #include "core/tracking/catalog/method_catalog.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 namespace dewpoint::session {
 
@@ -33,47 +28,6 @@ std::vector<CameraDisagreement> CameraAgreementWatch::found(const MethodFamily& 
            });
   });
   return found;
-}
-
-std::string disagreementSentence(const CameraDisagreement& found, const CameraRig& rig) {
-  const auto name = [&](std::size_t i) {
-    const std::size_t camera = found.cameras.at(i);
-    return rig[camera].name.empty() ? geometry::defaultCameraName(camera) : rig[camera].name;
-  };
-  switch (found.fault) {
-  case CameraFault::Swapped:
-    return found.cameras.size() > 2
-               ? fmt::format("{} and {} seem to be swapped, or {} and {}; exchange the images of "
-                             "the two in the project file",
-                             name(0), name(1), name(2), name(3))
-               : fmt::format("{} and {} seem to be swapped; exchange their images in the project "
-                             "file",
-                             name(0), name(1));
-  case CameraFault::Late:
-    return fmt::format("{} is about {:.0f} ms {}; add {:.3f} to its late_by in the project file",
-                       name(0), inMilliseconds(std::abs(found.delay)),
-                       found.delay > 0.0 ? "late" : "early", found.delay);
-  case CameraFault::Rotated:
-    return found.cameras.size() > 1
-               ? fmt::format("{} or {} looks at least {:.1f} degrees away from its calibration; "
-                             "calibrate them again",
-                             name(0), name(1), inDegrees(found.turns.at(0).norm()))
-               : fmt::format("{} looks about {:.1f} degrees away from its calibration; calibrate "
-                             "it again",
-                             name(0), inDegrees(found.turns.at(0).norm()));
-  case CameraFault::Unit:
-    return fmt::format("the positions of the cameras seem to be in units of {:g} m; they are "
-                       "expected in meters",
-                       found.scale);
-  case CameraFault::SamePose:
-    return fmt::format("{} and {} have the same pose; calibrate them again", name(0), name(1));
-  case CameraFault::Unknown:
-    break;
-  }
-  return found.cameras.size() > 1
-             ? fmt::format("{} and {} do not see the target at one position; calibrate them again",
-                           name(0), name(1))
-             : fmt::format("{} does not agree with the other cameras; calibrate it again", name(0));
 }
 
 } // namespace dewpoint::session

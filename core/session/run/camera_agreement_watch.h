@@ -5,7 +5,6 @@
 #include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/frame_loop.h"
 
-#include <string>
 #include <vector>
 
 namespace dewpoint::session {
@@ -37,9 +36,5 @@ private:
   const CameraMotionWatch& motion_;
   bool resting_ = false;
 };
-
-/// What is wrong and how it is mended, in plain English for the command line: "left and right seem
-/// to be swapped; exchange their images in the project file". Without a full stop.
-std::string disagreementSentence(const CameraDisagreement& found, const CameraRig& rig);
 
 } // namespace dewpoint::session
