@@ -14,6 +14,7 @@ namespace dewpoint::app {
 // project/: a project and its targets.
 void addNewCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
+void addDoctorCommand(CLI::App& app, int& exitCode);
 
 // calibrate/: the cameras, and where another one would help.
 void addCalibrateCommand(CLI::App& app, int& exitCode);

@@ -3,6 +3,7 @@
 
 #include "core/base/limits.h"
 #include "core/base/table_text.h"
+#include "core/capture/numbered_files.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -174,6 +176,16 @@ Status TimeTable::readLine(std::string_view line) {
 }
 
 } // namespace
+
+std::vector<std::string> timesNames(const std::string& camera, const std::string& file) {
+  std::vector<std::string> names{camera};
+  for (const std::string& name : {std::filesystem::path(file).stem().string(), camera}) {
+    if (const auto number = numberAtEnd(name)) {
+      names.push_back(std::to_string(*number));
+    }
+  }
+  return names;
+}
 
 Result<CaptureTimes> readCaptureTimes(const std::string& file, const std::vector<std::string>& ids,
                                       const std::string& field) {

@@ -12,6 +12,10 @@ namespace dewpoint::capture {
 /// share, rising, in the order of the pictures.
 using CaptureTimes = std::vector<double>;
 
+/// What a table of times may call a camera: its name, or the number at the end of the name of its
+/// file or of its own.
+std::vector<std::string> timesNames(const std::string& camera, const std::string& file);
+
 /// Reads the times of one camera from a table: a line per picture, cells separated by comma,
 /// semicolon, tab or spaces, lines that begin with # left out. Without a heading the only column
 /// (or the last one) holds seconds. With one the times stand in the column called time_s,

@@ -6,7 +6,6 @@
 #include "core/capture/frame_source.h"
 #include "core/capture/generated_reader.h"
 #include "core/capture/image_reader.h"
-#include "core/capture/numbered_files.h"
 #include "core/capture/picture.h"
 #include "core/capture/picture_reader.h"
 #include "core/capture/video_reader.h"
@@ -113,25 +112,13 @@ Result<PictureReaderPtr> openReader(const RecordedCamera& camera) {
   return openGeneratedReader(camera, field);
 }
 
-/// What a table of times may call a camera: its name, or the number at the end of the name of its
-/// file or of its own.
-std::vector<std::string> idsOf(const RecordedCamera& camera) {
-  std::vector<std::string> ids{camera.name};
-  for (const std::string& name :
-       {std::filesystem::path(camera.path).stem().string(), camera.name}) {
-    if (const auto number = numberAtEnd(name)) {
-      ids.push_back(std::to_string(*number));
-    }
-  }
-  return ids;
-}
-
 Status addTimes(const RecordedCamera& description, CaptureSchedule::CameraPictures& pictures) {
   if (description.times.empty()) {
     return {};
   }
   const std::string field = cameraField(description.name);
-  auto times = readCaptureTimes(description.times, idsOf(description), field);
+  auto times =
+      readCaptureTimes(description.times, timesNames(description.name, description.path), field);
   if (!times) {
     return tl::make_unexpected(times.error());
   }

@@ -20,7 +20,7 @@ const std::map<std::string, Names, std::less<>>& floorTable() {
       {"tracking", {"observation", "filter", "color", "geometry"}},
       {"camera_motion", {"tracking", "capture", "calibration"}},
       {"project", {"calibration", "tracking", "base"}},
-      {"setup", {"project", "capture", "trajectory"}},
+      {"setup", {"project", "capture", "trajectory", "camera_motion"}},
       {"session", {"tracking", "camera_motion", "capture", "project", "trajectory", "calibration"}},
       {"experiment", {"session", "setup", "simulation"}},
   };
@@ -56,6 +56,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"people", {""}},
         {"catalog", {"", "barrera", "boxes", "dewpoint", "people"}}}},
       {"camera_motion", {{"", {}}, {"agreement", {}}}},
+      {"setup", {{"", {}}, {"doctor", {""}}}},
       {"session",
        {{"frames", {}},
         {"people", {"frames"}},

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/doctor/agreement_checks.h"
+
+#include "core/base/time.h"
+#include "core/camera_motion/agreement/camera_agreement.h"
+#include "core/camera_motion/agreement/disagreement_sentence.h"
+#include "core/project/project_rig.h"
+#include "core/tracking/catalog/method_catalog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace dewpoint::setup {
+namespace {
+
+/// Seconds of a recording that are watched: swapped and late cameras are named within a few seconds
+/// of motion, and decoding them takes about as long.
+constexpr double kWatched = 10.0;
+
+bool isAsTheSceneSays(const ProjectCamera& camera) {
+  return camera.source == SourceKind::Simulation && !camera.adjusted;
+}
+
+bool isLiveSource(const ProjectCamera& camera) {
+  return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
+}
+
+} // namespace
+
+void checkAgreement(Examination& examination) {
+  const Project& project = examination.project;
+  if (!examination.wishes.open || examination.hasProblem() ||
+      std::ranges::any_of(project.cameras, isLiveSource)) {
+    return; // it could not be opened, or should not be
+  }
+  auto source = examination.wishes.open(project);
+  if (!source) {
+    examination.add(FindingKind::CannotOpen, {sentence(source.error())});
+    return;
+  }
+  const MethodFamily family = methodFamily(project.method);
+  if (project.cameras.size() < 2 || !family.needsCalibration || !family.masksColors() ||
+      std::ranges::all_of(project.cameras, isAsTheSceneSays)) {
+    return; // it was only to be opened
+  }
+  const CameraRig rig = rigOf(project);
+  camera_motion::CameraAgreement agreement(rig);
+  while (agreement.found().empty()) {
+    const auto set = (*source)->next();
+    if (!set) {
+      examination.add(FindingKind::CannotOpen, {sentence(set.error())});
+      return;
+    }
+    if (!*set || seconds((*set)->time) > kWatched ||
+        !examination.wishes.goOn(seconds((*set)->time) / kWatched)) {
+      break;
+    }
+    agreement.watch(**set, project.targets);
+  }
+  for (const camera_motion::CameraDisagreement& found : agreement.found()) {
+    examination.add(FindingKind::CamerasDisagree,
+                    {fmt::format("{:g}", kWatched), disagreementSentence(found, rig)}, "camera");
+  }
+}
+
+} // namespace dewpoint::setup

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/doctor/time_checks.h"
+
+#include "core/capture/capture_schedule.h"
+#include "core/capture/recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dewpoint::setup {
+namespace {
+
+/// Seconds of delay above which a camera is rather wrong than late. A judgment: streams over a
+/// network are late by up to some seconds.
+constexpr double kUnusualDelay = 10.0;
+
+std::string rateText(double rate) {
+  return fmt::format("{:.4g}", rate);
+}
+
+bool isSameRate(double a, double b) {
+  return std::abs(a - b) <= kSameRate * b;
+}
+
+void compareRates(Examination& examination) {
+  std::string list;
+  double first = 0.0;
+  bool differ = false;
+  const double stated = examination.project.framesPerSecond;
+  bool isOverridden = false;
+  for (std::size_t k = 0; k < examination.footage.size(); ++k) {
+    const double rate = examination.footage[k].rate;
+    if (rate <= 0.0 || examination.footage[k].times) {
+      continue;
+    }
+    first = first > 0.0 ? first : rate;
+    differ = differ || !isSameRate(rate, first);
+    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", examination.nameOf(k), rateText(rate));
+    if (stated > 0.0 && !isSameRate(rate, stated) && !isOverridden) {
+      isOverridden = true;
+      examination.add(FindingKind::RateOverridden,
+                      {rateText(stated), examination.nameOf(k), rateText(rate)},
+                      "frames_per_second");
+    }
+  }
+  if (differ) {
+    examination.add(FindingKind::RatesDiffer, {list});
+  }
+}
+
+void noteAssumedRate(Examination& examination) {
+  const auto tells = [](const CameraFootage& footage) {
+    return footage.rate > 0.0 || footage.times;
+  };
+  const auto isOpen = [](const CameraFootage& footage) { return footage.isOpen; };
+  if (examination.project.framesPerSecond == 0.0 &&
+      std::ranges::any_of(examination.footage, isOpen) &&
+      std::ranges::none_of(examination.footage, tells)) {
+    examination.add(FindingKind::RateAssumed, {rateText(kDefaultFramesPerSecond)},
+                    "frames_per_second");
+  }
+}
+
+/// Reads the tables of times, those that can be.
+void readTables(Examination& examination) {
+  const auto& cameras = examination.project.cameras;
+  const bool any =
+      std::ranges::any_of(cameras, [](const ProjectCamera& one) { return !one.times.empty(); });
+  for (std::size_t k = 0; any && k < cameras.size(); ++k) {
+    const ProjectCamera& camera = cameras[k];
+    CameraFootage& footage = examination.footage[k];
+    const std::string name = examination.nameOf(k);
+    if (camera.times.empty()) {
+      examination.add(FindingKind::TimesIncomplete, {name}, cameraKey(k, "times"));
+      continue;
+    }
+    auto times =
+        readCaptureTimes(camera.times, timesNames(camera.camera.name, camera.location), "");
+    if (!times) {
+      examination.addIn(camera.times, FindingKind::TimesUnusable,
+                        {name, withoutFile(times.error())});
+    } else if (footage.isOpen && std::ssize(*times) != footage.frames) {
+      examination.addIn(camera.times, FindingKind::TimesCountDiffers,
+                        {name, std::to_string(times->size()), std::to_string(footage.frames)});
+    } else {
+      footage.times = std::move(*times);
+    }
+  }
+}
+
+/// Whether the tables say that all cameras were recording at some time.
+void compareTables(Examination& examination) {
+  std::vector<CaptureSchedule::CameraPictures> pictures;
+  for (std::size_t k = 0; k < examination.footage.size(); ++k) {
+    const CameraFootage& footage = examination.footage[k];
+    if (!footage.times) {
+      return;
+    }
+    pictures.push_back({footage.frames, examination.project.cameras[k].delay, footage.times});
+  }
+  const double rate = pictures.empty() ? 0.0 : CaptureSchedule::rateOf(pictures);
+  if (rate > 0.0 && CaptureSchedule(pictures, rate).frameCount() == 0) {
+    examination.add(FindingKind::TimesApart, {}, "times");
+  }
+}
+
+void checkDelays(Examination& examination) {
+  for (std::size_t k = 0; k < examination.footage.size(); ++k) {
+    const CameraFootage& footage = examination.footage[k];
+    const double delay = examination.project.cameras[k].delay;
+    const double rate = footage.rate > 0.0 ? footage.rate
+                        : examination.project.framesPerSecond > 0.0
+                            ? examination.project.framesPerSecond
+                            : kDefaultFramesPerSecond;
+    const bool isTooLong = footage.isOpen && !footage.times &&
+                           std::abs(delay) * rate >= static_cast<double>(footage.frames);
+    if (isTooLong || std::abs(delay) > kUnusualDelay) {
+      examination.add(isTooLong ? FindingKind::DelayTooLong : FindingKind::DelayUnusual,
+                      {examination.nameOf(k), fmt::format("{:g}", delay)}, cameraKey(k, "late_by"));
+    }
+  }
+}
+
+} // namespace
+
+void checkTimes(Examination& examination) {
+  readTables(examination);
+  compareTables(examination);
+  compareRates(examination);
+  noteAssumedRate(examination);
+  checkDelays(examination);
+}
+
+} // namespace dewpoint::setup
