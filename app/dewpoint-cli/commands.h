@@ -15,6 +15,8 @@ namespace dewpoint::app {
 void addNewCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
 void addDoctorCommand(CLI::App& app, int& exitCode);
+/// Of this computer, without a project.
+void addSelfTestCommand(CLI::App& app, int& exitCode);
 
 // calibrate/: the cameras, and where another one would help.
 void addCalibrateCommand(CLI::App& app, int& exitCode);

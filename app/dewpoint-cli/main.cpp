@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   int exitCode = kExitDone;
   addNewCommand(app, exitCode);
   addDoctorCommand(app, exitCode);
+  addSelfTestCommand(app, exitCode);
   addTrackCommand(app, exitCode);
   addTrackBackwardsCommand(app, exitCode);
   addTrackPositionsCommand(app, exitCode);

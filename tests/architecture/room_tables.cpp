@@ -62,6 +62,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"people", {"frames"}},
         {"run", {"frames", "people"}},
         {"rewind", {"frames", "run"}},
+        {"selftest", {"", "frames", "run"}},
         {"", {"frames", "people", "run", "rewind"}}}},
       {"simulation",
        {{"surface", {}},

@@ -8,7 +8,7 @@ namespace dewpoint::app {
 /// What the process returns, as promised by --help.
 enum ExitCode {
   kExitDone = 0,
-  kExitProblems = 1,   ///< a check found a problem (doctor)
+  kExitProblems = 1,   ///< a check found a problem (doctor, self-test)
   kExitUsage = 2,      ///< the command line cannot be understood
   kExitBadInput = 3,   ///< nothing could be computed
   kExitEndedEarly = 4, ///< the input broke off; what came before is kept

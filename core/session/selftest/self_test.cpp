@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/session/selftest/self_test.h"
+
+#include "core/base/thread_count.h"
+#include "core/base/units.h"
+#include "core/capture/codec_check.h"
+#include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_run.h"
+#include "core/trajectory/evaluation.h"
+
+#include <Eigen/Core>
+#include <fmt/format.h>
+#include <opencv2/core/version.hpp>
+
+#include <algorithm>
+#include <array>
+#include <ceres/version.h>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <unistd.h>
+
+namespace dewpoint::session {
+namespace {
+
+using enum FindingLevel;
+using SelfTestLines = std::vector<SelfTestLine>;
+
+constexpr double kBytesPerGigabyte = 1e9;
+constexpr double kLittleMemory = 2.0;   ///< GB in all
+constexpr double kLittleDisk = 1.0;     ///< GB that are free
+constexpr double kNoDisk = 0.1;         ///< GB that are free
+constexpr double kLargestError = 0.005; ///< meters: several times that of the demo
+constexpr double kUsualRate = 30.0;     ///< frames per second of ordinary cameras
+
+void addVersions(const SelfTestParts& /*parts*/, SelfTestLines& lines) {
+  lines.push_back({Ok, "versions",
+                   fmt::format("Dewpoint {}, OpenCV {}, Eigen {}.{}.{}, Ceres {}", DEWPOINT_VERSION,
+                               CV_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                               EIGEN_MINOR_VERSION, CERES_VERSION_STRING)});
+}
+
+void addMachine(const SelfTestParts& /*parts*/, SelfTestLines& lines) {
+  const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
+                        static_cast<double>(::sysconf(_SC_PAGESIZE)) / kBytesPerGigabyte;
+  lines.push_back(
+      {memory < kLittleMemory ? Note : Ok, "computer",
+       fmt::format("{} cores, {:.1f} GB of memory{}", std::thread::hardware_concurrency(), memory,
+                   memory < kLittleMemory ? "; long live runs may need more" : "")});
+}
+
+void addDisk(const SelfTestParts& parts, SelfTestLines& lines) {
+  std::error_code problem;
+  const auto space = std::filesystem::space(parts.scratch, problem);
+  if (problem) {
+    lines.push_back({Problem, "disk",
+                     fmt::format("nothing can be written to {}: {}", parts.scratch.string(),
+                                 problem.message())});
+    return;
+  }
+  const double free = static_cast<double>(space.available) / kBytesPerGigabyte;
+  lines.push_back(
+      {free < kNoDisk       ? Problem
+       : free < kLittleDisk ? Note
+                            : Ok,
+       "disk",
+       fmt::format("{:.1f} GB are free in {}", free, parts.scratch.parent_path().string())});
+}
+
+void addCameras(const SelfTestParts& parts, SelfTestLines& lines) {
+  if (parts.cameras.empty()) {
+    lines.push_back({Note, "cameras", "none is connected (/dev/video*); recordings work"});
+  }
+  for (const std::string& camera : parts.cameras) {
+    const bool isAllowed = ::access(camera.c_str(), R_OK | W_OK) == 0;
+    lines.push_back({isAllowed ? Ok : Problem, "camera " + camera,
+                     isAllowed ? "it is connected (it was not opened)"
+                               : "you may not open it; add yourself to the group video"});
+  }
+}
+
+void addCodecs(const SelfTestParts& parts, SelfTestLines& lines) {
+  for (const CodecOutcome& codec : checkCodecs(parts.scratch)) {
+    SelfTestLine line{Ok, "codec " + codec.name, "written and read back"};
+    if (codec.isMissing) {
+      line.level = Note;
+      line.text = "this computer cannot write it; whether it can read it was not tried";
+    } else if (!codec.problem.empty()) {
+      line.level = codec.isNeeded ? Problem : Note;
+      line.text = codec.problem;
+    } else if (codec.isLossless) {
+      line.text += ", the same bytes";
+    }
+    lines.push_back(std::move(line));
+  }
+}
+
+/// Tracks, and keeps what was tracked and how long that took, without making the images.
+class SceneRun {
+public:
+  Status track(SessionInputs& inputs, const std::function<bool()>& goOn) {
+    auto run = TrackingRun::create(inputs.project, filterThreads(0), inputs.emptyRooms);
+    if (!run) {
+      return tl::make_unexpected(run.error());
+    }
+    const auto frames =
+        static_cast<std::int64_t>(kSelfTestSeconds * inputs.source->framesPerSecond());
+    for (; frames_ < frames && goOn(); ++frames_) {
+      auto set = inputs.source->next();
+      if (!set || !*set) {
+        return set ? Status() : tl::make_unexpected(set.error());
+      }
+      const auto begin = std::chrono::steady_clock::now();
+      if (auto tracked = trackOneFrame(*run, std::move(*set), {}); !tracked) {
+        return tracked;
+      }
+      seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      std::ranges::move(run->samples(), std::back_inserter(trajectory_.samples));
+    }
+    return {};
+  }
+  double rate() const { return seconds_ > 0.0 ? static_cast<double>(frames_) / seconds_ : 0.0; }
+  const Trajectory& trajectory() const { return trajectory_; }
+
+private:
+  std::int64_t frames_ = 0;
+  double seconds_ = 0.0;
+  Trajectory trajectory_;
+};
+
+SelfTestLine outcomeOf(const SceneRun& run, const std::vector<Evaluation>& targets) {
+  double error = 0.0;
+  std::int64_t lost = 0;
+  for (const Evaluation& target : targets) {
+    error = std::max(error, target.rmse);
+    lost += target.lostFrames;
+  }
+  const bool isRight = error <= kLargestError && lost == 0;
+  const bool isFast = run.rate() >= kUsualRate;
+  return {
+      !isRight ? Problem
+      : isFast ? Ok
+               : Note,
+      "tracking",
+      fmt::format("{:.0f} s of a simulated scene at {:.0f} frames per second, RMSE {:.2f} mm{}{}",
+                  kSelfTestSeconds, run.rate(), inMillimeters(error),
+                  isRight ? "" : "; the result is not what it should be",
+                  isFast ? "" : "; slower than ordinary cameras")};
+}
+
+void addTracking(const SelfTestParts& parts, SelfTestLines& lines) {
+  if (!parts.openScene) {
+    return;
+  }
+  auto inputs = parts.openScene();
+  SceneRun run;
+  auto tracked = inputs ? run.track(*inputs, parts.goOn) : tl::make_unexpected(inputs.error());
+  const auto targets = tracked.and_then([&] { return evaluate(run.trajectory(), inputs->truth); });
+  lines.push_back(targets ? outcomeOf(run, *targets)
+                          : SelfTestLine{Problem, "tracking", sentence(targets.error())});
+}
+
+constexpr std::array kSelfTests{&addVersions, &addMachine, &addDisk,
+                                &addCameras,  &addCodecs,  &addTracking};
+
+} // namespace
+
+std::vector<SelfTestLine> runSelfTest(const SelfTestParts& parts) {
+  std::error_code problem; // then the line about the disk says so
+  std::filesystem::create_directories(parts.scratch, problem);
+  SelfTestLines lines;
+  for (const auto& test : kSelfTests) {
+    if (!parts.goOn()) {
+      break;
+    }
+    test(parts, lines);
+  }
+  std::filesystem::remove_all(parts.scratch, problem);
+  return lines;
+}
+
+std::string selfTestText(const SelfTestLine& line) {
+  return fmt::format("{:<8} {}: {}", levelName(line.level), line.subject, line.text);
+}
+
+FindingLevel worstOf(const std::vector<SelfTestLine>& lines) {
+  FindingLevel worst = Ok;
+  for (const SelfTestLine& line : lines) {
+    worst = std::max(worst, line.level);
+  }
+  return worst;
+}
+
+} // namespace dewpoint::session
