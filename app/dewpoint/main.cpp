@@ -8,6 +8,7 @@
 #include "core/base/thread_precedence.h"
 #include "core/session/session.h"
 #include "ui/document/recovery.h"
+#include "ui/help/window_self_test.h"
 #include "ui/jobs/job_thread.h"
 #include "ui/mainwindow/main_window.h"
 #include "ui/preferences/preferences.h"
@@ -40,6 +41,7 @@ struct Options {
   std::string size;
   std::string language;
   bool listActions = false;
+  bool selfTest = false;
 };
 
 std::vector<std::string> languageNames() {
@@ -81,6 +83,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--list-actions", options.listActions,
                "Print all actions with their shortcuts as a page of the manual, then quit")
       ->group(""); // of use to script/manual only: --help does not list it
+  app.add_flag("--self-test", options.selfTest,
+               "Print what works on this computer, then quit; 1 when there is a problem");
   app.set_version_flag("--version", DEWPOINT_VERSION);
   dewpoint::app::addDescribeOption(app, "dewpoint-cli");
 }
@@ -93,6 +97,19 @@ bool asksForText(int argc, char** argv) {
   });
 }
 
+/// A self-test runs without a display, too: on Qt's offscreen platform, unless another is chosen.
+void chooseSelfTestPlatform(int argc, char** argv) {
+  const bool isWanted = std::any_of(argv, argv + argc, [](const char* argument) {
+    return std::string_view(argument) == "--self-test";
+  });
+  const bool hasDisplay = qEnvironmentVariableIsSet("DISPLAY") ||
+                          qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+                          qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+  if (isWanted && !hasDisplay) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Tracks colored objects in 3D with particle filters.", "dewpoint");
   Options options;
@@ -100,6 +117,7 @@ int run(int argc, char** argv) {
   if (asksForText(argc, argv)) {
     CLI11_PARSE(app, argc, argv);
   }
+  chooseSelfTestPlatform(argc, argv);
   dewpoint::base::setPrecedence(dewpoint::base::Precedence::Patient); // before any thread is made
   dewpoint::ui::BirdsEyeView::prepareSurfaceFormat();
   QApplication application(argc, argv); // takes its own options out of argv
@@ -116,6 +134,9 @@ int run(int argc, char** argv) {
     const QByteArray page = dewpoint::app::actionReference().toUtf8();
     std::fwrite(page.constData(), 1, static_cast<std::size_t>(page.size()), stdout);
     return 0;
+  }
+  if (options.selfTest) {
+    return dewpoint::ui::printSelfTest(&dewpoint::app::openProject);
   }
 
   const dewpoint::ui::Theme theme =
