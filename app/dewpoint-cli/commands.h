@@ -35,6 +35,8 @@ void addPeopleCommand(CLI::App& app, int& exitCode);
 // trajectory/: what a run has written.
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
+/// The results of many jobs as one table and one report.
+void addGatherCommand(CLI::App& app, int& exitCode);
 
 // simulate/: recordings with known truth.
 void addSimulateCommand(CLI::App& app, int& exitCode);

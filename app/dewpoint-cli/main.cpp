@@ -19,8 +19,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 a check found a problem, 2 wrong command line, 3 bad input, 4 the "
-      "input ended early (results so far\nare kept), 5 the output cannot be written, 130 "
-      "interrupted.");
+      "input ended early,
+          or results are missing(what there is is kept),
+      5 the output cannot be "
+                             "written, 130 interrupted.");
   int exitCode = kExitDone;
   addNewCommand(app, exitCode);
   addDoctorCommand(app, exitCode);
@@ -35,6 +37,7 @@ int run(int argc, char** argv) {
   addSuiteCommand(app, exitCode);
   addPeopleCommand(app, exitCode);
   addExportCommand(app, exitCode);
+  addGatherCommand(app, exitCode);
   addLearnColorCommand(app, exitCode);
   addCalibrateCommand(app, exitCode);
   addCalibrationCommand(app, exitCode);

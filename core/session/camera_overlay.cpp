@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/camera_overlay.h"
 
+#include "core/base/belief_region.h"
 #include "core/base/overloaded.h"
 #include "core/geometry/ellipsoid_image.h"
 #include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
-#include "core/session/belief_region.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/cloud_closeup.h"
 
-#include "core/session/belief_region.h"
+#include "core/base/belief_region.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/evaluation.h"
 
+#include "core/base/belief_region.h"
 #include "core/base/statistics.h"
 #include "core/trajectory/trajectory_reader.h"
 
+#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +25,12 @@ struct Pair {
   const TrajectorySample* estimate = nullptr;
 
   Eigen::Vector3d error() const { return estimate->position - truth->position; }
+  /// Whether the truth lies in the estimate's 95 % ellipsoid; never where that is none.
+  bool isInside() const {
+    const Eigen::LLT<Eigen::Matrix3d> factor(estimate->covariance);
+    return factor.info() == Eigen::Success &&
+           factor.matrixL().solve(error()).squaredNorm() <= kChiSquared95ThreeDof;
+  }
 };
 
 std::vector<std::string> targetNames(const Trajectory& trajectory) {
@@ -145,6 +153,7 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
   const auto start = convergedAt(pairs, gate);
   std::vector<Eigen::Vector3d> all;
   std::vector<Eigen::Vector3d> settled;
+  std::int64_t inside = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Pair& pair = pairs[i];
     const bool after = start && i >= *start;
@@ -156,8 +165,10 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
       continue;
     }
     all.push_back(pair.error());
-    if (after || !start)
+    if (after || !start) {
       settled.push_back(pair.error());
+      inside += pair.isInside() ? 1 : 0;
+    }
   }
   if (all.empty())
     return failure(ErrorCode::Mismatch, "", target, "no frame of the trajectory is in the truth");
@@ -165,6 +176,7 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
   evaluation.rmseAll = rootMeanSquare(all);
   if (start)
     evaluation.framesToConverge = static_cast<std::int64_t>(*start);
+  evaluation.inside95 = static_cast<double>(inside) / static_cast<double>(settled.size());
   fillStatistics(evaluation, settled, cameras);
   return evaluation;
 }

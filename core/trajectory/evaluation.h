@@ -23,6 +23,7 @@ struct Evaluation {
   double p95 = 0.0; ///< linear between order statistics
   double max = 0.0;
   double rmseAll = 0.0;
+  double inside95 = 0.0; ///< share of these frames whose truth is in the stated 95 % ellipsoid
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
   std::vector<CameraBias> cameras;
   std::int64_t framesCompared = 0; ///< frames of the truth that have an estimate

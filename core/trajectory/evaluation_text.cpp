@@ -24,6 +24,7 @@ std::string targetText(const Evaluation& e) {
       "  error              RMSE {:.1f} mm, median {:.1f}, p95 {:.1f}, max {:.1f}\n",
       millimeters(e.rmse), millimeters(e.median), millimeters(e.p95), millimeters(e.max));
   text += fmt::format("  RMSE, all frames   {:.1f} mm\n", millimeters(e.rmseAll));
+  text += fmt::format("  truth inside 95 %  {:.1f} % of the frames\n", 100.0 * e.inside95);
   text += fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", millimeters(e.bias.x()),
                       millimeters(e.bias.y()), millimeters(e.bias.z()));
   for (const CameraBias& camera : e.cameras)
@@ -41,6 +42,7 @@ nlohmann::json targetJson(const Evaluation& e) {
                          {"p95", e.p95},
                          {"max", e.max},
                          {"rmse_all", e.rmseAll},
+                         {"inside_95", e.inside95},
                          {"bias", {e.bias.x(), e.bias.y(), e.bias.z()}},
                          {"frames_compared", e.framesCompared},
                          {"frames_to_converge", nullptr},

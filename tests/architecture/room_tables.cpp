@@ -30,7 +30,7 @@ const std::map<std::string, Names, std::less<>>& floorTable() {
 const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTable() {
   static const std::map<std::string, std::map<std::string, Names>, std::less<>> kTable = {
       {"color", {{"", {}}, {"likelihood", {""}}}},
-      {"trajectory", {{"", {}}, {"export", {""}}, {"figure", {"", "export"}}}},
+      {"trajectory", {{"", {}}, {"export", {""}}, {"figure", {"", "export"}}, {"jobs", {""}}}},
       {"observation",
        {{"background", {}},
         {"boxes", {}},

@@ -41,9 +41,9 @@ rm -r small/people
 expectExit 0 simulate demo --frames 4 --images --out scene
 head -c 200k /dev/zero >small/filler 2>/dev/null || true
 expectExit $kOutput track demo --out small --frames 0:2
-expectSentence small/t
+expectSentence small/unfinished
 expectExit $kOutput people office.toml --out small --frames 0:2
-expectSentence small/t
+expectSentence small/unfinished
 expectExit $kOutput track-box scene/camera-1 --box 150,100,30,30 --out small/boxes
 expectSentence small/boxes/boxes.csv
 expectExit $kOutput simulate still --frames 30 --out small

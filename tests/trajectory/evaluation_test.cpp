@@ -155,6 +155,18 @@ TEST(Evaluation, NoCommonFrameIsAMismatch) {
   EXPECT_EQ(evaluate(estimate, restingTruth(5)).error().code, ErrorCode::Mismatch);
 }
 
+TEST(Evaluation, CountsTruthInsideTheStatedEllipsoid) {
+  // With a variance of 1e-4 m² along x, 10 mm are one sigma; the ellipsoid of 95 % ends at
+  // sqrt(7.81) = 2.8 sigma, 28 mm. The gate is wider, so that all five frames count.
+  Trajectory estimate = estimateWith({0.0, 0.027, 0.029, 0.01, 0.01});
+  for (TrajectorySample& sample : estimate.samples)
+    sample.covariance = Eigen::Vector3d(1e-4, 1e-6, 1e-6).asDiagonal();
+  estimate.samples.back().covariance.setZero(); // no ellipsoid: outside
+  const auto result = evaluate(estimate, restingTruth(5), 0.1);
+  ASSERT_TRUE(result);
+  EXPECT_NEAR(result->front().inside95, 3.0 / 5.0, 1e-12);
+}
+
 TEST(Evaluation, TextIsInMillimetersAndJsonInMeters) {
   Trajectory estimate = estimateWith({0.01, 0.01, 0.01, 0.01, 0.01});
   estimate.header.cameras = {{"side", {9, 2, 3}, {-1, 0, 0}}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/target_actors.h"
 
-#include "core/session/belief_region.h"
+#include "core/base/belief_region.h"
 #include "ui/scene3d/ellipsoid_axes.h"
 
 #include <vtkProperty.h>

@@ -11,7 +11,7 @@ enum ExitCode {
   kExitProblems = 1,   ///< a check found a problem (doctor, self-test)
   kExitUsage = 2,      ///< the command line cannot be understood
   kExitBadInput = 3,   ///< nothing could be computed
-  kExitEndedEarly = 4, ///< the input broke off; what came before is kept
+  kExitEndedEarly = 4, ///< the input broke off, or results are missing; what there is is kept
   kExitOutput = 5,     ///< the output cannot be written; what was written so far is kept
   kExitInterrupted = 130,
 };

@@ -5,6 +5,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/parameter_settings.h"
 #include "app/dewpoint-cli/common/progress.h"
+#include "app/dewpoint-cli/common/repeated_job.h"
 #include "app/wiring/open_project.h"
 #include "core/base/units.h"
 #include "core/session/people/people_overlay.h"
@@ -14,6 +15,7 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people/people_parameters.h"
 #include "core/tracking/tracker_capabilities.h"
+#include "core/trajectory/jobs/job_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -22,6 +24,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <map>
 #include <memory>
 
 namespace dewpoint::app {
@@ -38,7 +41,12 @@ struct PeopleOptions {
   std::vector<std::string> persons;
   int overlay = 0;
   bool list = false;
+  JobOptions job;
 };
+
+/// The files whose content a repetition does not change.
+const std::vector<std::string> kPeopleFiles{"trajectory.csv", "volumes.csv", "hulls.csv",
+                                            "ground.csv"};
 
 /// Those of which the command writes the tables, the default first.
 std::vector<std::string> peopleMethods() {
@@ -118,6 +126,10 @@ public:
     const auto* const finding = run.capability<PeopleFinding>();
     assert(finding != nullptr); // as the methods that may be chosen are
     const FrameSet& set = *run.frames();
+    for (const PersonEstimate& person : finding->people()) {
+      const TrajectorySample sample = sampleOf(person, set.index, 0.0);
+      found_[sample.target] += sample.valid ? 1 : 0;
+    }
     most_ = std::max(most_, static_cast<int>(finding->people().size()));
     if (const auto written = writer_.write(*finding, set.index, dewpoint::base::seconds(set.time));
         !written) {
@@ -134,6 +146,14 @@ public:
   double seconds() const { return seconds_; } ///< in the tracker
   int most() const { return most_; }          ///< people at once
   const std::vector<cv::Mat>& rows() const { return rows_; }
+  /// In how many frames each person was found.
+  std::vector<JobTarget> targets() const {
+    std::vector<JobTarget> targets;
+    for (const auto& [name, frames] : found_) {
+      targets.push_back({name, frames});
+    }
+    return targets;
+  }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -143,6 +163,7 @@ private:
   int overlayEvery_;
   Clock::time_point taken_;
   std::vector<cv::Mat> rows_;
+  std::map<std::string, std::int64_t> found_;
   std::int64_t frames_ = 0;
   double seconds_ = 0.0;
   int most_ = 0;
@@ -172,6 +193,12 @@ int runPeople(const PeopleOptions& options) {
     report(frames ? applied.error() : frames.error());
     return kExitUsage;
   }
+  auto job = plannedJob(
+      "people", *project, options.job.label.empty() ? options.project : options.job.label,
+      options.frames, fmt::format("{} {}", options.overlay, fmt::join(options.persons, " ")));
+  if (isDoneAlready(options.folder, job, options.job)) {
+    return kExitDone;
+  }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
     return report(inputs.error());
@@ -184,6 +211,10 @@ int runPeople(const PeopleOptions& options) {
   if (const auto added = addPersons(options.persons, area, *run); !added) {
     report(added.error());
     return kExitUsage;
+  }
+  const auto begun = JobFolder::begin(options.folder, kPeopleFiles);
+  if (!begun) {
+    return report(begun.error());
   }
   auto writer = PeopleWriter::create(options.folder, trajectoryHeader(inputs->project));
   if (!writer) {
@@ -215,7 +246,15 @@ int runPeople(const PeopleOptions& options) {
     const int code = report(tracked.error());
     return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
   }
-  return interruptionRequested() ? kExitInterrupted : kExitDone;
+  if (interruptionRequested()) {
+    return kExitInterrupted;
+  }
+  job.frames = observer.frames();
+  job.seconds = observer.seconds();
+  job.threads = options.threads;
+  job.targets = observer.targets();
+  const auto finished = begun->finish(std::move(job), kPeopleFiles);
+  return finished ? kExitDone : report(finished.error());
 }
 
 } // namespace
@@ -244,6 +283,7 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
       ->add_option("--overlay", options->overlay,
                    "Write overlay.png: about so many instants, all cameras, hulls drawn")
       ->check(CLI::Range(0, 1000));
+  addJobOptions(*command, options->job);
   command->callback([options, command, &exitCode] {
     if (!options->list && (options->project.empty() || options->folder.empty())) {
       throw CLI::RequiredError(options->project.empty() ? "PROJECT" : "--out");

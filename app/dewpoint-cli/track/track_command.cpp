@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/frame_range.h"
 #include "app/dewpoint-cli/common/parameter_settings.h"
+#include "app/dewpoint-cli/common/repeated_job.h"
 #include "app/dewpoint-cli/track/track_job.h"
 #include "app/wiring/open_project.h"
 #include "core/project/project_check.h"
@@ -20,6 +21,7 @@ namespace {
 struct TrackOptions {
   std::string project;
   TrackJob job;
+  JobOptions repeated;
   std::optional<std::string> method;
   std::optional<std::uint64_t> seed;
   std::optional<std::int64_t> particles;
@@ -107,6 +109,14 @@ int track(TrackOptions options) {
   if (const auto good = checkTargets(*project, options.project); !good) {
     return report(good.error());
   }
+  const std::string& label =
+      options.repeated.label.empty() ? options.project : options.repeated.label;
+  auto planned = plannedJob("track", *project, label, options.frames,
+                            options.job.reasons ? "with reasons" : "");
+  if (isDoneAlready(options.job.folder, planned, options.repeated)) {
+    return kExitDone;
+  }
+  options.job.record = std::move(planned);
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
     return report(inputs.error());
@@ -141,6 +151,7 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
       "Track only in this box, as x0,y0,z0,x1,y1,z1 in meters (the project's unless "
       "given)");
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
+  addJobOptions(*command, options->repeated);
   command->callback([options, &exitCode] { exitCode = track(*options); });
 }
 

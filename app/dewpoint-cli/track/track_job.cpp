@@ -14,6 +14,7 @@
 #include "core/session/run/run_report.h"
 #include "core/session/run/tracking_run.h"
 #include "core/trajectory/evaluation.h"
+#include "core/trajectory/jobs/job_folder.h"
 #include "core/trajectory/trajectory_writer.h"
 
 #include <fmt/format.h>
@@ -22,8 +23,11 @@
 #include <array>
 #include <chrono>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace dewpoint::app {
 namespace {
@@ -98,7 +102,38 @@ struct TrackOutput {
     }
     return writer ? writer->finish() : writeBoxTrack(boxes, folder);
   }
+  /// In how many frames each target was found.
+  std::vector<JobTarget> targets() const {
+    std::map<std::string, std::int64_t> valid;
+    for (const TrajectorySample& sample : kept.samples) {
+      valid[sample.target] += sample.valid ? 1 : 0;
+    }
+    for (const auto& sample : boxes.samples) {
+      valid[std::to_string(sample.target)] += sample.estimate.visible ? 1 : 0;
+    }
+    std::vector<JobTarget> targets;
+    for (const auto& [name, frames] : valid) {
+      targets.push_back({name, frames});
+    }
+    return targets;
+  }
 };
+
+/// The files whose content a repetition does not change.
+std::vector<std::string> resultFiles(const TrackJob& job, const TrackingRun& run,
+                                     const Project& project) {
+  std::vector<std::string> names{"trajectory.csv"};
+  if (!run.definition()->family().writesPositions()) {
+    names = {"boxes.csv", "boxes_mot.txt"};
+  }
+  if (!project.scene.empty()) {
+    names.emplace_back("truth.csv");
+  }
+  if (job.reasons) {
+    names.emplace_back("reasons.csv");
+  }
+  return names;
+}
 
 /// Writes and says what becomes of the frames of a job.
 class TrackObserver final : public FrameObserver {
@@ -193,17 +228,17 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, int itera
 } // namespace
 
 int TrackJob::run(SessionInputs inputs) const {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
-  }
   auto run = TrackingRun::create(inputs.project, threads, inputs.emptyRooms);
   if (!run) {
     return report(run.error());
   }
   // The parameters in use stand in all that is written.
   inputs.project = run->definition()->appliedTo(std::move(inputs.project));
+  const std::vector<std::string> results = resultFiles(*this, *run, inputs.project);
+  const auto begun = JobFolder::begin(folder, results);
+  if (!begun) {
+    return report(begun.error());
+  }
   const TrajectoryHeader header = trajectoryHeader(inputs.project);
   TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
   if (run->definition()->family().writesPositions()) {
@@ -227,9 +262,9 @@ int TrackJob::run(SessionInputs inputs) const {
   RunFigures figures;
   // Written now too: after a kill it says that the run did not finish.
   figures.threads = threads;
-  const auto began = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
-  if (!began) {
-    return report(began.error());
+  const auto reported = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
+  if (!reported) {
+    return report(reported.error());
   }
   const auto begin = std::chrono::steady_clock::now();
   auto tracked = trackJob(*this, *inputs.source, *run, output, figures);
@@ -252,7 +287,16 @@ int TrackJob::run(SessionInputs inputs) const {
   if (!ended) {
     return report(ended.error());
   }
-  return interruptionRequested() ? kExitInterrupted : kExitDone;
+  if (!figures.finished) {
+    return kExitInterrupted;
+  }
+  JobRecord done = record;
+  done.frames = figures.frames;
+  done.seconds = figures.seconds;
+  done.threads = threads;
+  done.targets = output.targets();
+  const auto finished = begun->finish(std::move(done), results);
+  return finished ? kExitDone : report(finished.error());
 }
 
 } // namespace dewpoint::app

@@ -3,6 +3,7 @@
 
 #include "core/session/run/frame_loop.h"
 #include "core/session/session_inputs.h"
+#include "core/trajectory/jobs/job_record.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -16,6 +17,7 @@ struct TrackJob {
   int threads = 1;
   bool reasons = false; ///< write reasons.csv, too
   FrameRange frames;
+  JobRecord record; ///< what is known of it before it runs
 
   /// The process's exit code.
   int run(SessionInputs inputs) const;

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/commands.h"
 #include "app/dewpoint-cli/common/exit_code.h"
+#include "core/base/sha256.h"
+#include "core/base/text_file.h"
 #include "core/experiment/metrics/identity_evaluation.h"
 #include "core/trajectory/evaluation_text.h"
 #include "core/trajectory/export/trajectory_export.h"
+#include "core/trajectory/jobs/gathered_jobs.h"
 #include "core/trajectory/trajectory_reader.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace dewpoint::app {
@@ -22,7 +26,16 @@ struct EvaluateOptions {
   bool json = false;
   bool identities = false;
   bool ground = false;
+  bool save = false;
 };
+
+/// Writes evaluation.json into the folder of a run.
+Status saveEvaluation(const std::filesystem::path& folder,
+                      const std::vector<Evaluation>& evaluations) {
+  return sha256OfFile(folder / "trajectory.csv").and_then([&](const std::string& sum) {
+    return writeTextFile(folder / kEvaluationFile, evaluationFileText(evaluations, sum));
+  });
+}
 
 int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
                      const Trajectory& truth) {
@@ -39,6 +52,10 @@ int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
 }
 
 int evaluateFiles(const EvaluateOptions& options) {
+  if (options.save && !std::filesystem::is_directory(options.trajectory)) {
+    report({ErrorCode::BadValue, options.trajectory, "--save", "it is not the folder of a run"});
+    return kExitUsage;
+  }
   const auto estimate = readExportSource(options.trajectory);
   if (!estimate) {
     return report(estimate.error());
@@ -53,6 +70,11 @@ int evaluateFiles(const EvaluateOptions& options) {
   const auto evaluations = evaluate(*estimate, *truth, options.gate);
   if (!evaluations) {
     return report(evaluations.error());
+  }
+  if (options.save) {
+    if (const auto saved = saveEvaluation(options.trajectory, *evaluations); !saved) {
+      return report(saved.error());
+    }
   }
   if (options.json) {
     fmt::print("{}\n", evaluationJson(*evaluations).dump(2));
@@ -78,6 +100,10 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
   command->add_flag("--json", options->json, "Print JSON (meters) instead of a table (mm)");
   command->add_flag("--identities", options->identities,
                     "Several targets whose names differ from the truth's: CLEAR MOT, HOTA, GOSPA");
+  command
+      ->add_flag("--save", options->save,
+                 "Write evaluation.json into the run's folder, for dewpoint-cli gather")
+      ->excludes("--identities");
   command->add_flag("--ground", options->ground, "With --identities: heights do not count");
   command->callback([options, &exitCode] { exitCode = evaluateFiles(*options); });
 }

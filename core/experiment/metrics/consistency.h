@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/belief_region.h"
 #include "core/experiment/metrics/proportion.h"
-#include "core/session/belief_region.h"
 
 #include <Eigen/Core>
 

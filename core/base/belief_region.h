@@ -3,11 +3,11 @@
 
 #include "core/base/floors.h"
 
-namespace dewpoint::session {
+namespace dewpoint::base {
 
 /// The 95 % quantiles of the chi-squared distribution with 2 and 3 degrees of freedom: the squared
 /// Mahalanobis distance of the ellipse (ellipsoid) that holds 95 % of a normal density.
 inline constexpr double kChiSquared95TwoDof = 5.991464547107;
 inline constexpr double kChiSquared95ThreeDof = 7.814727903251;
 
-} // namespace dewpoint::session
+} // namespace dewpoint::base

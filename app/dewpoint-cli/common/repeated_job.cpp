@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dewpoint-cli/common/repeated_job.h"
+
+#include "core/project/project_files.h"
+#include "core/trajectory/jobs/job_folder.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace dewpoint::app {
+
+void addJobOptions(CLI::App& command, JobOptions& options) {
+  command.add_option("--label", options.label,
+                     "What gathered tables call the recording (PROJECT unless given)");
+  command.add_flag("--force", options.force,
+                   "Track again although the folder has the result already");
+}
+
+JobRecord plannedJob(const std::string& command, const Project& project, const std::string& label,
+                     const std::string& frames, const std::string& more) {
+  JobRecord job;
+  job.identity = {label,  command,         project.method, project.seed, settingsOfRun(project),
+                  frames, DEWPOINT_VERSION};
+  if (!isRepeatable(project)) {
+    return job;
+  }
+  std::vector<JobInput> inputs;
+  for (const ProjectFile& file : filesOfRun(project)) {
+    inputs.push_back({file.name, file.path});
+  }
+  const std::string description = fmt::format("{}\n{}\n{}\n{}\n{}\n{}", command, DEWPOINT_VERSION,
+                                              label, frames, more, textOfRun(project));
+  job.key = jobKey(description, inputs).value_or("");
+  return job;
+}
+
+bool isDoneAlready(const std::filesystem::path& folder, const JobRecord& job,
+                   const JobOptions& options) {
+  if (options.force || !JobFolder::finished(folder, job.key)) {
+    return false;
+  }
+  fmt::print("Nothing to do: {} has this result already; --force tracks again.\n", folder.string());
+  return true;
+}
+
+} // namespace dewpoint::app

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/jobs/gathered_jobs.h"
+
+#include "core/base/text_file.h"
+#include "core/trajectory/csv_line.h"
+#include "core/trajectory/evaluation_text.h"
+#include "core/trajectory/jobs/gathered_rows.h"
+#include "core/trajectory/jobs/job_folder.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <tuple>
+
+namespace dewpoint::trajectory {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kOfTrajectory = "trajectory_sha256";
+
+Evaluation evaluationOf(const nlohmann::json& json) {
+  Evaluation one;
+  json.at("target").get_to(one.target);
+  json.at("rmse").get_to(one.rmse);
+  json.at("median").get_to(one.median);
+  json.at("p95").get_to(one.p95);
+  json.at("max").get_to(one.max);
+  json.at("rmse_all").get_to(one.rmseAll);
+  json.at("inside_95").get_to(one.inside95);
+  json.at("frames_compared").get_to(one.framesCompared);
+  json.at("lost_frames").get_to(one.lostFrames);
+  json.at("missing").get_to(one.missing);
+  if (const auto& converged = json.at("frames_to_converge"); !converged.is_null()) {
+    one.framesToConverge = converged.get<std::int64_t>();
+  }
+  return one;
+}
+
+/// The evaluation in a folder; empty where there is none.
+Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobRecord& record) {
+  const fs::path file = folder / kEvaluationFile;
+  std::error_code problem;
+  if (!fs::exists(file, problem)) {
+    return {};
+  }
+  const auto text = readTextFile(file);
+  if (!text) {
+    return tl::make_unexpected(text.error());
+  }
+  try {
+    const auto json = nlohmann::json::parse(*text);
+    const std::string of = json.at(kOfTrajectory);
+    if (std::ranges::none_of(record.files, [&](const auto& one) { return one.sha256 == of; })) {
+      return failure(ErrorCode::Mismatch, file.string(), kOfTrajectory,
+                     "it is of another trajectory than the one in this folder: evaluate it again");
+    }
+    std::vector<Evaluation> evaluations;
+    for (const auto& one : json.at("targets")) {
+      evaluations.push_back(evaluationOf(one));
+    }
+    return evaluations;
+  } catch (const nlohmann::json::exception& error) {
+    return failure(ErrorCode::NotParsed, file.string(), "", error.what());
+  }
+}
+
+/// Whether all files of a finished job are there with their sizes.
+bool isWhole(const fs::path& folder, const JobRecord& record) {
+  return std::ranges::all_of(record.files, [&](const JobFile& file) {
+    std::error_code problem;
+    return fs::file_size(folder / file.name, problem) == file.bytes && !problem;
+  });
+}
+
+/// The job of a folder; nothing where it has not finished.
+Result<std::optional<GatheredJob>> jobIn(const std::string& name) {
+  const fs::path folder = name;
+  std::error_code problem;
+  if (!fs::exists(folder / kDoneFile, problem)) {
+    return std::nullopt;
+  }
+  auto record = readJobRecord(folder / kDoneFile);
+  if (!record) {
+    return tl::make_unexpected(record.error());
+  }
+  if (!isWhole(folder, *record)) {
+    return std::nullopt;
+  }
+  return evaluationsIn(folder, *record).map([&](std::vector<Evaluation> evaluations) {
+    return std::optional(GatheredJob{name, std::move(*record), std::move(evaluations)});
+  });
+}
+
+/// The order of jobs; of the same job, one with an evaluation comes first.
+auto orderOf(const GatheredJob& job) {
+  return std::make_tuple(job.record.identity, job.evaluations.empty(), job.folder);
+}
+
+/// Keeps each job once.
+Status mergeRepeated(GatheredJobs& gathered) {
+  std::vector<GatheredJob> once;
+  for (GatheredJob& job : gathered.jobs) {
+    if (once.empty() || once.back().record.identity != job.record.identity) {
+      once.push_back(std::move(job));
+      continue;
+    }
+    if (once.back().record.files != job.record.files) {
+      return failure(ErrorCode::Mismatch, job.folder, kDoneFile,
+                     "it has another result of the same job than " + once.back().folder);
+    }
+    gathered.repeated.emplace_back(once.back().folder, job.folder);
+  }
+  gathered.jobs = std::move(once);
+  return {};
+}
+
+void putIdentity(const JobIdentity& identity, CsvLine& line) {
+  line.put(identity.recording).put(identity.command).put(identity.method).put(identity.settings);
+  line.put(identity.frames).put(identity.seed);
+}
+
+void putNothing(CsvLine& line, int cells) {
+  for (int k = 0; k < cells; ++k) {
+    line.put(std::string_view());
+  }
+}
+
+} // namespace
+
+Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders) {
+  GatheredJobs gathered;
+  // A folder that is named twice is one folder.
+  for (const std::string& name : std::set<std::string>(folders.begin(), folders.end())) {
+    std::error_code problem;
+    if (!fs::is_directory(name, problem)) {
+      gathered.missing.push_back(name);
+      continue;
+    }
+    auto job = jobIn(name);
+    if (!job) {
+      return tl::make_unexpected(job.error());
+    }
+    if (*job) {
+      gathered.jobs.push_back(std::move(**job));
+    } else {
+      gathered.unfinished.push_back(name);
+    }
+  }
+  std::ranges::sort(gathered.jobs, {}, orderOf);
+  if (const auto merged = mergeRepeated(gathered); !merged) {
+    return tl::make_unexpected(merged.error());
+  }
+  return gathered;
+}
+
+std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
+                               const std::string& trajectorySha256) {
+  nlohmann::json json = evaluationJson(evaluations);
+  json[kOfTrajectory] = trajectorySha256;
+  return json.dump(2) + "\n";
+}
+
+std::string gatheredTable(const GatheredJobs& gathered) {
+  std::string text =
+      "recording,command,method,settings,frame_range,seed,target,frames,coverage,frames_compared,"
+      "rmse_mm,median_mm,p95_mm,max_mm,rmse_all_mm,inside_95,frames_to_converge,lost_frames,"
+      "version\n";
+  constexpr double kMillimeters = 1000.0;
+  for (const GatheredRow& row : rowsOf(gathered)) {
+    CsvLine line(text);
+    putIdentity(row.job->record.identity, line);
+    line.put(row.target).put(row.job->record.frames).put(row.coverage());
+    if (row.evaluation != nullptr) {
+      const Evaluation& e = *row.evaluation;
+      line.put(e.framesCompared);
+      for (const double length : {e.rmse, e.median, e.p95, e.max, e.rmseAll}) {
+        line.put(kMillimeters * length);
+      }
+      line.put(e.inside95);
+      if (e.framesToConverge) {
+        line.put(*e.framesToConverge);
+      } else {
+        putNothing(line, 1);
+      }
+      line.put(e.lostFrames);
+    } else {
+      putNothing(line, 9);
+    }
+    line.put(row.job->record.identity.version);
+  }
+  return text;
+}
+
+std::string gatheredTimes(const GatheredJobs& gathered) {
+  std::string text = "recording,command,method,settings,frame_range,seed,frames,seconds,"
+                     "frames_per_second,threads\n";
+  for (const GatheredJob& job : gathered.jobs) {
+    const JobRecord& record = job.record;
+    CsvLine line(text);
+    putIdentity(record.identity, line);
+    line.put(record.frames).put(record.seconds);
+    line.put(record.seconds > 0.0 ? static_cast<double>(record.frames) / record.seconds : 0.0);
+    line.put(record.threads);
+  }
+  return text;
+}
+
+} // namespace dewpoint::trajectory

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/jobs/gathered_jobs.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dewpoint::trajectory {
+
+/// What is known of one target in one job.
+struct GatheredRow {
+  const GatheredJob* job = nullptr;
+  std::string target; ///< empty: the job found nothing
+  std::int64_t validFrames = 0;
+  const Evaluation* evaluation = nullptr; ///< null: no truth
+
+  /// Share of the job's frames in which the target had a valid position; 0 without frames.
+  double coverage() const {
+    return job->record.frames > 0
+               ? static_cast<double>(validFrames) / static_cast<double>(job->record.frames)
+               : 0.0;
+  }
+};
+
+/// The rows of all jobs: the targets of a job in the order of their names. The result points into
+/// `gathered`.
+std::vector<GatheredRow> rowsOf(const GatheredJobs& gathered);
+
+} // namespace dewpoint::trajectory
