@@ -9,8 +9,10 @@ sys.dont_write_bytecode = True
 import pages  # noqa: E402
 
 # How-to pages written in the words of the glossary. A page that is rewritten joins them, and none leaves.
-IN_PLAIN_WORDS = ("calibration.md", "changelog.md", "color.md", "contributing.md", "export.md", "glossary.md", "how-to-cite.md",
-                  "people.md", "plots.md", "time-travel.md", "window.md")
+IN_PLAIN_WORDS = ("calibration.md", "changelog.md", "color.md", "concepts.md", "contributing.md", "export.md",
+                  "glossary.md", "how-to-cite.md", "install.md", "people.md", "plots.md", "quick-start.md",
+                  "time-travel.md", "tutorial-board.md", "tutorial-one-camera-box.md",
+                  "tutorial-several-targets.md", "tutorial-wand.md", "window.md")
 
 
 class Pages(unittest.TestCase):
