@@ -10,8 +10,9 @@ import pages  # noqa: E402
 
 # How-to pages written in the words of the glossary. A page that is rewritten joins them, and none leaves.
 IN_PLAIN_WORDS = ("calibration.md", "changelog.md", "color.md", "concepts.md", "contributing.md", "export.md",
-                  "glossary.md", "how-to-cite.md", "install.md", "people.md", "plots.md", "quick-start.md",
-                  "time-travel.md", "tutorial-board.md", "tutorial-one-camera-box.md",
+                  "glossary.md", "how-to-cite.md", "install.md", "limitations.md", "many-recordings.md",
+                  "people.md", "plots.md", "python.md", "quick-start.md", "time-travel.md", "tutorial-board.md",
+                  "tutorial-changing-light.md", "tutorial-grid-by-hand.md", "tutorial-one-camera-box.md",
                   "tutorial-several-targets.md", "tutorial-wand.md", "window.md")
 
 
