@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/recorded_run.h"
 
+#include "core/camera_motion/agreement/disagreement_sentence.h"
 #include "core/project/project_check.h"
 #include "core/session/run/camera_agreement_watch.h"
 #include "core/session/run/camera_motion_observer.h"
