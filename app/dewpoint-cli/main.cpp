@@ -19,10 +19,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 a check found a problem, 2 wrong command line, 3 bad input, 4 the "
-      "input ended early,
-          or results are missing(what there is is kept),
-      5 the output cannot be "
-                             "written, 130 interrupted.");
+      "input ended early,\nor results are missing (what there is is kept), 5 the output "
+      "cannot be written, 130 interrupted.");
   int exitCode = kExitDone;
   addNewCommand(app, exitCode);
   addDoctorCommand(app, exitCode);
