@@ -751,6 +751,14 @@
         <source>Version, license, and how to cite Dewpoint</source>
         <translation>Version, Lizenz und wie Dewpoint zitiert wird</translation>
     </message>
+    <message>
+        <source>Show images in the bird&apos;s-eye view</source>
+        <translation>Bilder in der Vogelperspektive zeigen</translation>
+    </message>
+    <message>
+        <source>Show what each camera sees, in the bird&apos;s-eye view, on the pyramid it looks through</source>
+        <translation>In der Vogelperspektive zeigen, was jede Kamera sieht, auf der Pyramide, durch die sie blickt</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -6563,6 +6571,10 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <source>Restart</source>
         <translation>Neu beginnen</translation>
     </message>
+    <message>
+        <source>Take the size of the images</source>
+        <translation>Größe der Bilder übernehmen</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ShortcutEditor</name>
@@ -6703,10 +6715,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Eine Kiste zieht vor dem Ball vorbei. Eine Kamera genügt, um ihn zu halten.</translation>
     </message>
     <message>
-        <source>Three balls alike</source>
-        <translation>Drei gleiche Bälle</translation>
-    </message>
-    <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
         <translation>Drei weitere Bälle derselben Farbe liegen herum. Nur einer bewegt sich.</translation>
     </message>
@@ -6769,6 +6777,10 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>One that was saved before</source>
         <translation>Ein früher gespeichertes</translation>
+    </message>
+    <message>
+        <source>Four balls alike</source>
+        <translation>Vier gleiche Bälle</translation>
     </message>
 </context>
 <context>

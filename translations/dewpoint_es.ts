@@ -751,6 +751,14 @@
         <source>Version, license, and how to cite Dewpoint</source>
         <translation>Versión, licencia y cómo citar Dewpoint</translation>
     </message>
+    <message>
+        <source>Show images in the bird&apos;s-eye view</source>
+        <translation>Mostrar las imágenes en la vista de pájaro</translation>
+    </message>
+    <message>
+        <source>Show what each camera sees, in the bird&apos;s-eye view, on the pyramid it looks through</source>
+        <translation>Mostrar en la vista de pájaro lo que ve cada cámara, sobre la pirámide por la que mira</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -6563,6 +6571,10 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <source>Restart</source>
         <translation>Reiniciar</translation>
     </message>
+    <message>
+        <source>Take the size of the images</source>
+        <translation>Tomar el tamaño de las imágenes</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ShortcutEditor</name>
@@ -6703,10 +6715,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Una caja pasa ante la pelota. Basta una cámara para no perderla.</translation>
     </message>
     <message>
-        <source>Three balls alike</source>
-        <translation>Tres pelotas iguales</translation>
-    </message>
-    <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
         <translation>Hay otras tres pelotas del mismo color alrededor. Solo una se mueve.</translation>
     </message>
@@ -6769,6 +6777,10 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>One that was saved before</source>
         <translation>Uno guardado antes</translation>
+    </message>
+    <message>
+        <source>Four balls alike</source>
+        <translation>Cuatro bolas iguales</translation>
     </message>
 </context>
 <context>

@@ -751,6 +751,14 @@
         <source>Version, license, and how to cite Dewpoint</source>
         <translation>バージョン、ライセンス、Dewpoint の引用方法</translation>
     </message>
+    <message>
+        <source>Show images in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図に画像を表示</translation>
+    </message>
+    <message>
+        <source>Show what each camera sees, in the bird&apos;s-eye view, on the pyramid it looks through</source>
+        <translation>各カメラに見えているものを、鳥瞰図でその視野の角錐の上に表示します</translation>
+    </message>
 </context>
 <context>
     <name>AssessedRegions</name>
@@ -6554,6 +6562,10 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <source>Restart</source>
         <translation>最初から</translation>
     </message>
+    <message>
+        <source>Take the size of the images</source>
+        <translation>画像のサイズを取り込む</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ShortcutEditor</name>
@@ -6694,10 +6706,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>箱がボールの前を横切ります。カメラ 1 台だけで追跡を保てます。</translation>
     </message>
     <message>
-        <source>Three balls alike</source>
-        <translation>そっくりな 3 つのボール</translation>
-    </message>
-    <message>
         <source>Three more balls of the same color lie around. Only one moves.</source>
         <translation>同じ色のボールがほかに 3 つ置かれています。動くのは 1 つだけです。</translation>
     </message>
@@ -6760,6 +6768,10 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>One that was saved before</source>
         <translation>以前に保存したもの</translation>
+    </message>
+    <message>
+        <source>Four balls alike</source>
+        <translation>そっくりな 4 つのボール</translation>
     </message>
 </context>
 <context>
