@@ -58,9 +58,9 @@ std::vector<Estimate> estimatesOfFeed(const FrameFeed& feed) {
     estimates.push_back({name, std::move(sample), std::nullopt});
   }
   const auto names = targetNames(feed);
-  for (BoxSample& box : feed.boxes()) {
+  for (const BoxSample& box : feed.boxes()) {
     const std::string& name = names.at(static_cast<std::size_t>(box.target - 1));
-    estimates.push_back({name, std::nullopt, std::move(box)});
+    estimates.push_back({name, std::nullopt, box});
   }
   return estimates;
 }
@@ -81,6 +81,7 @@ std::unique_ptr<TrackerHandle> makeTrackerOf(const ProjectHandle& handle, int th
 std::vector<Estimate> step(TrackerHandle& handle, const std::vector<py::object>& arrays,
                            double time, const std::string& order, bool copy) {
   std::vector<cv::Mat> images;
+  images.reserve(arrays.size());
   for (const py::object& array : arrays) {
     images.push_back(imageOf(array, order, copy));
   }

@@ -31,7 +31,7 @@ TimeStamp times(double factor, TimeStamp interval) {
 
 } // namespace
 
-LivePairing::LivePairing(std::vector<TimeStamp> delays) {
+LivePairing::LivePairing(const std::vector<TimeStamp>& delays) {
   for (const TimeStamp delay : delays) {
     cameras_.push_back({.delay = delay});
   }

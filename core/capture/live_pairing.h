@@ -25,7 +25,7 @@ namespace dewpoint::capture {
 class LivePairing {
 public:
   /// `delays`: of each camera, from what an image shows to its arrival.
-  explicit LivePairing(std::vector<TimeStamp> delays);
+  explicit LivePairing(const std::vector<TimeStamp>& delays);
 
   /// Whether frames are to be expected from a camera, and how far apart (0: not known yet).
   void setExpected(std::size_t camera, bool delivers, TimeStamp interval);

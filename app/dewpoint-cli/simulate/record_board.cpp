@@ -87,7 +87,9 @@ std::vector<Isometry3d> shownPositions(const BoardDescription& board, const Came
   for (const Camera& camera : {cameras[0], cameras[1], between}) {
     for (int region = 0; region < 9; ++region, ++number) {
       const double depth = number % 3 == 0 ? 0.42 : 0.6;
-      const Vector3d aside(0.35 * (region % 3 - 1), 0.28 * (region / 3 - 1), 0.0);
+      const int column = region % 3 - 1;
+      const int row = region / 3 - 1;
+      const Vector3d aside(0.35 * column, 0.28 * row, 0.0);
       for (double share = 1.0; share > 0.1; share *= 0.85) { // as far out as it is seen whole
         const Vector3d middle = depth * (Vector3d::UnitZ() + share * aside);
         const Isometry3d pose = facing(board, middle, kTilts.at(number % kTilts.size()));

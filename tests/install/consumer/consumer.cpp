@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <core/simulation/scene/scene_catalog.h>
+
 #include <fmt/format.h>
 
 int main() {
