@@ -6572,7 +6572,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Take the size of the images</source>
+        <source>Use image size</source>
         <translation>Größe der Bilder übernehmen</translation>
     </message>
 </context>

@@ -6572,7 +6572,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Reiniciar</translation>
     </message>
     <message>
-        <source>Take the size of the images</source>
+        <source>Use image size</source>
         <translation>Tomar el tamaño de las imágenes</translation>
     </message>
 </context>

@@ -6563,7 +6563,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>最初から</translation>
     </message>
     <message>
-        <source>Take the size of the images</source>
+        <source>Use image size</source>
         <translation>画像のサイズを取り込む</translation>
     </message>
 </context>

@@ -71,7 +71,8 @@ void addBox(const BoxEstimate& estimate, const BoxParticles& particles, CameraOv
 /// Every how many of its particles one is shown, so that one image has no more than a person can
 /// see, and a window can paint while it is looked at.
 Eigen::Index particleStride(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
-  constexpr Eigen::Index kMostParticles = 10000; // of all targets together
+  constexpr Eigen::Index kMostParticles =
+      10000; // of all targets together; as many as a snapshot has of one
   const Eigen::Index all =
       target.particles.rows() * static_cast<Eigen::Index>(snapshot.targets.size());
   return std::max<Eigen::Index>(1, (all + kMostParticles - 1) / kMostParticles);

@@ -148,7 +148,7 @@ void SessionController::takeSizes(const Project& opened) {
     }
   };
   // Only what is guessed of live cameras differs: they are of the size that they send.
-  static_cast<void>(document_.edit(tr("Take the size of the images"), change));
+  static_cast<void>(document_.edit(tr("Use image size"), change));
 }
 
 void SessionController::start(const OpenRequest& request, SessionInputs inputs) {

@@ -35,8 +35,8 @@ QColor buttonFace(const QStyleOption& option) {
 }
 
 QColor buttonEdge(const QStyleOption& option) {
-  constexpr double kQuiet = 0.22; ///< of the text's color
-  constexpr double kGray = 0.1;
+  constexpr double kQuiet = 0.22; ///< of the text's color; by eye, as those of the face
+  constexpr double kGray = 0.1;   ///< of it, where the button is disabled
   const QPalette& palette = option.palette;
   const QColor ground = palette.color(QPalette::Window);
   if (!option.state.testFlag(QStyle::State_Enabled)) {
@@ -80,7 +80,7 @@ void drawHeaderSection(const QStyleOption& option, QPainter* painter) {
   const bool isLast = header == nullptr || header->position == QStyleOptionHeader::End ||
                       header->position == QStyleOptionHeader::OnlyOneSection;
   if (!isLast) {
-    constexpr int kInset = 4; // a divider, not a fence
+    constexpr int kInset = 4; // pixels: a divider, not a fence
     painter->drawLine(option.rect.topRight() + QPoint(0, kInset),
                       option.rect.bottomRight() - QPoint(0, kInset));
   }
