@@ -9,12 +9,13 @@
 
 namespace dewpoint::base {
 
+/// Two independent numbers in double precision.
 struct NormalPair {
   double first;
   double second;
 };
 
-/// Two independent standard normal numbers from two random words (Box & Muller 1958).
+/// Returns two independent standard normal numbers from two random words (Box & Muller 1958).
 [[gnu::always_inline]] inline NormalPair boxMuller(std::uint32_t radiusWord,
                                                    std::uint32_t angleWord) {
   // Half a step away from 0, where the logarithm is not finite.
@@ -23,12 +24,13 @@ struct NormalPair {
   return {radius * cosine, radius * sine};
 }
 
+/// Two independent numbers in single precision.
 struct NormalPairSingle {
   float first;
   float second;
 };
 
-/// The same in single precision.
+/// Returns two independent standard normal numbers as boxMuller() does, in single precision.
 [[gnu::always_inline]] inline NormalPairSingle boxMullerSingle(std::uint32_t radiusWord,
                                                                std::uint32_t angleWord) {
   const float radius = std::sqrt(-2.0F * logarithm(unitInterval(radiusWord)));
@@ -36,7 +38,8 @@ struct NormalPairSingle {
   return {radius * cosine, radius * sine};
 }
 
-/// An exponential number of mean 1 from a random word, by the inverse of its distribution.
+/// Returns an exponentially distributed number of mean 1 from a random word, by inverting the
+/// distribution function.
 [[gnu::always_inline]] inline float exponentialVariate(std::uint32_t word) {
   return 0.0F - logarithm(unitInterval(word)); // never minus zero
 }

@@ -8,16 +8,16 @@
 
 namespace dewpoint::base {
 
-/// Any number of durations in fixed memory, for quantiles that are off by at most half a percent.
-/// Buckets grow by one percent from 1 ns to 20 minutes; what lies outside falls into the first or
-/// the last one. The longest duration is exact.
+/// Histogram of any number of durations in fixed memory. Quantiles are off by at most half a
+/// percent. Buckets grow by one percent from 1 ns to 20 minutes; durations outside that range fall
+/// into the first or the last bucket. The longest duration is exact.
 class DurationHistogram {
 public:
-  /// Negative durations and NaN are not counted.
+  /// Adds a duration in seconds. Negative durations and NaN are not counted.
   void add(double seconds);
   std::int64_t count() const { return count_; }
-  /// The duration, in seconds, that this share (0 to 1) of all does not exceed; 0 when there are
-  /// none.
+  /// Duration in seconds that the given share (0 to 1) of all durations does not exceed; 0 when
+  /// there are none.
   double quantile(double share) const;
   double longest() const { return longest_; }
 

@@ -9,12 +9,13 @@
 #include <cstdint>
 #include <numbers>
 
-/// Elementary functions made of additions and multiplications in a fixed order, without branches:
-/// a loop over them becomes vector code, and every processor and library gives the same bits, which
-/// std::log, std::sin and std::exp do not promise. Errors are a few units in the last place.
+/// Elementary functions built from additions and multiplications in a fixed order, without
+/// branches. A loop over them compiles to vector code, and every processor and library gives the
+/// same bits, which std::log, std::sin and std::exp do not guarantee. Errors are a few units in the
+/// last place.
 namespace dewpoint::base {
 
-/// c[0] + c[1] x + c[2] x^2 + ...
+/// Evaluates the polynomial c[0] + c[1] x + c[2] x^2 + ...
 template <std::size_t Count>
 [[gnu::always_inline]] inline double polynomial(double x, const std::array<double, Count>& c) {
   double sum = c[Count - 1];
@@ -24,8 +25,8 @@ template <std::size_t Count>
   return sum;
 }
 
-/// The natural logarithm of a positive normal number. x = 2^k m with m between sqrt(1/2) and
-/// sqrt(2), and log m = 2 artanh((m - 1) / (m + 1)), whose series ends below 1e-17.
+/// Natural logarithm of a positive normal number. x = 2^k m with m between sqrt(1/2) and sqrt(2);
+/// log m = 2 artanh((m - 1) / (m + 1)), a series that is truncated below 1e-17.
 [[gnu::always_inline]] inline double logarithm(double x) {
   constexpr std::array<double, 11> kArtanh{1.0,        1.0 / 3.0,  1.0 / 5.0,  1.0 / 7.0,
                                            1.0 / 9.0,  1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0,
@@ -42,14 +43,15 @@ template <std::size_t Count>
   return k * std::numbers::ln2 + 2.0 * s * polynomial(s * s, kArtanh);
 }
 
-/// The cosine and sine of an angle.
+/// Cosine and sine of one angle.
 struct CosineSine {
   double cosine;
   double sine;
 };
 
-/// Of turn / 2^32 of a full turn. The nearest quarter is taken off exactly, in integers; what is
-/// left is at most an eighth, where the Taylor series end below 1e-16.
+/// Cosine and sine of the angle turn / 2^32 of a full turn. The nearest multiple of a quarter turn
+/// is subtracted exactly, in integers; the remainder is at most an eighth of a turn, for which the
+/// Taylor series are truncated below 1e-16.
 [[gnu::always_inline]] inline CosineSine cosineSine(std::uint32_t turn) {
   constexpr std::array<double, 9> kSine{1.0,
                                         -1.0 / 6.0,
@@ -83,8 +85,8 @@ struct CosineSine {
   return {cosineSign * first, sineSign * second};
 }
 
-/// e^x for x <= 0; zero below -700, minus infinity and NaN included.
-/// x = k ln 2 + r with |r| <= ln 2 / 2, where the Taylor series ends below 1e-17.
+/// e^x for x <= 0; zero below -700, and for minus infinity and NaN. x = k ln 2 + r with |r| <= ln 2
+/// / 2, for which the Taylor series is truncated below 1e-17.
 [[gnu::always_inline]] inline double exponential(double x) {
   constexpr std::array<double, 14> kExp{1.0,
                                         1.0,

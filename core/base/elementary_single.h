@@ -9,12 +9,12 @@
 #include <cstdint>
 #include <numbers>
 
-/// The functions of elementary.h in single precision, for random numbers by the million: half the
-/// size and half the terms, so that vector units take four times as many. Errors are a few units in
-/// the last place, and again every processor gives the same bits.
+/// The functions of elementary.h in single precision, for random numbers by the million. Numbers
+/// have half the size and series half the terms, so that vector units process four times as many.
+/// Errors are a few units in the last place, and again every processor gives the same bits.
 namespace dewpoint::base {
 
-/// c[0] + c[1] x + c[2] x^2 + ...
+/// Evaluates the polynomial c[0] + c[1] x + c[2] x^2 + ...
 template <std::size_t Count>
 [[gnu::always_inline]] inline float polynomial(float x, const std::array<float, Count>& c) {
   float sum = c[Count - 1];
@@ -24,7 +24,7 @@ template <std::size_t Count>
   return sum;
 }
 
-/// The natural logarithm of a positive normal number; see the one in double precision.
+/// Natural logarithm of a positive normal number; see the version in double precision.
 [[gnu::always_inline]] inline float logarithm(float x) {
   constexpr std::array<float, 5> kArtanh{1.0F, 1.0F / 3.0F, 1.0F / 5.0F, 1.0F / 7.0F, 1.0F / 9.0F};
   constexpr auto kRootHalf = std::bit_cast<std::uint32_t>(std::numbers::sqrt2_v<float> / 2.0F);
@@ -36,12 +36,13 @@ template <std::size_t Count>
          2.0F * s * polynomial(s * s, kArtanh);
 }
 
+/// Cosine and sine of one angle, in single precision.
 struct CosineSineSingle {
   float cosine;
   float sine;
 };
 
-/// Of turn / 2^32 of a full turn; see the one in double precision.
+/// Cosine and sine of the angle turn / 2^32 of a full turn; see the version in double precision.
 [[gnu::always_inline]] inline CosineSineSingle cosineSineSingle(std::uint32_t turn) {
   constexpr std::array<float, 5> kSine{1.0F, -1.0F / 6.0F, 1.0F / 120.0F, -1.0F / 5040.0F,
                                        1.0F / 362880.0F};
@@ -62,8 +63,8 @@ struct CosineSineSingle {
   return {std::bit_cast<float>(first ^ cosineSign), std::bit_cast<float>(second ^ sineSign)};
 }
 
-/// (word + 1/2) / 2^32, rounded: above 0 and at most 1. In two halves, which are whole numbers that
-/// vector units of any kind turn into floating point.
+/// (word + 1/2) / 2^32, rounded: above 0 and at most 1. Computed from two halves of the word,
+/// because vector units of every kind can convert such small integers to floating point.
 [[gnu::always_inline]] inline float unitInterval(std::uint32_t word) {
   const auto high = static_cast<float>(static_cast<std::int32_t>(word >> 16U));
   const auto low = static_cast<float>(static_cast<std::int32_t>(word & 0xFFFFU));

@@ -10,8 +10,8 @@
 
 namespace dewpoint::base {
 
-/// What went wrong, as far as a caller can act on it. Each code has one sentence of its own
-/// (phrase()), which the window translates.
+/// Kind of a failure, as far as a caller can act on it. Each code has its own sentence (phrase()),
+/// which the window translates.
 enum class ErrorCode {
   FileMissing,
   FileUnreadable,
@@ -30,8 +30,8 @@ enum class ErrorCode {
   Cancelled,
 };
 
-/// One failure, as a value: which file (or device, or address), which field in it, and the
-/// particulars. `file` and `field` may be empty where they make no sense.
+/// A failure as a value: the file (or device, or network address), the field in it, and details.
+/// `file` and `field` may be empty where they do not apply.
 struct Error {
   ErrorCode code = ErrorCode::BadValue;
   std::string file;
@@ -39,16 +39,18 @@ struct Error {
   std::string detail;
 };
 
+/// A value, or the error that prevented it.
 template <class T> using Result = tl::expected<T, Error>;
+/// Success, or an error.
 using Status = Result<void>;
 
-/// Shorthand to return a failure from a function that returns a Result.
+/// Shorthand for returning a failure from a function that returns a Result.
 inline tl::unexpected<Error> failure(ErrorCode code, std::string file, std::string field,
                                      std::string detail) {
   return tl::make_unexpected(Error{code, std::move(file), std::move(field), std::move(detail)});
 }
 
-/// The plain English words of a code, without file, field or detail ("the file does not exist").
+/// Plain English phrase for a code, without file, field or detail ("the file does not exist").
 const char* phrase(ErrorCode code);
 
 /// One clear sentence for the user: "project.toml: camera 1.video: the file does not exist

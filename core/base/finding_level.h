@@ -5,14 +5,14 @@
 
 namespace dewpoint::base {
 
-/// How bad something is that a check found, the worst last.
+/// Severity of a finding of a check, the most severe last.
 enum class FindingLevel {
   Ok,     ///< as it should be
-  Note,   ///< works, but may not be what was meant
-  Problem ///< has to be mended
+  Note,   ///< works, but may not be what you want
+  Problem ///< must be fixed
 };
 
-/// "ok", "note" or "problem", as it stands in front of a line and in files.
+/// Name of a level as lines of output and files show it: "ok", "note" or "problem".
 constexpr const char* levelName(FindingLevel level) {
   switch (level) {
   case FindingLevel::Ok:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floors of the program as namespaces: each sees the names of those it stands on
+// The floors of the program as namespaces: each floor sees the names of the floors below it
 // (docs/architecture.md).
 #pragma once
 

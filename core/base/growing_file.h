@@ -12,16 +12,17 @@
 
 namespace dewpoint::base {
 
-/// A file that is written while something runs. Each piece goes to the operating system at once, so
-/// that what a killed program wrote can be read. Errors are FileUnwritable with the reason, of a
-/// full disk for instance.
+/// A file that is written piece by piece while the program runs. Each piece goes to the operating
+/// system at once, so that the file can be read even if the program is killed. Errors are
+/// FileUnwritable with the reason, for instance a full disk.
 class GrowingFile {
 public:
-  /// Creates the file, or empties it.
+  /// Creates the file, or truncates an existing one.
   static Result<GrowingFile> create(const std::filesystem::path& path);
 
+  /// Appends text and passes it to the operating system at once.
   Status append(std::string_view text);
-  /// Closes it; nothing may be appended after it.
+  /// Closes the file. Nothing may be appended afterwards.
   Status close();
 
 private:

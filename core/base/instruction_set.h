@@ -5,14 +5,16 @@
 
 namespace dewpoint::base {
 
-/// How wide the vector instructions are that a kernel may use. Every processor has the baseline of
-/// its architecture; the other two are 256 and 512 bit wide on x86-64.
+/// Width of the vector instructions that a kernel may use. Every processor has the baseline of its
+/// architecture; the other two are 256 and 512 bits wide on x86-64.
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
-/// The widest set of this processor, or the limit set by a test or a benchmark if that is lower.
+/// Widest instruction set of this processor, or the limit that a test or a benchmark has set if
+/// that is lower.
 InstructionSet instructionSet();
 
-/// Keeps kernels below a width while it lives: tests and benchmarks compare the paths with it.
+/// Limits kernels to an instruction set during its lifetime. Tests and benchmarks use it to compare
+/// the versions of a kernel.
 class InstructionSetLimit {
 public:
   explicit InstructionSetLimit(InstructionSet limit);

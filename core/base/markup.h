@@ -7,7 +7,7 @@
 
 namespace dewpoint::base {
 
-/// Text as HTML and SVG write it, also within an attribute in double quotes.
+/// Escapes text for HTML and SVG, also for attributes in double quotes.
 std::string escaped(const std::string& text);
 
 } // namespace dewpoint::base

@@ -9,13 +9,12 @@
 
 namespace dewpoint::base {
 
-/// The bytes of the UTF-8 character that a text begins with; 0: there is none, or the bytes are not
-/// UTF-8.
+/// Number of bytes of the UTF-8 character at the beginning of a text, which is not empty; 0 when
+/// the bytes are not valid UTF-8.
 std::size_t utf8Bytes(std::string_view text);
 
-/// A part of a message on one line: what a file said may hold line breaks, other control characters
-/// and bytes that are no UTF-8, which become question marks. Of more than 4000 bytes the end is
-/// cut.
+/// Puts a part of a message on one line. Line breaks, other control characters and invalid UTF-8,
+/// which a file may contain, become question marks. Texts of more than 4000 bytes are truncated.
 std::string onOneLine(std::string_view text);
 
 } // namespace dewpoint::base

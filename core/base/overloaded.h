@@ -3,9 +3,9 @@
 
 namespace dewpoint::base {
 
-/// A visitor made of one function per alternative of a variant; the compiler names the alternatives
-/// that have none.
+/// Visitor made of one function per alternative of a variant. Compilation fails if an alternative
+/// has no function, and the compiler names it.
 template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
-template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>; // for clang 14
+template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>; // for Clang 14
 
 } // namespace dewpoint::base

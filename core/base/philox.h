@@ -9,16 +9,16 @@
 namespace dewpoint::base {
 
 /// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011): four
-/// random words that depend on nothing but counter and key, so that a number can be drawn by any
-/// thread, in any order, and is always the same.
+/// random words that depend only on counter and key. Any thread can draw any number in any order,
+/// and the number is always the same.
 struct Philox {
   using Counter = std::array<std::uint32_t, 4>;
   using Key = std::array<std::uint32_t, 2>;
   static constexpr int kRounds = 10;
 
-  /// A word may be kept in 64 bits, its upper half zero: then the products need no lanes of twice
-  /// the size, which suits vector units that multiply 64 bits at once. On return only the lower
-  /// halves count.
+  /// Turns the four words of a counter into four random words, in place. A word may be stored in 64
+  /// bits with its upper half zero: then the products need no lanes of twice the size, which suits
+  /// vector units that multiply 64 bits at once. On return only the lower halves are valid.
   template <class Word, int Round = 0>
   [[gnu::always_inline]] static inline void mix(Word& c0, Word& c1, Word& c2, Word& c3,
                                                 std::uint32_t key0, std::uint32_t key1) {

@@ -8,11 +8,11 @@
 
 namespace dewpoint::base {
 
-/// Four random words, a pure function of counter and key: see Philox.
+/// Four random words as a pure function of counter and key; see Philox.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
-/// What random numbers are for: each purpose has a stream of its own.
+/// Purpose of random numbers. Each purpose has a stream of its own.
 enum class RandomPurpose : std::uint32_t {
   Start,
   Motion,
@@ -24,36 +24,37 @@ enum class RandomPurpose : std::uint32_t {
   Search
 };
 
-/// The random numbers of one filter iteration: element i of a stream is a pure function of
-/// (seed, frame, iteration, purpose, i).
+/// Random numbers of one filter iteration. Element i of a stream is a pure function of (seed,
+/// frame, iteration, purpose, i).
 class RandomStream {
 public:
   RandomStream(std::uint64_t seed, std::uint32_t frame, std::uint32_t iteration,
                RandomPurpose purpose);
 
-  /// Four uniform words for element `index`; `block` gives further words of the same element.
+  /// Four uniform words for element `index`; other values of `block` give further words for the
+  /// same element.
   std::array<std::uint32_t, 4> words(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Uniform in [0, 1), 53 bits.
+  /// Uniform number in [0, 1) with 53 bits.
   double uniform(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Three uniforms in [0, 1), 32 bits each.
+  /// Three uniform numbers in [0, 1) with 32 bits each.
   std::array<double, 3> uniform3(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Four independent standard normal numbers (Box-Muller, on the functions of elementary.h).
+  /// Four independent standard normal numbers (Box-Muller, with the functions of elementary.h).
   std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
 
-  /// The first three of normal4(), computed in single precision.
+  /// First three numbers of normal4(), computed in single precision.
   std::array<float, 3> normal3(std::uint32_t index) const;
 
-  /// Four independent exponential numbers of mean 1, in single precision.
+  /// Four independent exponentially distributed numbers of mean 1, in single precision.
   std::array<float, 4> exponential4(std::uint32_t index) const;
 
-  /// normal3(i) for the `count` elements from `firstIndex` on, in three columns that do not
+  /// Writes normal3(i) for `count` elements from `firstIndex` on into three columns, which must not
   /// overlap.
   void normals(std::uint32_t firstIndex, std::int64_t count,
                const std::array<double*, 3>& columns) const;
-  /// normal4(i, block) likewise, in four columns.
+  /// Writes normal4(i, block) for `count` elements into four columns, which must not overlap.
   void normals4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
                 const std::array<double*, 4>& columns) const;
-  /// exponential4(i) likewise, in four columns.
+  /// Writes exponential4(i) for `count` elements into four columns, which must not overlap.
   void exponentials(std::uint32_t firstIndex, std::int64_t count,
                     const std::array<float*, 4>& columns) const;
 
@@ -66,7 +67,8 @@ private:
   std::uint32_t purpose_;
 };
 
-/// A seed for part `index` of something seeded with `seed`; part 0 keeps the seed itself.
+/// Derives a seed for part `index` of a computation that is seeded with `seed`; part 0 keeps the
+/// seed itself.
 std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index);
 
 } // namespace dewpoint::base

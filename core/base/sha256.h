@@ -12,12 +12,14 @@
 
 namespace dewpoint::base {
 
-/// The SHA-256 checksum of bytes that come in pieces (FIPS 180-4): tells whether contents are the
-/// same.
+/// SHA-256 checksum (FIPS 180-4) of bytes that are added in pieces. Shows whether two contents are
+/// the same.
 class Sha256 {
 public:
+  /// Adds bytes to the checksum.
   void add(std::string_view bytes);
-  /// 64 hexadecimal digits of all that was added. Nothing may be added after it.
+  /// Checksum of all bytes that were added, as 64 hexadecimal digits. Nothing may be added
+  /// afterwards.
   std::string text();
 
 private:
@@ -32,9 +34,10 @@ private:
   std::uint64_t allBytes_ = 0;
 };
 
-/// Of a text.
+/// SHA-256 checksum of a text, as 64 hexadecimal digits.
 std::string sha256(std::string_view text);
-/// Of a file's content, read in pieces: FileMissing or FileUnreadable.
+/// SHA-256 checksum of a file's content, which is read in pieces. Errors: FileMissing,
+/// FileUnreadable.
 Result<std::string> sha256OfFile(const std::filesystem::path& file);
 
 } // namespace dewpoint::base

@@ -8,18 +8,19 @@
 
 namespace dewpoint::base {
 
-/// The upper median: the middle one of the sorted values, of an even number the upper of the two.
-/// Always one of the values, which must not be NaN; 0 of none.
+/// Upper median of the values, which must not be NaN: for an even count, the upper of the two
+/// central values, so that the result is always one of the values. 0 when there are none.
 double upperMedian(std::vector<double> values);
 
-/// The same in place, without a copy: `values` are reordered.
+/// Upper median without a copy: reorders `values`.
 double upperMedianInPlace(std::span<double> values);
 
-/// The median: of an even number the mean of the two values in the middle; 0 of none.
+/// Median of the values: for an even count, the mean of the two central values. 0 when there are
+/// none.
 double median(std::vector<double> values);
 
-/// Quantile of ascending values (at least one), linear between order statistics; `fraction` in
-/// [0, 1].
+/// Quantile of ascending values (at least one), linearly interpolated between order statistics;
+/// `fraction` is in [0, 1].
 double quantile(const std::vector<double>& sorted, double fraction);
 
 } // namespace dewpoint::base

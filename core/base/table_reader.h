@@ -17,8 +17,8 @@
 
 namespace dewpoint::base {
 
-/// Any number of TOML, whole ones rounded to the nearest double (node::value<double>() has none for
-/// those above 2^53); nothing for what is none.
+/// Value of a TOML number; nothing if the node is not a number. Integers are rounded to the nearest
+/// double, whereas node::value<double>() returns nothing for integers above 2^53.
 inline std::optional<double> tomlNumber(const toml::node& node) {
   if (const auto* whole = node.as_integer()) {
     return static_cast<double>(whole->get());
@@ -27,8 +27,9 @@ inline std::optional<double> tomlNumber(const toml::node& node) {
   return real != nullptr ? std::optional(real->get()) : std::nullopt;
 }
 
-/// Takes the known keys out of one TOML table and keeps the first error in it, with
-/// the line where it stands. Keys that nobody requested are an error: they are typing mistakes.
+/// Reads the known keys of one TOML table and keeps the first error, with its line. Keys that were
+/// never requested are an error, because they are typing mistakes. An absent key leaves the value
+/// unchanged; use require() for keys that must be there.
 class TableReader {
 public:
   TableReader(const toml::table& table, std::string file, std::string prefix)
@@ -36,6 +37,7 @@ public:
 
   bool has(const char* key) const { return table_.contains(key); }
 
+  /// Reads a finite number between `low` and `high`, both included.
   void number(const char* key, double& value, double low, double high) {
     const toml::node* node = find(key);
     if (node == nullptr) {
@@ -49,6 +51,7 @@ public:
     }
   }
 
+  /// Reads an integer between `low` and `high`, both included.
   template <class Integer>
   void integer(const char* key, Integer& value, std::int64_t low, std::int64_t high) {
     const toml::node* node = find(key);
@@ -87,7 +90,7 @@ public:
     }
   }
 
-  /// The table under a key, or nothing when it is absent.
+  /// Table under a key; null when the key is absent or not a table (an error).
   const toml::table* table(const char* key) {
     const toml::node* node = find(key);
     if (node != nullptr && !node->is_table()) {
@@ -96,19 +99,20 @@ public:
     return node != nullptr ? node->as_table() : nullptr;
   }
 
-  /// Any node under a key, for values with a shape of their own; marks the key as known.
+  /// Any node under a key, for values with a structure of their own; null when absent. Marks the
+  /// key as known.
   const toml::node* node(const char* key) { return find(key); }
 
   bool failed() const { return error_.has_value(); }
 
-  /// Takes over the error of a part, unless there is one already.
+  /// Records the error of a part, unless an earlier error is recorded.
   void recordError(std::optional<Error> error) {
     if (!error_) {
       error_ = std::move(error);
     }
   }
 
-  /// Exactly `count` finite numbers into `values`.
+  /// Reads an array of exactly `count` finite numbers into `values`. Returns whether it succeeded.
   bool numbers(const char* key, double* values, std::size_t count, double low = -1e6,
                double high = 1e6) {
     const toml::node* node = find(key);
@@ -130,7 +134,8 @@ public:
     return true;
   }
 
-  /// The tables of an array of tables; empty when the key is absent. More than `most` are an error.
+  /// Tables of an array of tables; empty when the key is absent. More than `most` tables are an
+  /// error.
   std::vector<const toml::table*> tables(const char* key,
                                          std::size_t most = std::size_t{1} << 20U) {
     std::vector<const toml::table*> result;
@@ -155,12 +160,14 @@ public:
     return result;
   }
 
+  /// Records an error if the key is absent.
   void require(const char* key) {
     if (!has(key)) {
       fail(ErrorCode::MissingKey, key, "");
     }
   }
 
+  /// Records an error at a key, with its line, unless an earlier error is recorded.
   void fail(ErrorCode code, const std::string& key, std::string detail) {
     if (error_) {
       return;
@@ -173,11 +180,11 @@ public:
     error_ = Error{code, file_, prefix_ + key, std::move(detail)};
   }
 
-  /// The first error, or the first key that nobody requested.
+  /// Returns the first error; without one, reports the first key that was never requested.
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(known_, key.str()) == known_.end()) {
-        // A mistyped key is why another one is missing: say the mistake, not what follows from it.
+        // A mistyped key makes another key missing: report the mistake, not its consequence.
         if (error_ && error_->code == ErrorCode::MissingKey) {
           error_.reset();
         }

@@ -8,7 +8,8 @@
 
 namespace dewpoint::base {
 
-/// What readTextFile() does, for tables with a row per frame: up to limits::kMostTableBytes.
+/// Reads a whole text file like readTextFile(), with a larger limit for tables with one row per
+/// frame: limits::kMostTableBytes.
 Result<std::string> readTableText(const std::filesystem::path& file);
 
 } // namespace dewpoint::base

@@ -8,16 +8,17 @@
 
 namespace dewpoint::base {
 
-/// Reads a whole text file: FileMissing or FileUnreadable.
+/// Reads a whole text file. Errors: FileMissing, FileUnreadable.
 Result<std::string> readTextFile(const std::filesystem::path& file);
 
-/// Writes beside, flushes to the disk, renames: a reader, or a crash at any time, finds the old
-/// text or the new one, never half of one. FileUnwritable has the reason.
+/// Writes a text file atomically: writes a temporary file in the same folder, flushes it to the
+/// disk and renames it. A reader, or the disk after a crash, has either the complete old text or
+/// the complete new text. Error: FileUnwritable with the reason.
 Status writeTextFile(const std::filesystem::path& file, const std::string& text);
 
-/// The first half of that: writes the text into this very file and flushes it to the disk. For
-/// files that belong together and are renamed when all of them are there. After FileUnwritable
-/// there may be a part of it.
+/// First half of writeTextFile(): writes the text directly into `file` and flushes it to the disk.
+/// Use it for files that belong together and are renamed when all of them are complete. After
+/// FileUnwritable the file may be incomplete.
 Status writeFlushed(const std::filesystem::path& file, const std::string& text);
 
 } // namespace dewpoint::base

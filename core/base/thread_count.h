@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many threads share a job. Results never depend on it.
+// Number of threads that share a job. Results never depend on it.
 #pragma once
 
 #include "core/base/floors.h"
@@ -8,12 +8,12 @@
 
 namespace dewpoint::base {
 
-/// Threads of the filter when `wanted` are requested; 0: as many as this machine runs at once, but
-/// one for cameras and window.
+/// Number of threads for the filter when `wanted` are requested. 0 means all hardware threads but
+/// one, which is left for cameras and the window.
 int filterThreads(int wanted);
 
-/// Threads for `tasks` independent tasks: one each, as far as this machine runs them at once; at
-/// least 1.
+/// Number of threads for `tasks` independent tasks: one per task, at most the number of hardware
+/// threads, at least 1.
 int threadsForTasks(std::size_t tasks);
 
 } // namespace dewpoint::base

@@ -5,15 +5,15 @@
 
 namespace dewpoint::base {
 
-/// Who goes first where threads share a processor.
+/// Priority of a thread among threads that share a processor.
 enum class Precedence {
-  Prompt, ///< as usual: takes the processor when it wakes up
-  Patient ///< waits until a running thread pauses or has had its turn; new threads inherit it
+  Prompt, ///< the normal behavior: runs as soon as it wakes up
+  Patient ///< waits until a running thread pauses or its time slice ends; new threads inherit it
 };
 
-/// Sets it for the calling thread (Linux; nothing happens elsewhere or where it is forbidden). The
-/// window's threads are patient, so that a filter iteration is not interrupted for milliseconds to
-/// draw the one before.
+/// Sets the priority of the calling thread (Linux; has no effect elsewhere or where it is not
+/// permitted). The window's threads are patient, so that drawing one iteration does not interrupt
+/// the next filter iteration for milliseconds.
 void setPrecedence(Precedence precedence);
 
 } // namespace dewpoint::base

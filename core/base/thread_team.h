@@ -9,11 +9,11 @@
 
 namespace dewpoint::base {
 
-/// A fixed number of threads that share loops over independent elements. Results must not depend
-/// on how the range is cut: then they do not depend on the number of threads either.
+/// A fixed number of threads that share loops over independent elements. Results must not depend on
+/// how the range is split; then they do not depend on the number of threads either.
 class ThreadTeam {
 public:
-  /// `threadCount` includes the calling thread; 1 means no further thread at all.
+  /// Starts the threads. `threadCount` includes the calling thread; 1 starts none.
   explicit ThreadTeam(int threadCount = 1);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -21,23 +21,24 @@ public:
 
   int threadCount() const { return threadCount_; }
 
-  /// Calls `body(begin, end)` on contiguous pieces that cover [0, count), and returns when all are
-  /// done. Not re-entrant; `body` must not throw.
+  /// Calls `body(begin, end)` on contiguous pieces that cover [0, count), and returns when all
+  /// calls are done. Not reentrant; `body` must not throw.
   void forEachRange(std::int64_t count,
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 
-  /// The same in pieces of `blockSize` elements (the last one may be shorter), which begin at
-  /// multiples of it for any number of threads: what is summed up within a block is the same sum.
+  /// Calls `body(begin, end)` on blocks of `blockSize` elements; the last block may be shorter.
+  /// Blocks begin at multiples of `blockSize` for any number of threads, so a sum within a block is
+  /// always the same.
   void forEachBlock(std::int64_t count, std::int64_t blockSize,
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 
 private:
-  /// The further threads and what they wait for; in the source, because half the tree includes this
-  /// header and few need the standard library's threads.
+  /// The additional threads and their synchronization. Defined in the source file, because half the
+  /// tree includes this header and few files need the standard library's threads.
   class Workers;
 
   int threadCount_ = 1;
-  std::unique_ptr<Workers> workers_; ///< null where there are none
+  std::unique_ptr<Workers> workers_; ///< null without additional threads
 };
 
 } // namespace dewpoint::base

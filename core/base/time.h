@@ -7,16 +7,16 @@
 
 namespace dewpoint::base {
 
-/// When a frame was taken: nanoseconds since the run's own zero (the first frame of a recording,
-/// the opening of a live session). Integer, so that times compare and print exactly.
+/// Capture time of a frame: nanoseconds since the zero of the run (the first frame of a recording,
+/// the start of a live session). An integer, so that times compare and print exactly.
 using TimeStamp = std::chrono::nanoseconds;
 
-/// Seconds as a number, for mathematics and files.
+/// Converts a time stamp to seconds, for mathematics and files.
 inline double seconds(TimeStamp time) {
   return std::chrono::duration<double>(time).count();
 }
 
-/// The time stamp nearest to a number of seconds.
+/// Time stamp nearest to a time in seconds.
 inline TimeStamp timeStamp(double seconds) {
   return std::chrono::round<TimeStamp>(std::chrono::duration<double>(seconds));
 }

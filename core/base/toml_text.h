@@ -10,14 +10,15 @@
 
 namespace dewpoint::base {
 
-/// Parses TOML; NotParsed with the line and what was expected there, also where keys, arrays
-/// and tables are nested deeper than limits::kMostNesting. `file` is for the message.
+/// Parses TOML. NotParsed gives the line and what was expected there; nesting of keys, arrays and
+/// tables deeper than limits::kMostNesting is also NotParsed. `file` is for the message.
 Result<toml::table> parseToml(const std::string& text, const std::string& file);
 
-/// Reads and parses a TOML file; what readTextFile() and parseToml() say.
+/// Reads and parses a TOML file. Errors: those of readTextFile() and parseToml().
 Result<toml::table> readTomlFile(const std::filesystem::path& file);
 
-/// A text as TOML writes it; bytes that are no UTF-8, which it cannot hold, become question marks.
+/// Quotes a text for TOML. Bytes that are not valid UTF-8, which TOML cannot hold, become question
+/// marks.
 std::string quoted(const std::string& text);
 
 } // namespace dewpoint::base

@@ -6,8 +6,8 @@
 
 namespace dewpoint::base {
 
-// Numbers in the units that people read. Everywhere else a length is in meters, a time in seconds,
-// an angle in radians and a share a part of 1.
+// Conversions to the units that users read. Everywhere else lengths are in meters, times in
+// seconds, angles in radians, and shares are between 0 and 1.
 
 inline constexpr double inMillimeters(double meters) {
   return 1000.0 * meters;

@@ -3,7 +3,7 @@
 
 #include "core/base/instruction_set.h"
 
-/// Marks the body of a kernel, which must become part of every version compiled from it.
+/// Marks the body of a kernel, which must be inlined into each compiled version of it.
 #define DEWPOINT_KERNEL [[gnu::always_inline]] static inline
 
 #if defined(__x86_64__)
@@ -28,11 +28,11 @@ template <class Kernel, class... Arguments>
 }
 #endif
 
-/// Runs `Kernel::run(arguments...)`, a plain loop without any intrinsic, in the version compiled
-/// for this processor: one source text, one meaning, several instruction sets, chosen at run time.
-/// Floating-point results are the same to the bit in all of them, because the compiler may neither
-/// reorder sums nor contract products (-ffp-contract=off), and a kernel calls nothing but the
-/// basic operations and the square root, which IEEE 754 rounds in one way only.
+/// Runs `Kernel::run(arguments...)`, a plain loop without intrinsics, in the version compiled for
+/// this processor. All versions, one per instruction set, are compiled from one source and chosen
+/// at run time. Their floating-point results agree to the bit: the compiler may neither reorder
+/// sums nor contract products (-ffp-contract=off), and a kernel uses only the basic operations and
+/// the square root, whose rounding IEEE 754 defines.
 template <class Kernel, class... Arguments> void runKernel(Arguments... arguments) {
 #if defined(__x86_64__)
   switch (instructionSet()) {

@@ -8,29 +8,30 @@
 
 namespace dewpoint::camera_motion {
 
-/// Where a piece of the background is seen now instead of at `pixel`, and how that changes with a
-/// turn of the camera.
+/// Displacement of a piece of the background in the image, and how it depends on a rotation of the
+/// camera.
 struct BackgroundShift {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();                          ///< pixels
   Eigen::Matrix<double, 2, 3> byTurn = Eigen::Matrix<double, 2, 3>::Zero(); ///< pixels per radian
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< of `shift`, by the images' noise; px²
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< of `shift`, from image noise; px²
 };
 
-/// A small turn of a camera about its center: the new cameraFromWorld is (1 + [turn]x) times the
-/// old one.
+/// A small rotation of a camera about its center: the new cameraFromWorld is (1 + [turn]x) times
+/// the old one.
 struct CameraRotation {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< radians, camera axes
-  double sigma = 0.0;        ///< standard error of its least known component, radians
-  double significance = 0.0; ///< how many standard errors it is away from none
-  int used = 0;              ///< shifts that agree with it
+  double sigma = 0.0;        ///< standard error of its least certain component, radians
+  double significance = 0.0; ///< size in standard errors
+  int used = 0;              ///< number of shifts that agree with it
 };
 
-/// d(pixel) / d(turn) at a pixel; nothing where the lens has no direction there.
+/// Derivative d(pixel) / d(turn) at a pixel, in pixels per radian; nothing where the lens model has
+/// no direction for the pixel.
 std::optional<Eigen::Matrix<double, 2, 3>> pixelsByTurn(const Camera& camera,
                                                         const Eigen::Vector2d& pixel);
 
-/// The turn that most shifts agree on: least squares with Tukey's biweight, its scale from the
-/// median of the residuals. Nothing for fewer than four shifts, or when fewer than four agree.
+/// Fits the rotation that most shifts agree on: least squares with Tukey's biweight, scaled by the
+/// median of the residuals. Nothing for fewer than four shifts, or if fewer than four agree.
 std::optional<CameraRotation> fitTurn(const std::vector<BackgroundShift>& shifts);
 
 } // namespace dewpoint::camera_motion

@@ -14,42 +14,49 @@
 
 namespace dewpoint::camera_motion {
 
-/// A target as one camera sees it, and where the other cameras say it is.
+/// A target as one camera sees it, compared with its position from the other cameras.
 struct ReprojectionResidual {
-  double time = 0.0;                                  ///< seconds
-  Eigen::Vector3d world = Eigen::Vector3d::Zero();    ///< by the other cameras alone; meters
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();    ///< of its center
-  Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< pixel minus that of `world`, pixels
-  double othersOff = 0.0; ///< how far the others disagree on `world` among themselves, pixels
+  double time = 0.0; ///< seconds
+  Eigen::Vector3d world =
+      Eigen::Vector3d::Zero(); ///< position from the other cameras alone; meters
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the target in the image
+  Eigen::Vector2d residual =
+      Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
+  double othersOff =
+      0.0; ///< disagreement of the other cameras about `world` among themselves, pixels
 };
 
-/// Center of the pixels of the target's color around its expected position (CV_8UC3, pixels);
-/// nothing when their number is not about that of its outline, or when they reach the edge of the
-/// searched region: the target is hidden in part, or another object has its color.
+/// Centroid (pixels) of the pixels in the target's color around its expected position in an image
+/// (CV_8UC3). Nothing if their number differs too much from the area of the target's outline, or if
+/// they reach the edge of the searched region: then the target is partly hidden, or another object
+/// has its color.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
                                              const SphereImage& expected);
 
-/// Collects, camera by camera, how tracked targets disagree with what the other cameras see. One
-/// camera that was moved has a residual that its sightings share; and the others, without it,
-/// agree among themselves as before, while those of any other camera do not.
+/// Collects, for each camera, the disagreement between tracked targets and the other cameras. A
+/// camera that was moved has a residual that its sightings share; without it, the other cameras
+/// agree among themselves as before. For any camera that was not moved, the others do not agree.
 class ReprojectionResiduals {
 public:
-  static constexpr std::size_t kMost = 300; ///< of each camera, the newest
+  static constexpr std::size_t kMost = 300; ///< maximum number for each camera; the newest are kept
   explicit ReprojectionResiduals(const CameraRig& rig);
 
-  /// After the iterations of a frame. A target that is not held, or has no radius, is passed over;
-  /// a position needs three cameras, or two where the rig has only two: then each is compared with
-  /// the estimate as it is.
+  /// Adds the targets after the iterations of a frame. A target that is not held, or has no radius,
+  /// is ignored. A position needs three cameras; in a rig of only two, two are enough, and each is
+  /// compared with the estimate itself.
   void add(const FrameSet& frames, const std::vector<Target>& targets,
            const std::vector<SphereEstimate>& estimates);
+  /// Sightings of a camera, oldest first.
   const std::deque<ReprojectionResidual>& of(std::size_t camera) const {
     return sightings_[camera];
   }
-  /// Medians over the sightings since a time (seconds), if they are at least `fewest`.
+  /// Componentwise medians over sightings of a camera.
   struct Summary {
     Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< component by component, pixels
     double othersOff = 0.0;                             ///< pixels
   };
+  /// Summary of the sightings of a camera since a time (seconds); nothing if there are fewer than
+  /// `fewest`.
   std::optional<Summary> summary(std::size_t camera, double since, std::size_t fewest) const;
   void restart();
 

@@ -11,9 +11,10 @@
 
 namespace dewpoint::capture {
 
-/// An image (CV_8UC3) in memory that is not ours, without a copy of its pixels: `owner` is released
-/// with the last cv::Mat that shows them, in whatever thread that is. `stride`: bytes from one row
-/// to the next, at least 3 * width. Nobody may write the pixels as long as they are shown.
+/// Image (CV_8UC3) over pixels owned by someone else, without copying them. `owner` is released
+/// together with the last cv::Mat that uses the pixels, in whatever thread that happens. `stride`
+/// is the distance between rows in bytes, at least 3 * width. The pixels must not be written while
+/// an image uses them.
 cv::Mat borrowedImage(int width, int height, std::uint8_t* pixels, std::size_t stride,
                       std::shared_ptr<void> owner);
 

@@ -9,40 +9,44 @@
 
 namespace dewpoint::capture {
 
-/// Which picture of each camera of a recording belongs to each frame set.
+/// Assigns the images of each camera of a recording to frame sets.
 ///
-/// Frame set k is of the time k / rate. Without times, picture k of a camera was taken then, or
-/// shows what was `delay` before. With times, the picture nearest to it belongs to the set, unless
-/// it is farther than half a frame: then the camera has none. Set 0 is when the last camera begins.
+/// Frame set k belongs to the time k / rate. Without capture times, image k of a camera was
+/// delivered at that time and shows the scene `delay` earlier. With capture times, the image
+/// nearest in time belongs to the frame set; if it is more than half a frame away, the camera has
+/// no image in the set. Frame set 0 is at the time when the last camera begins.
 class CaptureSchedule {
 public:
+  /// Images of one camera.
   struct CameraPictures {
-    std::int64_t count = 0; ///< > 0
-    double delay = 0.0;     ///< seconds by which they are late
-    /// By a common clock, one for each picture; all cameras have them or none.
+    std::int64_t count = 0; ///< number of images, > 0
+    double delay = 0.0;     ///< seconds by which the images are delayed
+    /// Capture times by a common clock, one for each image. Either all cameras have them or none.
     std::optional<CaptureTimes> times = std::nullopt;
-    /// Where each picture stands among those that should be there, from 0 on, rising; empty: none
-    /// is missing. Not used when there are times.
+    /// Index of each image in the complete sequence, from 0, ascending; empty if no image is
+    /// missing. Not used with capture times.
     std::vector<std::int64_t> places = {};
   };
-  /// `rate` > 0: frame sets per second. At least one camera.
+  /// `rate`: frame sets per second, > 0. `cameras`: at least one.
   CaptureSchedule(std::vector<CameraPictures> cameras, double rate);
 
-  /// Frame sets of which every camera has a picture, or should: until the first camera ends.
+  /// Number of frame sets, until the first camera ends. Each camera has an image in each of them,
+  /// except where one is missing.
   std::int64_t frameCount() const { return count_; }
 
+  /// Image of one camera in a frame set.
   struct Picture {
-    std::int64_t number = 0;
-    double time = 0.0; ///< when what it shows was, seconds since frame set 0
+    std::int64_t number = 0; ///< index of the image
+    double time = 0.0;       ///< capture time of the scene it shows, seconds since frame set 0
   };
-  /// The picture of a camera in a frame set; nothing where there is none.
+  /// Image of a camera in a frame set; nothing if the camera has none.
   std::optional<Picture> pictureOf(std::size_t camera, std::int64_t frame) const;
 
-  /// Frame sets that so many pictures last, with those that are missing.
+  /// Number of frame sets that the images of a camera span, missing images included.
   static std::int64_t lengthOf(const CameraPictures& camera) {
     return camera.places.empty() ? camera.count : camera.places.back() + 1;
   }
-  /// Pictures per second by their times: of the camera that takes most. 0: unknown.
+  /// Rate in images per second from the capture times, that of the fastest camera; 0 if unknown.
   static double rateOf(const std::vector<CameraPictures>& cameras);
 
 private:
@@ -51,7 +55,7 @@ private:
 
   std::vector<CameraPictures> cameras_;
   double rate_;
-  double origin_ = 0.0; ///< of the times, seconds
+  double origin_ = 0.0; ///< of the capture times, seconds
   std::int64_t count_ = 0;
 };
 

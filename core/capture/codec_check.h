@@ -9,20 +9,20 @@
 
 namespace dewpoint::capture {
 
-/// Whether one kind of recordings can be written and read on this computer.
+/// Result of checking whether this computer can write and read one kind of recording.
 struct CodecOutcome {
-  std::string name; ///< "FFV1"
-  /// Recordings of this program need it; without the others only recordings of other programs
-  /// cannot be read.
+  std::string name; ///< for example "FFV1"
+  /// Whether recordings of this program need the codec; without the others, only recordings of
+  /// other programs cannot be read.
   bool isNeeded = false;
   bool isLossless = false;
-  std::string problem = {}; ///< what went wrong; empty: nothing
-  bool isMissing = false;   ///< this computer cannot write it, so reading it was not tried
-  double difference = 0.0;  ///< mean absolute difference of what was read back, gray values
+  std::string problem = {}; ///< what went wrong; empty if nothing did
+  bool isMissing = false;   ///< this computer cannot write it, so reading was not tried
+  double difference = 0.0;  ///< mean absolute difference after reading back, in gray levels
 };
 
-/// Writes a small moving picture as a Motion JPEG, an FFV1 and an H.264 video and as a folder of
-/// PNG images into a folder that is there, and reads each back. The files stay.
+/// Writes a short moving sequence as Motion JPEG, FFV1 and H.264 videos and as a folder of PNG
+/// images into an existing folder, and reads each back. The files are kept.
 std::vector<CodecOutcome> checkCodecs(const std::filesystem::path& folder);
 
 } // namespace dewpoint::capture

@@ -9,12 +9,12 @@
 
 namespace dewpoint::capture {
 
-/// What a camera shows when no target is there (CV_8UC3, rotated): the picture in a file, or the
-/// median, pixel by pixel, of up to kEmptyRoomPictures evenly picked ones of a video or of a folder
-/// of pictures. FileMissing, FileUnreadable or Mismatch name the file and the camera.
+/// Background image of a camera (CV_8UC3, rotated): the image in a file, or the pixelwise median of
+/// up to kEmptyRoomPictures images picked evenly from a video or a folder. The errors FileMissing,
+/// FileUnreadable and Mismatch name the file and the camera.
 Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& camera);
 
-/// Pictures that a median is taken of.
+/// Maximum number of images of which the median is computed.
 inline constexpr int kEmptyRoomPictures = 15;
 
 } // namespace dewpoint::capture

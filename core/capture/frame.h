@@ -11,15 +11,16 @@
 
 namespace dewpoint::capture {
 
-/// One image of one camera. It owns its pixels, and nobody writes them once it is published.
+/// One image of one camera. The frame owns its pixels, and nobody writes them once the frame is
+/// published.
 struct Frame {
   std::int64_t index = 0;  ///< frame number of this camera, from 0
-  TimeStamp captureTime{}; ///< when it was taken, by the camera's own clock reading
-  cv::Mat image;           ///< CV_8UC3, blue green red
+  TimeStamp captureTime{}; ///< capture time by the camera's own clock
+  cv::Mat image;           ///< CV_8UC3; blue, green, red
 };
 using FramePtr = std::shared_ptr<const Frame>;
 
-/// What all cameras delivered for one instant, in the order of the rig; null where one is missing.
+/// Images of all cameras at one time, in the order of the rig; null where a camera has none.
 struct FrameSet {
   std::int64_t index = 0;
   TimeStamp time{};

@@ -12,10 +12,12 @@
 
 namespace dewpoint::capture {
 
-/// Carries the frames of one camera from its thread to the reader, in order. When the reader does
-/// not come, the oldest ones are dropped. Every function may be called from any thread.
+/// Queue that passes the frames of one camera from its thread to the reader, in order. If the
+/// reader falls behind, the oldest frames are dropped. Every function may be called from any
+/// thread.
 class FrameQueue {
 public:
+  /// `capacity`: maximum number of waiting frames.
   explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}
 
   void put(FramePtr frame) {
@@ -27,7 +29,7 @@ public:
     frames_.push_back(std::move(frame));
   }
 
-  /// All frames that came since the last call, oldest first.
+  /// Removes and returns all waiting frames, oldest first.
   std::vector<FramePtr> takeAll() {
     std::scoped_lock lock(mutex_);
     std::vector<FramePtr> taken(frames_.begin(), frames_.end());
@@ -35,6 +37,7 @@ public:
     return taken;
   }
 
+  /// Number of frames dropped so far.
   std::int64_t dropped() const {
     std::scoped_lock lock(mutex_);
     return dropped_;

@@ -15,21 +15,21 @@ class VideoWriter;
 
 namespace dewpoint::capture {
 
-/// Writes one camera's pictures without loss, so that reading them back gives the same bytes.
+/// Writes the images of one camera losslessly: reading them back gives the same bytes.
 class FrameWriter {
 public:
-  /// A folder of PNG files 000000.png, 000001.png, ...; made when it does not exist.
+  /// Writer for a folder of PNG files 000000.png, 000001.png, ... The folder is created if needed.
   static Result<FrameWriter> images(const std::string& folder);
-  /// An FFV1 video; the file name should end in .mkv. The first picture sets the size.
+  /// Writer for an FFV1 video; the file name should end in .mkv. The first image sets the size.
   static Result<FrameWriter> video(const std::string& file, double framesPerSecond);
 
   FrameWriter(FrameWriter&&) noexcept;
   FrameWriter& operator=(FrameWriter&&) noexcept;
   ~FrameWriter();
 
-  /// `image` is CV_8UC3, blue green red, all of one size.
+  /// Writes one image: CV_8UC3 (blue, green, red), all of the same size.
   Status write(const cv::Mat& image);
-  /// Closes the output and checks that it is there. Writing afterwards fails.
+  /// Closes the output and checks that it exists. Writing afterwards fails.
   Status finish();
   std::int64_t framesWritten() const { return frames_; }
 
@@ -39,7 +39,7 @@ private:
   Status writeVideo(const cv::Mat& image);
 
   std::string path_;
-  double framesPerSecond_ = 0; ///< 0: a folder of pictures
+  double framesPerSecond_ = 0; ///< 0: a folder of images
   std::unique_ptr<cv::VideoWriter> video_;
   cv::Size size_;
   std::int64_t frames_ = 0;

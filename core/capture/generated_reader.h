@@ -8,8 +8,8 @@
 
 namespace dewpoint::capture {
 
-/// The pictures that RecordedCamera::generate makes. `field` names the camera in errors: BadValue
-/// when nothing makes any.
+/// Reader for the images that RecordedCamera::generate makes. `field` names the camera in errors:
+/// BadValue when the camera has no such function.
 Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
                                              const std::string& field);
 

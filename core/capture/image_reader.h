@@ -7,14 +7,14 @@
 
 namespace dewpoint::capture {
 
-/// Whether a file is a picture, by the ending of its name.
+/// Returns whether a file is an image, by its file name extension.
 bool isPictureFile(const std::string& path);
 
-/// The pictures of a folder, in the order of naturallyBefore(). `field` names the camera in errors:
-/// FileMissing, FileUnreadable.
+/// Reader for the images of a folder, in the order of naturallyBefore(). `field` names the camera
+/// in errors: FileMissing, FileUnreadable.
 Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::string& field);
 
-/// One picture; whether it can be read shows only then.
+/// Reader for a single image file. Whether the file can be read is found out by the first read.
 Result<PictureReaderPtr> openPictureReader(const std::string& file, const std::string& field);
 
 } // namespace dewpoint::capture

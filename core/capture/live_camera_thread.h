@@ -18,14 +18,15 @@
 
 namespace dewpoint::capture {
 
-/// Wakes the reader of several cameras whenever one of them has news.
+/// Wakes up the reader of several cameras whenever one of them has a new frame or changes its
+/// state.
 class Bell {
 public:
   using Clock = std::chrono::steady_clock;
 
   void ring();
   std::uint64_t rings() const;
-  /// Returns when there were more rings than `known`, or at the deadline.
+  /// Waits until there were more rings than `known`, or until the deadline.
   void waitBeyond(std::uint64_t known, Clock::time_point deadline);
 
 private:
@@ -34,8 +35,9 @@ private:
   std::uint64_t rings_ = 0;
 };
 
-/// Opens one camera, reads it, and opens it again when it is lost, in a thread of its own. What
-/// the thread touches is shared with it, so that a read that never returns can be left behind.
+/// Opens one camera in a thread of its own, reads it, and opens it again when the connection is
+/// lost. The thread shares ownership of the data it uses, so that it can be abandoned if a read
+/// never returns.
 class LiveCameraThread {
 public:
   using Clock = std::chrono::steady_clock;
@@ -51,23 +53,23 @@ public:
   /// Waits for the thread until the deadline, then abandons it.
   void joinUntil(Clock::time_point deadline);
 
-  /// The frames that came since the last call, oldest first.
+  /// Removes and returns the frames since the last call, oldest first.
   std::vector<FramePtr> takeFrames() { return shared_->frames.takeAll(); }
   std::int64_t dropped() const { return shared_->frames.dropped(); }
-  /// Whether frames are to be expected from it.
+  /// Returns whether frames can be expected from the camera.
   bool delivers() const;
-  /// What is wrong at present.
+  /// Current problem of the camera; nothing if there is none.
   std::optional<Error> problem() const;
-  /// Pictures per second, smoothed; 0 before the second one.
+  /// Smoothed rate in images per second; 0 before the second image.
   double framesPerSecond() const { return shared_->rate; }
 
 private:
-  /// Kept while nobody takes them: more than a camera sends until the reader looks again.
+  /// Maximum number of waiting frames: more than a camera sends between two reads.
   static constexpr std::size_t kMostFrames = 16;
 
   struct Shared {
     LiveCamera camera;
-    PictureShape shape; ///< used by the camera's thread alone
+    PictureShape shape; ///< used only by the camera's thread
     LiveStreamFactory factory;
     std::shared_ptr<Bell> bell;
     Clock::time_point zero;
@@ -75,12 +77,12 @@ private:
     FrameQueue frames{kMostFrames};
     std::atomic<double> rate{0};
 
-    mutable std::mutex mutex; ///< guards all below
+    mutable std::mutex mutex; ///< guards all members below
     std::condition_variable_any changed;
     bool connected = false;
     bool everDelivered = false;
     bool finished = false;
-    Clock::time_point openingSince{}; ///< of the attempt under way, while not connected
+    Clock::time_point openingSince{}; ///< start of the current attempt to open, while not connected
     Clock::time_point lastGrab{};
     std::optional<Error> problem;
   };

@@ -11,15 +11,16 @@
 
 namespace dewpoint::capture {
 
-/// Starts one thread per camera, each opening, reading and reconnecting on its own, and returns at
-/// once: only settings that can never work (an empty or unknown location, a rotation that is no
-/// multiple of 90) fail. A camera that cannot be opened (DeviceUnavailable), stopped delivering
-/// (ConnectionLost) or sends another picture size (Mismatch) is a notice for as long as that lasts.
-/// Frames carry the steady clock's reading right after the grab, counted from this call, less
-/// their camera's delay.
+/// Opens a live source with one thread per camera; each thread opens, reads and reconnects its
+/// camera. Returns at once: only settings that can never work (an empty or unknown location, a
+/// rotation that is not a multiple of 90 degrees) are errors. A camera that cannot be opened
+/// (DeviceUnavailable), stopped delivering (ConnectionLost) or sends images of another size
+/// (Mismatch) is a notice for as long as the problem lasts. The time of a frame is the reading of
+/// the steady clock right after the grab, counted from this call, minus the delay of the camera.
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
 
-/// As openLive(cameras), but with other connections (devices of another kind, or fakes in tests).
+/// As openLive(cameras), but connects through `factory` (for other kinds of devices, or for fakes
+/// in tests).
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
                                                  const LiveStreamFactory& factory);
 

@@ -10,36 +10,36 @@
 
 namespace dewpoint::capture {
 
-/// Puts the frames of live cameras together by the time they show, whatever rates and delays the
-/// cameras have.
+/// Groups the frames of live cameras by capture time, whatever rates and delays the cameras have.
 ///
-/// A group begins with the oldest frame that waits, and takes from every other camera the frame
-/// that was taken within three quarters of the shortest frame interval after it. It is settled as
-/// soon as no camera can add to it any more: each has a frame in it, or has one that is later, or
-/// is not expected to send one in time, or is overdue. A slow camera is missing from most groups
-/// and costs a fast one nothing. When groups pile up, because whoever takes them is slow, the older
-/// ones are dropped.
+/// A group begins with the oldest waiting frame. From every other camera it takes the frame that
+/// was captured within three quarters of the shortest frame interval after the first one. The group
+/// is complete as soon as no camera can add to it: each camera has a frame in it, or has a later
+/// frame, or is not expected to send one in time, or is overdue. A slow camera is missing from most
+/// groups and does not hold up a fast one. If the caller is slow and groups pile up, the older ones
+/// are dropped.
 ///
-/// All times are capture times: seconds of the live session's clock, less the camera's delay. Not
-/// thread safe.
+/// All times are capture times: seconds by the clock of the live session, minus the delay of the
+/// camera. Not thread safe.
 class LivePairing {
 public:
-  /// `delays`: of each camera, from what an image shows to its arrival.
+  /// `delays`: for each camera, the time from the scene that an image shows to the arrival of the
+  /// image.
   explicit LivePairing(const std::vector<TimeStamp>& delays);
 
-  /// Whether frames are to be expected from a camera, and how far apart (0: not known yet).
+  /// Sets whether frames are expected from a camera, and their interval (0: not known yet).
   void setExpected(std::size_t camera, bool delivers, TimeStamp interval);
-  /// A frame with the time of what it shows. One that is older than a group already taken is
+  /// Adds a frame with its capture time. A frame that is older than a group already taken is
   /// dropped.
   void add(std::size_t camera, FramePtr frame);
 
-  /// The frames of the next group, one for each camera (null where one is missing); nothing while
-  /// none is settled at the time `now` of the session's clock.
+  /// Frames of the next group, one per camera (null where one is missing); nothing if no group is
+  /// complete at the time `now` of the session's clock.
   std::optional<std::vector<FramePtr>> take(TimeStamp now);
-  /// When, by the session's clock, the group that waits is settled at the latest; nothing while
-  /// there is no frame.
+  /// Latest time, by the session's clock, at which the waiting group is complete; nothing if no
+  /// frame waits.
   std::optional<TimeStamp> due() const;
-  /// Frames that no group took, or whose group nobody took.
+  /// Number of frames that were in no group, or whose group was dropped.
   std::int64_t dropped() const { return dropped_; }
 
 private:
@@ -47,7 +47,7 @@ private:
     TimeStamp delay{};
     bool delivers = false;
     TimeStamp interval{};
-    std::optional<TimeStamp> last = std::nullopt; ///< of the newest frame so far
+    std::optional<TimeStamp> last = std::nullopt; ///< capture time of the newest frame so far
     std::deque<FramePtr> waiting = {};
   };
   struct Group {
@@ -59,7 +59,7 @@ private:
   TimeStamp deadlineOf(const Camera& camera, TimeStamp begin) const;
   bool canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp now) const;
   std::optional<TimeStamp> oldest() const;
-  /// The group that begins with the oldest frame, taken out; nothing when it is not settled.
+  /// Removes the group that begins with the oldest frame; nothing if it is not complete.
   std::optional<Group> settledGroup(TimeStamp now);
 
   std::vector<Camera> cameras_;

@@ -12,26 +12,26 @@
 
 namespace dewpoint::capture {
 
-/// One connection to a device, used by one thread only. Any call may take long.
+/// A connection to one device, used by one thread only. Any call may take a long time.
 class LiveStream {
 public:
   virtual ~LiveStream() = default;
-  /// Connects; the error's detail tells why it failed.
+  /// Connects to the device. The error text says why it failed.
   virtual tl::expected<void, std::string> open() = 0;
-  /// Waits for the next picture; false when the connection is lost.
+  /// Waits for the next image; false if the connection is lost.
   virtual bool grab() = 0;
-  /// The picture just grabbed, in memory of its own; empty when it cannot be decoded.
+  /// Image that was just grabbed, in memory of its own; empty if it cannot be decoded.
   virtual cv::Mat retrieve() = 0;
 };
 
 using LiveStreamPtr = std::unique_ptr<LiveStream>;
-/// Makes an unopened connection; called by the camera's thread before each attempt.
+/// Creates an unopened connection. The camera's thread calls it before each attempt to connect.
 using LiveStreamFactory = std::function<LiveStreamPtr(const LiveCamera&)>;
 
-/// Whether the location is of a kind this program knows.
+/// Checks whether the location is of a kind that this program knows.
 Status checkLocation(const LiveCamera& camera);
 
-/// The connection through OpenCV that fits the camera's location.
+/// Creates the OpenCV connection for the camera's location.
 LiveStreamPtr makeVideoStream(const LiveCamera& camera);
 
 } // namespace dewpoint::capture

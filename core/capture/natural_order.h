@@ -7,9 +7,9 @@
 
 namespace dewpoint::capture {
 
-/// Whether `left` comes before `right` when numbers inside names count as numbers ("2" < "10") and
-/// all else by its bytes: the order of frames, which must not depend on what letters people take
-/// for the same.
+/// Returns whether `left` comes before `right` in natural order: digits inside names compare as
+/// numbers ("2" < "10"), everything else by its bytes. Frames are sorted in this order, which must
+/// not depend on the language settings.
 bool naturallyBefore(const std::string& left, const std::string& right);
 
 } // namespace dewpoint::capture

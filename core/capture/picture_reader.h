@@ -12,20 +12,21 @@
 
 namespace dewpoint::capture {
 
-/// The pictures of one recorded camera by number, as stored: not yet rotated, size not yet checked.
+/// Reads the images of one recorded camera by number, as stored: not yet rotated, size not yet
+/// checked.
 class PictureReader {
 public:
   virtual ~PictureReader() = default;
   virtual std::int64_t frameCount() const = 0;
-  /// The recording's own rate; 0 when it has none.
+  /// Frame rate of the recording, in frames per second; 0 if it states none.
   virtual double framesPerSecond() const { return 0; }
-  /// Picture number `frame`; an empty picture at an end that is no error. The pixels are the
-  /// caller's own. Fast when the numbers rise one by one.
+  /// Reads image number `frame`; an empty image at an end that is not an error. The caller owns the
+  /// pixels. Fast when the numbers rise one by one.
   virtual Result<cv::Mat> read(std::int64_t frame) = 0;
-  /// Where each picture stands among those that should be there, from 0 on, rising, when some are
-  /// missing; empty: none is.
+  /// Index of each image in the complete sequence, from 0, ascending, if some images are missing;
+  /// empty if none is.
   virtual std::vector<std::int64_t> places() const { return {}; }
-  /// The file that picture comes from, for errors.
+  /// Name of the file that an image comes from, for errors.
   virtual std::string fileOf(std::int64_t frame) const = 0;
 };
 

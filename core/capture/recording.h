@@ -10,16 +10,19 @@
 
 namespace dewpoint::capture {
 
-/// Rates further apart than this share cannot be one rate, rounded in different ways. A judgment.
+/// Relative difference above which two frame rates cannot be the same rate, rounded differently. A
+/// judgment.
 inline constexpr double kSameRate = 0.01;
 
-/// Opens synchronized recordings: frame k of each camera shows the same instant, k / rate seconds
-/// after the first, or what was taken nearest to it when there are tables of times
-/// (CaptureSchedule). Of a camera that is late the picture nearest in time is taken, with its own
-/// capture time; before its first and after its last one there is none, nor where a numbered
-/// picture of a folder is missing, which is a notice. `framesPerSecond` 0 takes the rate by the
-/// times, or the first video's own rate, else 30. Seeking is exact to the frame. Cameras of
-/// different length give the shortest's frame count and one notice.
+/// Opens synchronized recordings.
+///
+/// Frame k of each camera shows the same time, k / rate seconds after the first frame, or, with
+/// tables of capture times, the image nearest to that time (CaptureSchedule). For a camera with a
+/// delay, the image nearest in time is used, with its own capture time; before its first and after
+/// its last image the camera has none. A camera also has no image where a numbered image of a
+/// folder is missing, which is a notice. If `framesPerSecond` is 0, the rate is that of the capture
+/// times, else that of the first video, else 30. Seeking is exact to the frame. If cameras differ
+/// in length, the frame count is that of the shortest, and there is one notice.
 Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<RecordedCamera>& cameras,
                                                       double framesPerSecond);
 

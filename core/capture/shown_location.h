@@ -8,10 +8,10 @@
 
 namespace dewpoint::capture {
 
-/// The location of a camera as it may be shown, logged and written into results: the password of a
-/// network address (`rtsp://user:***@host/`) and the values of options that are secrets by their
-/// name (`token`, `passphrase`, `user-pw`, ...) are replaced by three stars, also within a
-/// GStreamer pipeline. Paths and device numbers stay as they are.
+/// Location of a camera without its secrets, to be shown, logged and written into results. Three
+/// stars replace the password of a network address (`rtsp://user:***@host/`) and the values of
+/// options whose names suggest a secret (`token`, `passphrase`, `user-pw`, ...), also within a
+/// GStreamer pipeline. Paths and device numbers are unchanged.
 std::string shownLocation(std::string_view location);
 
 } // namespace dewpoint::capture

@@ -7,7 +7,8 @@
 
 namespace dewpoint::capture {
 
-/// The pictures of a video file. `field` names the camera in errors: FileMissing, FileUnreadable.
+/// Reader for the images of a video file. `field` names the camera in errors: FileMissing,
+/// FileUnreadable.
 Result<PictureReaderPtr> openVideoReader(const std::string& path, const std::string& field);
 
 } // namespace dewpoint::capture

@@ -19,6 +19,7 @@ struct ColorEvidence;
 
 enum class HorizontalThird : std::uint8_t { Left, Center, Right };
 enum class VerticalThird : std::uint8_t { Top, Middle, Bottom };
+/// Everyday names of colors.
 enum class ColorWord : std::uint8_t {
   Black,
   Gray,
@@ -34,65 +35,69 @@ enum class ColorWord : std::uint8_t {
   Pink,
 };
 
-/// The everyday name of a color.
+/// Returns the everyday name of a color.
 ColorWord colorWord(const BgrColor& color);
 
-/// Something that is not the target and matches its color too.
+/// A region that is not the target but also matches its color: a distractor.
 struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
-  double share = 0.0; ///< of the image's pixels
+  double share = 0.0; ///< share of the image's pixels, 0 to 1
   std::vector<cv::Point> outline;
-  HorizontalThird horizontal = HorizontalThird::Center; ///< thirds of the image
+  HorizontalThird horizontal = HorizontalThird::Center; ///< position in the image, in thirds
   VerticalThird vertical = VerticalThird::Middle;
   ColorWord color = ColorWord::Gray;
 };
 
-/// What the user can do about it.
+/// Suggestion to the user for improving the color.
 enum class Suggestion : std::uint8_t {
-  None,              ///< the color separates well
+  None,              ///< none: the color separates well
   AddSamples,        ///< much of the target does not match: click its light and its dark side
-  ExcludeDistractor, ///< one object matches that could be excluded: Alt-click it
-  RemoveDistractor,  ///< one object of the same color: cover it or take it out of view
+  ExcludeDistractor, ///< one object matches and can be excluded: Alt-click it
+  RemoveDistractor,  ///< one object has the same color: cover it or move it out of view
   MoreLight,         ///< the target is nearly black
   LessExposure,      ///< the target is nearly white: its color is lost
   UseStrongerColor,  ///< the target is nearly gray
   UseAnotherColor,   ///< several objects in the room have this color
-  FollowAll,         ///< a few objects of this color and size: each may be a target (`alike`)
-  ClickObjectItself, ///< what was clicked fills much of an image: a wall, not an object
-  ClickMore,         ///< what was clicked is a speck, of which little matches
+  FollowAll,         ///< a few objects have this color and size: each may be a target (`alike`)
+  ClickObjectItself, ///< the clicked region fills much of an image: a wall, not an object
+  ClickMore,         ///< the clicked region is tiny, and little of it matches
 };
 
-/// How well a color range distinguishes the target from the rest.
+/// Assessment of how well a color range distinguishes the target from everything else.
 struct ColorAssessment {
-  /// False when there is no sample: then nothing but backgroundShare, of all pixels, is known.
+  /// False if there is no sample: then only backgroundShare is known, as a share of all pixels.
   bool targetKnown = true;
-  /// F1 score of the range, 0 to 1: of what matches and what is target, the share that is both.
-  /// The samples stand for the target, what is around them in the images for the rest.
+  /// F1 score of the range, 0 to 1: 2 precision recall / (precision + recall). The samples stand
+  /// for the target, the rest of the images for the background.
   double separability = 0.0;
-  double targetShare = 0.0;     ///< share of the sampled colors that match
-  double backgroundShare = 0.0; ///< share of the other pixels that match too
-  /// backgroundShare of a range for the whole target. Where little of it matches, this is why: more
-  /// of it would cost more than it wins. Nothing while missesTarget() is false.
+  double targetShare = 0.0;     ///< share of the sampled colors that match, 0 to 1
+  double backgroundShare = 0.0; ///< share of the other pixels that match too, 0 to 1
+  /// backgroundShare of a range that covers the whole target. If little of the target matches, it
+  /// shows why: covering more of the target would match too much background. Nothing while
+  /// missesTarget() is false.
   std::optional<double> backgroundShareOfWhole;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
-  /// Objects of the target's color and about its size in one image, the target among them.
+  /// Number of objects in one image with the target's color and about its size, the target
+  /// included.
   int alike = 1;
-  /// A sample hardly matches what was found for all.
+  /// Whether some sample hardly matches the range that was found for all samples.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
-  /// Distractors that are listed.
+  /// Maximum number of distractors in the list.
   static constexpr std::size_t kMostDistractors = 5;
-  static constexpr double kFewMatch = 0.75; ///< of the target
+  static constexpr double kFewMatch =
+      0.75; ///< share of the target below which missesTarget() is true
 
-  /// The separability as it is shown, 0 to 100.
+  /// Separability as it is shown, 0 to 100.
   int score() const { return static_cast<int>(std::lround(100.0 * separability)); }
-  /// Whether the score is low, or lower, because much of the target does not match.
+  /// Whether the score is low, or lower than it could be, because much of the target does not
+  /// match.
   bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
 };
 
-/// How well a color does on the evidence that was collected from these images.
+/// Assesses color ranges by the evidence that was collected from these images.
 ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evidence,
                             const std::vector<cv::Mat>& images);
 

@@ -11,16 +11,16 @@
 
 namespace dewpoint::color {
 
-/// How often each hue (whole degrees), saturation and intensity (hundredths) occurs, as shares of
-/// the pixels; what a color picker shows behind its handles. Gray pixels have no hue: the hues sum
-/// to the share of the others.
+/// Histogram of hue (whole degrees), saturation and intensity (hundredths) as shares of the pixels.
+/// A color picker shows it behind its handles. Gray pixels have no hue: the shares of all hues add
+/// up to the share of the colored pixels.
 struct ColorHistogram {
   std::array<double, 360> hue{};
   std::array<double, 101> saturation{};
   std::array<double, 101> intensity{};
 };
 
-/// Of all the images (CV_8UC3; others are left out) together.
+/// Histogram of all images together (CV_8UC3; images of other types are ignored).
 ColorHistogram histogramOf(const std::vector<cv::Mat>& images);
 
 } // namespace dewpoint::color

@@ -12,45 +12,48 @@
 
 namespace dewpoint::color {
 
+/// A learned color with its assessment.
 struct LearnedColor {
   ColorRange range;
   ColorAssessment assessment;
-  std::vector<ColorRange> others{}; ///< ranges of a target of several colors, besides `range`
+  std::vector<ColorRange>
+      others{}; ///< further ranges of a target of several colors, besides `range`
 
   ColorRanges ranges() const { return {range, others}; }
 };
 
-/// The range of hue, saturation and intensity with the greatest F1 score between what was sampled
-/// and the rest of the images (one per camera of the project, empty where there is none). The
-/// sampled colors are also taken a little lighter, darker and paler, as other positions in the room
-/// will show them. An excluded sample counts as much background as a target is large. Where the
-/// samples show several colors, each gets a range of its own if that separates much better than one
-/// range for all. BadValue when no sample shows the target.
+/// Learns the range of hue, saturation and intensity with the highest F1 score between the sampled
+/// colors and the rest of the images (one image per camera of the project, empty where there is
+/// none). The sampled colors are also used a little lighter, darker and paler, as they will appear
+/// in other positions in the room. An excluded sample counts as much background as the target is
+/// large. If the samples have several colors, each color gets its own range, provided that this
+/// separates much better than one range for all. Error: BadValue when no sample shows the target.
 Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images);
 
-/// The assessment alone, of ranges however they were made.
+/// Assesses ranges, wherever they come from, by samples and images.
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images);
 
-/// learnColor() for trackers that know the empty rooms, which are in the order of the images
-/// (withoutBackgroundColors()). Pixels that are `undecided` (colorEvidence()) count for nothing.
+/// As learnColor(), for trackers that use background images. `rooms` are the background images in
+/// the order of the images (withoutBackgroundColors()). Pixels that are `undecided`
+/// (colorEvidence()) are ignored.
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& rooms,
                                               const std::vector<cv::Mat>& undecided = {});
 
-/// assessColor() for them.
+/// As assessColor(), for trackers that use background images.
 ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<ColorSample>& samples,
                                           const std::vector<cv::Mat>& images,
                                           const std::vector<cv::Mat>& rooms);
 
-/// The two steps of learnColor(), for callers that use the evidence, which is most of the work, for
-/// other purposes as well: the ranges, from the evidence of the samples without ranges...
+/// First step of learnColor(): the ranges, from evidence that was collected without ranges. For
+/// callers that use the evidence, which is most of the work, for other purposes too.
 Result<ColorRanges> learnRanges(const ColorEvidence& evidence);
-/// ... and the assessment of ranges in these images, which may be others than the evidence is
-/// from.
+/// Second step of learnColor(): assesses ranges in these images, which may differ from those that
+/// the evidence is from.
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images, const ColorEvidence& evidence);
 

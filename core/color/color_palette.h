@@ -10,22 +10,23 @@
 
 namespace dewpoint::color {
 
-/// The few colors that a picture is made of, and how alike they are to one who does not mind some
-/// shading. Colors lie in CIE L*a*b* with lightness counted half; alike is a Gauss function of
-/// their distance there. The same picture gives the same palette.
+/// The dominant colors of an image, and how similar they are to each other if shading is mostly
+/// ignored. Colors are compared in CIE L*a*b* with half the weight for lightness; similarity is a
+/// Gaussian of their distance. The same image always gives the same palette.
 class ColorPalette {
 public:
-  /// Colors of the palette.
+  /// Number of colors in the palette.
   static constexpr std::size_t kColors = 24;
-  using Shares = std::array<double, kColors>; ///< something per color
+  using Shares = std::array<double, kColors>; ///< one value per color
 
-  /// Of a picture, CV_8UC3, not empty: begins with the color at `first` (clamped to the picture)
-  /// and the one farthest from all before (Gonzalez 1985), then k-means.
+  /// Computes the palette of an image (CV_8UC3, not empty) by k-means. The first start color is
+  /// that of the pixel `first` (clamped to the image); each further one is the color farthest from
+  /// all earlier ones (Gonzalez 1985).
   ColorPalette(const cv::Mat& bgr, cv::Point first);
 
-  /// CV_8UC1 of the picture's size: which color is the nearest to that of each pixel.
+  /// Index of the nearest palette color for each pixel: CV_8UC1 of the image's size.
   const cv::Mat& labels() const { return labels_; }
-  /// Counts spread over the colors that are alike.
+  /// Spreads counts over similar colors.
   Shares softened(const Shares& counts) const;
 
 private:

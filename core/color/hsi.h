@@ -9,7 +9,7 @@
 
 namespace dewpoint::color {
 
-/// Slack of an inclusive bound, in degrees for the hue and as a fraction for saturation and
+/// Tolerance of an inclusive bound, in degrees for the hue and as a fraction for saturation and
 /// intensity, so that rounding does not decide about colors that lie exactly on a bound. Far
 /// smaller than the distance between any two 8-bit colors.
 inline constexpr double kBoundSlack = 1e-10;
@@ -22,17 +22,18 @@ struct Hsi {
   double intensity = 0.0;  ///< [0, 1]
 };
 
-/// HSI of one 8-bit pixel, by the book's arc cosine. Exact but slow: the reference that
-/// ColorClassifier is held to.
+/// HSI of one 8-bit pixel, computed with the book's arc cosine. Exact but slow: the reference
+/// implementation for ColorClassifier.
 Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r);
 
-/// Blue, green and red in gray levels, not rounded: the inverse of hsiFromBgr(). Above 255 for what
-/// no 8-bit color is.
+/// Inverse of hsiFromBgr(): blue, green and red in gray levels, not rounded. Values above 255
+/// belong to no 8-bit color.
 std::array<double, 3> bgrFromHsi(const Hsi& color);
 
-/// True if the color lies in the range. Black never matches, gray only where every hue does.
+/// Returns true if the color lies in the range. Black never matches; gray matches only ranges that
+/// span every hue.
 bool matches(const Hsi& color, const ColorRange& range);
-/// True if it lies in any of them.
+/// Returns true if the color lies in any of the ranges.
 bool matches(const Hsi& color, const ColorRanges& ranges);
 
 } // namespace dewpoint::color

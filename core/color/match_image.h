@@ -7,11 +7,12 @@
 
 namespace dewpoint::color {
 
-/// The whole image classified: CV_8UC1 of the same size, 255 where the color matches, 0 elsewhere.
-/// `bgr` is CV_8UC3; anything else gives an empty image.
+/// Classifies a whole image: CV_8UC1 of the same size, 255 where the color matches, 0 elsewhere.
+/// `bgr` is CV_8UC3; other types give an empty image.
 cv::Mat matchImage(const cv::Mat& bgr, const ColorClassifier& classifier);
 
-/// The same into an image that is kept from frame to frame, so that no memory is allocated.
+/// Classifies a whole image into `match`, which is reused from frame to frame so that no memory is
+/// allocated.
 void matchImage(const cv::Mat& bgr, const ColorClassifier& classifier, cv::Mat& match);
 
 } // namespace dewpoint::color

@@ -11,21 +11,21 @@
 
 namespace dewpoint::color {
 
-/// Answers "does this pixel match the target color" without trigonometry, tables or divisions, and
-/// with the same answer as matches(hsiFromBgr(b, g, r), range).
+/// Tests whether a pixel matches a color range, without trigonometry, tables or divisions. The
+/// answer equals matches(hsiFromBgr(b, g, r), range).
 ///
 /// The hue is the direction of the vector (2R - G - B, sqrt(3) (G - B)), so each hue bound is a
-/// half-plane: a range up to 180 degrees wide is both half-planes, a wider one is either. Written
-/// in differences of channels, a half-plane is an IntegerLine. The bounds of the saturation become
-/// bounds on min(R,G,B) against what the sum exceeds 3 min by, lines again, and the intensity is
-/// R + G + B.
+/// half-plane: a range of up to 180 degrees is the intersection of both half-planes, a wider one is
+/// their union. In terms of channel differences, a half-plane is an IntegerLine. The bounds of the
+/// saturation become bounds on min(R,G,B) relative to R + G + B - 3 min, which are lines again. The
+/// intensity is R + G + B.
 class RangeClassifier {
 public:
-  /// `range` has passed checkColorRange().
+  /// `range` must have passed checkColorRange().
   explicit RangeClassifier(const ColorRange& range);
 
-  /// True if the pixel's color lies in the range. Black never matches, gray only where every hue
-  /// does.
+  /// Returns true if the pixel's color lies in the range. Black never matches; gray matches only a
+  /// range that spans every hue.
   bool matches(std::uint8_t b, std::uint8_t g, std::uint8_t r) const noexcept {
     const int sum = int(r) + g + b;
     if (sum < sumMin_ || sum > sumMax_) {
@@ -37,23 +37,23 @@ public:
            hueMatches({b, g, r});
   }
 
-  /// The same for `count` pixels of three bytes (blue, green, red) side by side: 255 where the
-  /// color matches, 0 elsewhere. `out` must not overlap the pixels.
+  /// Classifies `count` adjacent pixels of three bytes (blue, green, red): 255 where the color
+  /// matches, 0 elsewhere. `out` must not overlap the pixels.
   void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out) const noexcept;
 
 private:
   friend struct MatchRowKernel;
 
-  /// How the two half-planes of the hue make a range.
+  /// Combination of the two half-planes of the hue.
   enum class HueRange { Both, Either, Every };
 
-  /// A hue bound: the colors on its side have channel[yPlus] - channel[yMinus] above the line at
-  /// x = channel[xPlus] - channel[xMinus]. Gray is on no side.
+  /// A hue bound: the colors on its side have channel[yPlus] - channel[yMinus] above the line at x
+  /// = channel[xPlus] - channel[xMinus]. Gray is on neither side.
   struct HuePlane {
     std::size_t yPlus = 0, yMinus = 0, xPlus = 0, xMinus = 0; ///< 0 blue, 1 green, 2 red
     HueLine line;
 
-    /// Where alongRed (2R - G - B) + alongGreenBlue (G - B) > 0.
+    /// Half-plane where alongRed (2R - G - B) + alongGreenBlue (G - B) > 0.
     static HuePlane positive(double alongRed, double alongGreenBlue);
     bool contains(const std::array<int, 3>& bgr) const noexcept {
       return line.below(bgr[xPlus] - bgr[xMinus], bgr[yPlus] - bgr[yMinus]);
@@ -64,9 +64,9 @@ private:
   struct RatioPlane {
     std::size_t y = 0, x = 0;
     RatioLine line{0, 0}; ///< every color is on the line y = 0, of scale 0
-    bool above = false;   ///< the side where y is greater; else where it is not
+    bool above = false;   ///< true: the side where y is greater; false: the other side
 
-    /// Where 3 min / sum is greater than `bound`, or where it is smaller.
+    /// Half-plane where 3 min / sum is greater than `bound` (`greater`), or smaller.
     static RatioPlane beyond(double bound, bool greater);
     bool contains(const std::array<int, 2>& leastAndExcess) const noexcept {
       return line.below(leastAndExcess[x], leastAndExcess[y]) == above;

@@ -9,7 +9,7 @@
 
 namespace dewpoint::color {
 
-/// How much of two sets of colors a range takes in, or several together.
+/// How much of two sets of colors one range, or several together, matches.
 struct RangeScore {
   double target = 0.0; ///< weight of the target's colors that match
   double rest = 0.0;   ///< weight of the other colors that match
@@ -18,15 +18,16 @@ struct RangeScore {
 RangeScore scoreRange(const ColorRanges& ranges, const std::vector<HsiColors>& target,
                       const std::vector<HsiColors>& rest);
 
-/// The range with the greatest F1 score, by coordinate ascent: with two of hue, saturation and
-/// intensity kept, the best interval of the third is found exactly (on whole degrees and
-/// hundredths), in turn, until nothing improves; from several quantile boxes of the target's
-/// colors. Weights are pixels on both sides. At least one color of the target that is not black.
+/// Fits the range with the highest F1 score by coordinate ascent. With two of hue, saturation and
+/// intensity held fixed, the best interval of the third is found exactly (on whole degrees and
+/// hundredths); this is repeated in turn until nothing improves, starting from several quantile
+/// boxes of the target's colors. Weights are in pixels on both sides. The target needs at least one
+/// color that is not black.
 ColorRange fitRange(const std::vector<HsiColors>& target, const std::vector<HsiColors>& rest);
 
-/// The range with the fewest hues of the same score. Around the circle the same colors lie in two
-/// intervals at least, one of them across the widest gap between them: fitRange() may take that one
-/// where neither the target nor the rest has such a hue.
+/// Returns the range with the narrowest hue interval that has the same score. On the hue circle, at
+/// least two intervals contain the same colors, one of them across the widest gap between these
+/// colors. fitRange() may choose that one if neither the target nor the rest has a hue in the gap.
 ColorRange withShortestHue(const ColorRange& range, const std::vector<HsiColors>& target,
                            const std::vector<HsiColors>& rest);
 

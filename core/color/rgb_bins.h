@@ -9,10 +9,11 @@
 
 namespace dewpoint::color {
 
-/// The color histogram of Sugandi et al. 2009, section 2.2: RGB with 8 x 8 x 8 bins.
+/// Number of bins of the color histogram of Sugandi et al. 2009, section 2.2: RGB with 8 x 8 x 8
+/// bins.
 inline constexpr int kRgbBinCount = 512;
 
-/// h(x) of equation 7: which bin a color falls into.
+/// Bin of a color: h(x) of equation 7.
 inline std::uint16_t rgbBin(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
   return static_cast<std::uint16_t>(((red >> 5) << 6) | ((green >> 5) << 3) | (blue >> 5));
 }
@@ -25,8 +26,8 @@ inline std::uint16_t fineRgbBin(std::uint8_t blue, std::uint8_t green, std::uint
   return static_cast<std::uint16_t>(((red >> 4) << 8) | ((green >> 4) << 4) | (blue >> 4));
 }
 
-/// The bins of the pixels of `part` of an image (CV_8UC3) into the same part of `bins`, which is
-/// made CV_16UC1 of the image's size when it is not; the rest of it stays as it was.
+/// Writes the bins of the pixels in `part` of an image (CV_8UC3) into the same part of `bins`. If
+/// needed, `bins` becomes CV_16UC1 of the image's size; pixels outside `part` are unchanged.
 void findRgbBins(const cv::Mat& bgr, const cv::Rect& part, cv::Mat& bins);
 
 } // namespace dewpoint::color

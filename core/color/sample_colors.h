@@ -13,18 +13,19 @@ namespace dewpoint::color {
 
 struct ColorEvidence;
 
-/// The most colors that a target is given by its samples.
+/// Maximum number of separate colors that samples give a target.
 inline constexpr std::size_t kMostColorsOfTarget = 3;
 
-/// The samples that show the target, divided into the colors that they show: the indices of each
-/// color's samples, in the order of its first one. Samples of one color in another light, or in a
-/// camera of another white balance, stay together. Of more colors than kMostColorsOfTarget those
-/// that are nearest count as one.
+/// Groups the samples that show the target by color: the indices of the samples of each color, in
+/// the order of the first sample of each. Samples of one color in different light, or in a camera
+/// of different white balance, stay together. If there are more than kMostColorsOfTarget colors,
+/// the nearest ones are merged.
 std::vector<std::vector<std::size_t>> colorsOfSamples(const std::vector<ColorSample>& samples);
 
 /// Ranges for a target of several colors, at least two, in the order of
-/// ColorEvidence::targetByColor. A color that everything around has too is left out. Nothing where
-/// the samples show one color, or where `one` range for all of them separates about as well.
+/// ColorEvidence::targetByColor. A color that is also common in the surroundings is left out.
+/// Nothing if the samples show one color, or if `one` range for all of them separates about as
+/// well.
 std::optional<ColorRanges> severalRanges(const ColorEvidence& evidence, const ColorRange& one);
 
 } // namespace dewpoint::color

@@ -8,16 +8,17 @@
 
 namespace dewpoint::calibration {
 
-/// A view with the board's pose before the camera.
+/// A view of the board, with the board's pose relative to the camera.
 struct PosedView {
   std::size_t camera = 0;
   const BoardView* view = nullptr;
-  BoardDetection detection; ///< counted so that the cameras agree, where the board is symmetric
+  BoardDetection
+      detection; ///< for symmetric boards, with corners numbered so that the cameras agree
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   double rmsPx = 0.0;
 };
 
-/// Start values for the adjustment.
+/// Start values for the bundle adjustment.
 struct BoardChain {
   std::vector<Eigen::Isometry3d> cameraFromFirst;
   std::map<std::int64_t, Eigen::Isometry3d> firstFromBoard; ///< by instant
@@ -26,11 +27,11 @@ struct BoardChain {
   std::vector<std::string> notices;
 };
 
-/// Poses of the board view by view, and of the cameras pair by pair; Undetermined names the cameras
-/// that cannot be reached from the first.
+/// Computes the pose of the board in each view, and the relative poses of the cameras from pairs.
+/// Undetermined names the cameras that cannot be reached from the first one.
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 
-/// View `view` rotated by quarter turns of the board, with its pose.
+/// Returns `view` with the board rotated by quarter turns, and with the matching pose.
 PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
                       int quarterTurns);
 

@@ -10,30 +10,31 @@
 
 namespace dewpoint::calibration {
 
-/// How a board stands before a camera, by what of it is nearer.
+/// Tilt of a board relative to a camera, named by the side that is nearer.
 enum class BoardTilt { Flat, LeftNear, RightNear, TopNear, BottomNear };
 
-/// Flat below 15 degrees, else by the larger part of the tilt.
+/// Flat below 15 degrees, otherwise by the larger component of the tilt.
 BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard);
 
-/// Angle between the board's normal and the direction from the camera to it; radians.
+/// Angle between the board's normal and the direction from the camera to the board; radians.
 double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& middle);
 
-/// Where in the image corners were seen, and at which tilts the board: a calibration says nothing
-/// about regions without corners, and focal length and distance cannot be told apart without tilt.
+/// Regions of the image in which corners were seen, and tilts at which the board was seen. A
+/// calibration has no information about regions without corners, and without tilt it cannot
+/// separate focal length and distance.
 struct BoardCoverage {
   static constexpr int kColumns = 6;
   static constexpr int kRows = 4;
   static constexpr int kTilts = 5;
 
   std::array<int, std::size_t{kColumns} * kRows>
-      corners{};                   ///< corners seen in each region, row by row
-  std::array<int, kTilts> tilts{}; ///< views at each BoardTilt
+      corners{};                   ///< number of corners seen in each region, row by row
+  std::array<int, kTilts> tilts{}; ///< number of views at each BoardTilt
 
-  /// The region of a pixel of an image of that size.
+  /// Index of the region that contains a pixel, for an image of the given size.
   static int regionOf(const Eigen::Vector2d& pixel, int width, int height);
   void add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt tilt, int width, int height);
-  /// The part of the regions in which a corner was seen.
+  /// Share of the regions in which a corner was seen, 0 to 1.
   double imagePart() const;
 };
 

@@ -8,55 +8,61 @@
 
 namespace dewpoint::calibration {
 
-/// What the user who shows the board should do now.
+/// Advice to the user who shows the board.
 enum class GuidanceAdvice {
-  ShowBoard,  ///< no board is seen
-  MoveTo,     ///< to GuidanceState::region of the image
-  TiltTo,     ///< so that GuidanceState::tilt is nearer, best in that region
-  ComeNearer, ///< the board is small in the image
-  HoldStill,  ///< this view is wanted
-  Sharpen,    ///< held still, but the edges are soft: focus, or more light
+  ShowBoard,  ///< no board is detected
+  MoveTo,     ///< move the board to GuidanceState::region of the image
+  TiltTo,     ///< tilt the board so that the side GuidanceState::tilt is nearer, preferably in that
+              ///< region
+  ComeNearer, ///< come nearer: the board is small in the image
+  HoldStill,  ///< hold still: this view is wanted
+  Sharpen,    ///< the board is held still, but its edges are soft: focus, or add light
   Finished    ///< the requested accuracy is reached
 };
 
+/// Settings of a BoardGuidance.
 struct GuidanceSettings {
-  /// Held still: slower than this part of the image's width per second.
+  /// The board counts as still below this speed, as a share of the image's width per second.
   double stillPerSecond = 0.05;
-  double holdSeconds = 0.5;    ///< for so long before the view is taken
-  double softEdgePart = 0.008; ///< edges wider than this part of the image's width are soft
-  double nearPart = 0.25;      ///< of the image's area that one view at least should fill
+  double holdSeconds = 0.5;    ///< time the board must be still before the view is captured
+  double softEdgePart = 0.008; ///< edges wider than this share of the image's width count as soft
+  double nearPart =
+      0.25; ///< share of the image's area that the board should fill in at least one view
   int leastViews = 10;
-  int mostViews = 60;                 ///< then it ends whatever the accuracy
-  double requestedProjectionPx = 0.3; ///< IntrinsicsResult::worstProjectionPx at which it ends
+  int mostViews = 60; ///< the guidance ends then, whatever the accuracy
+  double requestedProjectionPx =
+      0.3; ///< the guidance ends when IntrinsicsResult::worstProjectionPx reaches it
 };
 
+/// State of the guidance after an image.
 struct GuidanceState {
   GuidanceAdvice advice = GuidanceAdvice::ShowBoard;
   int region = -1;                    ///< of BoardCoverage; -1: none
-  BoardTilt tilt = BoardTilt::Flat;   ///< that TiltTo requests
-  BoardCoverage coverage;             ///< of the views taken
-  int views = 0;                      ///< taken so far
-  double held = 0.0;                  ///< part of the time to hold still that has passed, 0 to 1
-  bool captured = false;              ///< this very picture was taken
-  std::optional<double> projectionPx; ///< of the newest calibration
+  BoardTilt tilt = BoardTilt::Flat;   ///< requested by TiltTo
+  BoardCoverage coverage;             ///< of the captured views
+  int views = 0;                      ///< number of views captured so far
+  double held = 0.0;                  ///< share of the hold time that has passed, 0 to 1
+  bool captured = false;              ///< whether the current image was captured
+  std::optional<double> projectionPx; ///< worstProjectionPx of the latest calibration
 };
 
-/// Leads the user through showing a board to one camera: no pictures, no threads, no clock of its
-/// own. Fed with the detections of a live stream it returns what to show next, takes a view by
-/// itself when the board is held still, sharp, and adds something, and ends when the calibration
-/// from the views (computed elsewhere, given to learn()) is accurate enough.
+/// Guides the user in showing a board to one camera. It handles no images, has no threads and no
+/// clock: from the detections of a live stream it computes what to show next, captures a view
+/// automatically when the board is held still, is sharp and adds information, and ends when the
+/// calibration from the views (computed elsewhere and passed to learn()) is accurate enough.
 class BoardGuidance {
 public:
   BoardGuidance(const BoardDescription& board, int width, int height,
                 GuidanceSettings settings = GuidanceSettings());
 
-  /// The next picture, `seconds` after any fixed instant (rising).
+  /// Processes the next detection, `seconds` after any fixed time (ascending).
   GuidanceState step(double seconds, const std::optional<BoardDetection>& detection);
-  /// Takes the picture given last as it is, if it shows the board: on the user's request.
+  /// Captures the latest image as it is if it shows the board, on the user's request.
   GuidanceState captureNow();
-  /// What the views so far give: better poses, and whether it is enough.
+  /// Takes the calibration from the views so far: it improves the estimated poses and shows whether
+  /// the accuracy is sufficient.
   void learn(const IntrinsicsResult& result);
-  /// Whether views came since learn() that are worth a calibration.
+  /// Returns whether enough views were captured since learn() for a new calibration.
   bool wantsCalibration() const;
 
   const std::vector<BoardView>& views() const { return views_; }
@@ -73,16 +79,16 @@ private:
 
   BoardDescription board_;
   GuidanceSettings settings_;
-  Camera camera_; ///< the best guess so far
+  Camera camera_; ///< best estimate so far
   std::vector<BoardView> views_;
-  std::vector<BoardTilt> tilts_; ///< of the views
+  std::vector<BoardTilt> tilts_; ///< tilt of each view
   BoardCoverage coverage_;
   double largestPart_ = 0.0;
-  std::optional<GuidanceState> wanted_; ///< the advice that stands until a view is taken
+  std::optional<GuidanceState> wanted_; ///< current advice, kept until a view is captured
   std::optional<BoardDetection> last_;
   double lastSeconds_ = 0.0;
   double stillSince_ = 0.0;
-  std::size_t learned_ = 0; ///< views known to the newest calibration
+  std::size_t learned_ = 0; ///< number of views in the latest calibration
   std::optional<double> projectionPx_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-/// The corners of a ChArUco board that are seen: their numbers and pixels. `markerSquares`: column
+/// Finds the visible corners of a ChArUco board: their numbers and pixels. `markerSquares`: column
 /// and row of the square of each marker.
 void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
                     const std::vector<std::pair<int, int>>& markerSquares, std::vector<int>& ids,

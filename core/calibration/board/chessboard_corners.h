@@ -10,12 +10,12 @@
 
 namespace dewpoint::calibration {
 
-/// All corners of a chessboard in a gray image, in the order of the board; nothing when it is not
-/// seen whole.
+/// Finds all corners of a chessboard in a gray image, in the order of the board; nothing if the
+/// board is not completely visible.
 std::optional<std::vector<cv::Point2f>>
 chessboardCorners(const cv::Mat& gray, const BoardDescription& board, DetectionEffort effort);
 
-/// For each corner of a grid, counted after quarter turns of the board, its number before.
+/// For each corner of a grid, numbered after quarter turns of the board, its number before.
 std::vector<std::size_t> rotatedOrder(std::size_t cornerCount, int columns, int quarterTurns);
 
 } // namespace dewpoint::calibration

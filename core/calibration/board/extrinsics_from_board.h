@@ -12,60 +12,64 @@
 
 namespace dewpoint::calibration {
 
-/// A camera with known intrinsics, and where it saw the board.
+/// A camera with known intrinsics, and its views of the board.
 struct BoardCamera {
-  Camera camera;                ///< its name names it in errors; its pose matters only as `World`
-  std::vector<BoardView> views; ///< pictures of all cameras at one instant have one number
+  Camera camera; ///< its name is used in errors; its pose matters only if it defines the world
+  std::vector<BoardView> views; ///< images of all cameras at the same time have the same instant
 };
 
+/// Input of calibrateExtrinsics().
 struct ExtrinsicsRequest {
   BoardDescription board;
   std::vector<BoardCamera> cameras;
-  /// The instant at which the board lies where `worldFromBoard` says. Nothing: the first camera
-  /// keeps the pose it has.
+  /// Instant at which the board has the pose `worldFromBoard`, which defines the world. If empty,
+  /// the first camera keeps its pose.
   std::optional<std::int64_t> worldInstant;
   Eigen::Isometry3d worldFromBoard = worldFromFlatBoard();
-  /// Whether the lenses are adjusted too: what is not zero of them, a focal length where they are
-  /// equal.
+  /// Whether the intrinsics are adjusted too: the distortion coefficients that are not zero, and a
+  /// single focal length where both are equal.
   bool refineIntrinsics = false;
 };
 
-/// Where the board was at an instant.
+/// Pose of the board at one instant.
 struct BoardPose {
   std::int64_t instant = 0;
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
 
-/// How well one camera fits.
+/// How well one camera fits the result.
 struct CameraFit {
-  double rmsPx = 0.0; ///< root mean square distance of the corners used
+  double rmsPx = 0.0; ///< root mean square distance of the corners used, pixels
   std::vector<ViewFit> views;
   BoardCoverage coverage;
-  /// Standard deviation of its position, meters: against the first camera.
+  /// Standard deviation of its position relative to the first camera, meters.
   double centerSigma = 0.0;
-  double turnSigma = 0.0; ///< of its direction, radians
+  double turnSigma = 0.0; ///< standard deviation of its direction, radians
 };
 
+/// Output of calibrateExtrinsics().
 struct ExtrinsicsResult {
   CameraRig cameras; ///< in the order of the request
   std::vector<CameraFit> fits;
   std::vector<BoardPose> boardPoses; ///< in the order of the instants
   double rmsPx = 0.0;
-  BundleCovariance covariance; ///< of the cameras' poses, for the residuals as found
+  BundleCovariance covariance; ///< of the cameras' poses, scaled by the residuals
   int iterations = 0;
-  std::vector<std::string> notices;    ///< sentences worth saying
-  BundleProblem problem;               ///< what was adjusted last, in the result's world
-  BundleResult bundle;                 ///< and its outcome; its covariance: for sigmas of a pixel
-  std::vector<NamedFault> faults = {}; ///< left to findBoardFaults()
+  std::vector<std::string> notices; ///< messages for the user
+  BundleProblem problem;            ///< the last adjusted problem, in the world of the result
+  BundleResult bundle; ///< its solution; its covariance is for the given sigmas of the pixels
+  std::vector<NamedFault> faults = {}; ///< filled by findBoardFaults()
 };
 
-/// The poses of all cameras from a board that several of them see at the same instants: poses of
-/// the board before each camera (cv::solvePnP), chained from camera to camera through the pairs
-/// that agree best, then bundle adjustment of all cameras and boards (adjustBundle). A symmetric
-/// chessboard is rotated so that the pairs of cameras agree. Views that fit badly are left out and
-/// named.
-/// Errors: Undetermined names the cameras that share no instant with the others, and an instant at
-/// which the board was not seen; Cancelled when cancelled; and those of adjustBundle().
+/// Calibrates the poses of all cameras from a board that several of them see at the same instants.
+///
+/// The board's pose relative to each camera (cv::solvePnP) is chained from camera to camera through
+/// the pairs that agree best; then all cameras and boards are refined by bundle adjustment
+/// (adjustBundle()). A symmetric chessboard is rotated so that pairs of cameras agree. Views that
+/// fit badly are left out and reported.
+///
+/// Errors: Undetermined names the cameras that share no instant with the others, or an instant at
+/// which the board was not seen; Cancelled when canceled; and those of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 

@@ -10,16 +10,17 @@
 
 namespace dewpoint::calibration {
 
-/// The numbers of a camera that a calibration estimates, by name: see IntrinsicsModel.
+/// Names and values of the camera parameters that a calibration estimates; see IntrinsicsModel.
 class IntrinsicsParameters {
 public:
   IntrinsicsParameters(IntrinsicsModel model, bool squarePixels);
 
   const std::vector<std::string>& names() const { return names_; }
+  /// Parameter values of a camera, in the order of names().
   Eigen::VectorXd of(const Camera& camera) const;
-  /// The camera with these numbers in place of its own.
+  /// Returns the camera with these parameter values.
   Camera applied(Camera camera, const Eigen::VectorXd& values) const;
-  /// Steps for numeric derivatives.
+  /// Step sizes for numeric derivatives.
   Eigen::VectorXd steps(const Camera& camera) const;
 
 private:
@@ -28,16 +29,17 @@ private:
   int coefficients_;
 };
 
-/// Covariance of a camera's intrinsics estimated from views together with the pose of each: the
-/// inverse of the normal matrix with the poses eliminated (Triggs et al. 2000, section 6.1), times
-/// the variance of the residuals. Empty when the views do not determine them.
+/// Covariance of a camera's intrinsics when they are estimated from views together with the board
+/// pose of each view: the inverse of the normal matrix with the poses eliminated (Triggs et al.
+/// 2000, section 6.1), times the variance of the residuals. Empty if the views do not determine the
+/// intrinsics.
 Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera& camera,
                                      const IntrinsicsParameters& parameters,
                                      const std::vector<ViewFit>& views);
 
-/// Standard deviation, in pixels, of the image of a ray, largest of 9x9 points over the image: what
-/// a turn of the camera would compensate is left aside, since poses are estimated later (the idea
-/// of mrcal's projection uncertainty).
+/// Standard deviation, in pixels, of the projection of a ray: the largest of 9x9 points over the
+/// image. Errors that a rotation of the camera would compensate are excluded, because poses are
+/// estimated later (the idea of mrcal's projection uncertainty).
 double projectionSigma(const Camera& camera, const IntrinsicsParameters& parameters,
                        const Eigen::MatrixXd& covariance);
 

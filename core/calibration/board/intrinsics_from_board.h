@@ -12,20 +12,21 @@
 
 namespace dewpoint::calibration {
 
-/// What is estimated of a lens.
+/// Lens parameters that are estimated.
 enum class IntrinsicsModel {
   FiveCoefficients,  ///< pinhole with k1 k2 p1 p2 k3
   EightCoefficients, ///< pinhole with the rational k4 k5 k6 as well, for wide lenses
   Fisheye            ///< cv::fisheye's, k1 to k4
 };
 
-/// Whether pixels are as wide as high, that is focalX = focalY.
+/// Whether pixels are square, that is focalX = focalY.
 enum class PixelShape {
-  Measured, ///< square, unless the pictures clearly say otherwise
+  Measured, ///< square, unless the images clearly show otherwise
   Square,
   Free
 };
 
+/// Input of calibrateIntrinsics(). Width and height of the images are in pixels.
 struct IntrinsicsRequest {
   BoardDescription board;
   std::vector<BoardView> views;
@@ -35,35 +36,36 @@ struct IntrinsicsRequest {
   PixelShape pixels = PixelShape::Measured;
 };
 
-/// An estimated number and its standard deviation, in pixels or without unit.
+/// An estimated parameter and its standard deviation, in pixels or without unit.
 struct EstimatedParameter {
   std::string name;
   double value = 0.0;
   double sigma = 0.0;
 };
 
-/// The intrinsics of one camera, and how far to trust them.
+/// Intrinsics of one camera, with their accuracy.
 struct IntrinsicsResult {
-  Camera camera;      ///< intrinsics, distortion, lens; its pose is not determined
-  double rmsPx = 0.0; ///< root mean square distance of all corners used (as OpenCV counts)
+  Camera camera;      ///< intrinsics, distortion and lens; its pose is not determined
+  double rmsPx = 0.0; ///< root mean square distance of all corners used, pixels (as OpenCV counts)
   std::vector<ViewFit> views;
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance; ///< of `parameters`, in their order
   BoardCoverage coverage;     ///< of the views used
-  /// The largest standard deviation, over the image, of where a ray is projected: see
-  /// projectionSigma(). Pixels.
+  /// Largest standard deviation over the image of the projection of a ray, in pixels; see
+  /// projectionSigma().
   double worstProjectionPx = 0.0;
 };
 
-/// Intrinsics from pictures of a board: Zhang (2000) with OpenCV's cv::calibrateCamera or
-/// cv::fisheye, all views together. Views that fit badly (five times the median error and more than
-/// 0.25 % of the image's diagonal) are left out and named. Undetermined when fewer than three views
-/// remain; Cancelled when cancelled; BadValue when the views do not determine a camera, or nothing
-/// fits, as with a wrong number of corners.
+/// Calibrates the intrinsics from images of a board: Zhang (2000) with OpenCV's cv::calibrateCamera
+/// or cv::fisheye, all views together. Views that fit badly (an error of more than five times the
+/// median and more than 0.25 % of the image's diagonal) are left out and reported. Errors:
+/// Undetermined when fewer than three views remain; Cancelled when canceled; BadValue when the
+/// views do not determine a camera, or nothing fits, for instance because of a wrong number of
+/// corners.
 Result<IntrinsicsResult> calibrateIntrinsics(const IntrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 
-/// A guess to start with before anything is known: 1.0 x the width as focal length.
+/// Initial guess without any knowledge: the focal length is 1.0 times the image's width.
 Camera guessedCamera(int width, int height);
 
 } // namespace dewpoint::calibration

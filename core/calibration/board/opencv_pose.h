@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// OpenCV's rotation vector and translation (three doubles each) as a pose.
+/// Converts OpenCV's rotation vector and translation (three doubles each) to a pose.
 Eigen::Isometry3d boardPoseOf(const cv::Mat& rotationVector, const cv::Mat& translation);
 
 } // namespace dewpoint::calibration

@@ -9,38 +9,41 @@
 
 namespace dewpoint::calibration {
 
-/// Leads through showing a board to several cameras at once, for their poses.
+/// Guides the user in showing a board to several cameras at once, to find their poses.
 class RigGuidance {
 public:
   struct Settings {
-    double stillPerSecond = 0.05;
-    double holdSeconds = 0.5;
-    int instantsPerPair = 8; ///< of each pair that joins the cameras
-    double apartPart = 0.1;  ///< positions differ by at least this part of the image's width
+    double stillPerSecond = 0.05; ///< still below this share of the image's width per second
+    double holdSeconds = 0.5;     ///< time the board must be still before an instant is captured
+    int instantsPerPair = 8;      ///< wanted for each pair in the chain that connects the cameras
+    double apartPart =
+        0.1; ///< captured positions differ by at least this share of the image's width
   };
   struct State {
     int instants = 0;
     bool captured = false;
     bool finished = false;
     double held = 0.0;
-    /// Cameras, by number, to which the board should be shown together next; -1 when finished.
+    /// Indices of the cameras to which the board should be shown together next; -1 when finished.
     int showTo = -1;
     int andTo = -1;
   };
 
   RigGuidance(std::vector<int> imageWidths, const Settings& settings);
 
-  /// What all cameras see now; views are kept under one instant number per capture.
+  /// Processes the current detections of all cameras. Views captured together get the same instant
+  /// number.
   State step(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
-  /// Takes what was given last as it is, if two cameras saw the board: on the user's request.
+  /// Captures the latest detections as they are if two cameras saw the board, on the user's
+  /// request.
   State captureNow();
-  /// Each pair that joins the cameras is to be seen so much more often than it was so far.
+  /// Requests this many more instants for each pair that connects the cameras.
   void wantMore(int instants);
-  /// Where it stands, nothing new being seen.
+  /// Current state, without new detections.
   State state() const;
-  /// Per camera, as calibrateExtrinsics() takes them.
+  /// Captured views per camera, as calibrateExtrinsics() takes them.
   const std::vector<std::vector<BoardView>>& views() const { return views_; }
-  /// How often each pair of cameras saw the board together, camera times camera.
+  /// Number of instants at which two cameras saw the board together.
   int together(int one, int other) const;
 
 private:

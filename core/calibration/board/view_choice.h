@@ -7,14 +7,14 @@
 
 namespace dewpoint::calibration {
 
-/// The views of one camera that are worth a calibration: at most `count`, sharp, and as different
-/// from each other in position, size and tilt as possible (farthest point sampling, Gonzalez 1985).
-/// All of them when they are not more. In their former order.
+/// Selects the views of one camera for a calibration: at most `count` views that are sharp and
+/// differ from each other as much as possible in position, size and tilt (farthest point sampling,
+/// Gonzalez 1985). Returns all views if there are no more. The order is kept.
 std::vector<BoardView> chooseViews(const BoardDescription& board, std::vector<BoardView> views,
                                    int width, int height, int count);
 
-/// Of several cameras' views, those of at most `count` instants at which two cameras at least saw
-/// the board sharply, chosen likewise; and of the instant `always`, whoever saw it.
+/// Selects in the same way, from the views of several cameras, those of at most `count` instants at
+/// which at least two cameras saw the board sharply, plus all views of the instant `always`.
 std::vector<std::vector<BoardView>> chooseInstants(const std::vector<std::vector<BoardView>>& views,
                                                    const std::vector<int>& widths, int count,
                                                    std::optional<std::int64_t> always);

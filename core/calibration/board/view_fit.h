@@ -11,53 +11,53 @@
 
 namespace dewpoint::calibration {
 
-/// A board in one picture of one camera.
+/// The board in one image of one camera.
 struct BoardView {
-  std::string name;         ///< file, or frame: by which the user finds the picture
-  std::int64_t instant = 0; ///< pictures of the same instant show the board at the same position
+  std::string name;         ///< file or frame, by which the user finds the image
+  std::int64_t instant = 0; ///< images of the same instant show the board in the same pose
   BoardDetection detection;
 };
 
-/// How well one picture fits the result.
+/// How well one image fits the calibration.
 struct ViewFit {
   std::string name;
   std::int64_t instant = 0;
   bool used = true;
-  bool doubtful = false; ///< used, but more than three times as far off as the median picture
-  std::string reason;    ///< why it was left out, or is doubtful
-  double rmsPx = 0.0;    ///< root mean square distance of its corners
+  bool doubtful = false; ///< used, but with more than three times the error of the median image
+  std::string reason;    ///< why the view was left out or is doubtful
+  double rmsPx = 0.0;    ///< root mean square distance of its corners, pixels
   double tilt = 0.0;     ///< tiltAngle(), radians
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   std::vector<int> ids;
-  std::vector<Eigen::Vector2d> pixels;    ///< as measured
-  std::vector<Eigen::Vector2d> residuals; ///< measured less projected, pixels
+  std::vector<Eigen::Vector2d> pixels;    ///< measured
+  std::vector<Eigen::Vector2d> residuals; ///< measured minus projected, pixels
 };
 
-/// The fit of a view to a camera (its own pose is not used) and a pose of the board before it.
+/// Computes how a view fits a camera (whose own pose is not used) and a board pose relative to it.
 ViewFit fitView(const BoardDescription& board, const BoardView& view, const Camera& camera,
                 const Eigen::Isometry3d& cameraFromBoard);
 
-/// A view that is not used, and why.
+/// Entry for a view that is not used, with the reason.
 ViewFit leftOutView(const BoardView& view, std::string reason);
 
-/// Median of the views' errors, pixels; 0 without views.
+/// Median of the views' RMS errors, pixels; 0 without views.
 double medianRms(const std::vector<ViewFit>& fits);
 
-/// How far off a view may be, pixels, when the median one is off by `median`: five times that, and
-/// 0.25 % of the image's diagonal in any case.
+/// Largest acceptable error of a view in pixels: five times the median error `median`, but at least
+/// 0.25 % of the image's diagonal.
 double badViewLimit(double median, const Intrinsics& image);
 
-/// Marks the used views as doubtful that are three times as far off as the median one.
+/// Marks used views as doubtful if their error is three times that of the median view.
 void markDoubtful(std::vector<ViewFit>& fits);
 
-/// The root mean square distance of all corners of the views used, pixels.
+/// Root mean square distance of all corners of the used views, pixels.
 double overallRms(const std::vector<ViewFit>& fits);
 
-/// Whether corners are six at least, in two rows and two columns at least.
+/// Returns whether there are at least six corners, in at least two rows and two columns.
 bool spansPlane(const BoardDescription& board, const BoardDetection& detection);
 
-/// The pose of a board before a camera with known intrinsics, from four corners or more; nothing
-/// when they are on one line.
+/// Estimates the pose of a board relative to a camera with known intrinsics, from at least four
+/// corners; nothing if the corners are on one line.
 std::optional<Eigen::Isometry3d> boardPose(const BoardDescription& board,
                                            const BoardDetection& detection, const Camera& camera);
 

@@ -13,42 +13,45 @@
 
 namespace dewpoint::calibration {
 
-// The blocks of numbers that describe a camera in an adjustment.
+// Parameter blocks of a camera in an adjustment.
 
 /// Size of a pose block: a rotation vector (radians) relative to a fixed rotation, then the
-/// position (meters).
+/// camera's position (meters).
 inline constexpr int kPoseSize = 6;
 inline constexpr int kLensSize = 12; ///< focalX, focalY / focalX, principal point, distortion
 
+/// Lens block of a camera, in the order given at kLensSize.
 std::array<double, kLensSize> lensBlock(const Camera& camera);
+/// Writes a lens block back into a camera.
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
-/// exp(turn): rotationOfVector(), to first order where that is exact to rounding, as its
-/// derivative.
+/// Rotation matrix exp(turn): rotationOfVector(), or its first-order approximation where that is
+/// exact to rounding, consistent with turnDerivative().
 Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn);
-/// d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), J the left Jacobian of SO(3) (Barfoot, State
-/// Estimation for Robotics, eq. 7.77).
+/// d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), with J the left Jacobian of SO(3) (Barfoot,
+/// State Estimation for Robotics, eq. 7.77).
 Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint);
 
-/// Everything about one observation that the solver does not change.
+/// All data of one observation that the solver does not change.
 struct PixelCostSetup {
   LensModel lens = LensModel::Pinhole;
   Eigen::Matrix3d cameraRotation = Eigen::Matrix3d::Identity(); ///< camera from world, before turn
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0;
   double outlineShift = 0.0;
-  /// A point of a board (in its frame) whose rotation, before its turn, is given; else a free
-  /// point.
+  /// For a point of a board: the board's rotation, relative to which its rotation block is given.
+  /// Nothing for a free point.
   std::optional<Eigen::Matrix3d> boardRotation;
   Eigen::Vector3d boardPoint = Eigen::Vector3d::Zero();
-  int stateSize = 3;         ///< of a state's block: 3 point, 6 stick and board
-  int pointAt = 0;           ///< where in the block the free point begins
-  double time = 0.0;         ///< of the image, before the camera's offset, seconds
-  std::vector<double> knots; ///< times of the states a free point is followed through, seconds
+  int stateSize = 3; ///< size of a state's block: 3 for a point, 6 for stick and board
+  int pointAt = 0;   ///< index in the block at which the free point begins
+  double time = 0.0; ///< time of the image without the camera's offset, seconds
+  std::vector<double>
+      knots; ///< times of the states between which a free point is interpolated, seconds
 };
 
-/// (predicted - observed) / sigma. Parameter blocks: pose, lens, time offset, then one state per
-/// knot.
+/// Residual (predicted - observed) / sigma of an observation. Parameter blocks: pose, lens, time
+/// offset, then one state per knot.
 class PixelCost final : public ceres::CostFunction {
 public:
   explicit PixelCost(PixelCostSetup setup);
@@ -59,7 +62,7 @@ private:
   PixelCostSetup setup_;
 };
 
-/// (distance of both ends - length) / sigma. One block: the two ends of a stick.
+/// Residual (distance between both ends - length) / sigma of a stick. One block: the two ends.
 class StickCost final : public ceres::SizedCostFunction<1, 6> {
 public:
   StickCost(double length, double sigma) : length_(length), sigma_(sigma) {}
@@ -71,7 +74,7 @@ private:
   double sigma_;
 };
 
-/// (block - start) / sigma, entry by entry; entries of sigma 0 have no prior.
+/// Residual (block - start) / sigma of a prior, entry by entry; entries with sigma 0 have no prior.
 class PriorCost final : public ceres::CostFunction {
 public:
   PriorCost(std::vector<double> start, std::vector<double> sigmas);

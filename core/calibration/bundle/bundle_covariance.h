@@ -13,7 +13,7 @@
 
 namespace dewpoint::calibration {
 
-/// A number of a camera that an adjustment may find.
+/// A parameter of a camera that an adjustment may estimate.
 enum class CameraQuantity {
   TurnX, ///< rotation vector about the camera's own axes: true rotation = exp(turn) * estimate, rad
   TurnY,
@@ -21,7 +21,7 @@ enum class CameraQuantity {
   CenterX, ///< optical center in the world, meters
   CenterY,
   CenterZ,
-  Focal,  ///< focalX, pixels; focalY keeps its ratio to it
+  Focal,  ///< focalX, pixels; focalY keeps its ratio to focalX
   Aspect, ///< focalY / focalX
   PrincipalX,
   PrincipalY,
@@ -36,29 +36,29 @@ enum class CameraQuantity {
   TimeOffset, ///< seconds
 };
 
-/// What a row and column of the covariance is about.
+/// Parameter that belongs to a row and column of the covariance.
 struct CameraColumn {
   std::size_t camera = 0;
   CameraQuantity quantity = CameraQuantity::TurnX;
 };
 
-/// The name of a quantity: "turn x", "focal", "k1" ...
+/// Name of a parameter: "turn x", "focal", "k1" ...
 std::string quantityName(CameraQuantity quantity);
 
-/// Joint covariance of everything that was free about the cameras, the bodies eliminated.
+/// Joint covariance of all free camera parameters, with the bodies eliminated.
 ///
-/// Where nothing ties the world down, its pose (6 freedoms) and its size (1) are free of errors by
-/// convention: the covariance is the pseudo-inverse in units of each column's own precision.
-/// What does not depend on the choice of the world may be computed from it.
+/// If nothing fixes the world, its pose (6 degrees of freedom) and its size (1) have no error by
+/// convention: the covariance is the pseudo-inverse, in units of the precision of each column.
+/// Quantities that do not depend on the choice of the world may be computed from it.
 struct BundleCovariance {
   std::vector<CameraColumn> columns;
   Eigen::MatrixXd matrix;
   int gaugeFreedoms = 0; ///< 0, 1 (size), 6 (pose) or 7
 };
 
-/// The covariance of the first `cameraColumns` parameters from the Jacobian of weighted residuals
-/// (rows) by all parameters: inverse of the Schur complement, without its `gaugeFreedoms` weakest
-/// directions. Nothing when further directions are undetermined.
+/// Covariance of the first `cameraColumns` parameters from the Jacobian of the weighted residuals
+/// (rows) with respect to all parameters: the inverse of the Schur complement without its
+/// `gaugeFreedoms` weakest directions. Nothing if further directions are undetermined.
 std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<double>& jacobian,
                                                  Eigen::Index cameraColumns, int gaugeFreedoms);
 

@@ -13,18 +13,18 @@
 
 namespace dewpoint::calibration {
 
-/// A bundle problem in the solver's terms: the numbers that change, and what is computed from them.
-/// Not moved once made: the solver points into it.
+/// A bundle problem in the form the solver uses: the parameters, and the costs computed from them.
+/// It must not be moved, because the solver points into it.
 class BundleModel {
 public:
-  /// A camera's numbers: see PixelCost.
+  /// Parameters of a camera; see PixelCost.
   struct CameraBlocks {
-    Eigen::Matrix3d rotation; ///< that the turn of `pose` is against
+    Eigen::Matrix3d rotation; ///< rotation relative to which `pose` has its rotation vector
     std::array<double, kPoseSize> pose{};
     std::array<double, kLensSize> lens{};
     double offset = 0.0;
   };
-  /// A state's numbers: a point, both ends of a stick, or a board's rotation and position.
+  /// Parameters of a state: a point, both ends of a stick, or a board's rotation and position.
   struct StateBlock {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     std::array<double, 6> values{};
@@ -34,21 +34,21 @@ public:
   BundleModel(const BundleModel&) = delete;
   BundleModel& operator=(const BundleModel&) = delete;
 
-  /// The parameter blocks of an observation, as PixelCost takes them.
+  /// Parameter blocks of an observation, in the order PixelCost takes them.
   std::vector<double*> blocksOf(std::size_t observation);
   bool takesPart(const double* block) const { return solver.HasParameterBlock(block); }
   bool varies(const double* block) const {
     return takesPart(block) && !solver.IsParameterBlockConstant(block);
   }
-  /// Entries of a camera's lens block that do not change, rising.
+  /// Indices of a camera's lens block that are held fixed, ascending.
   static std::vector<int> heldLensEntries(const BundleCamera& camera);
 
   const BundleProblem& given;
   BundleStart start;
   std::vector<CameraBlocks> cameras;
   std::vector<StateBlock> states;
-  std::vector<ceres::CostFunction*> costs; ///< one per observation; null where it is not used
-  std::size_t used = 0;                    ///< observations
+  std::vector<ceres::CostFunction*> costs; ///< one per observation; null if not used
+  std::size_t used = 0;                    ///< number of observations used
   std::map<double, std::unique_ptr<ceres::LossFunction>> losses; ///< by the observations' sigma
   ceres::Problem solver;
 

@@ -9,20 +9,21 @@
 
 namespace dewpoint::calibration {
 
-/// What of a problem can be used, and where its bodies are at the start.
+/// Usable parts of a problem, and start values of its bodies.
 struct BundleStart {
   std::vector<BundleState> states; ///< with start values where `stateUsed`
   std::vector<bool> stateUsed;
   std::vector<bool> observationUsed;
-  /// Per observation: the states (of the same body, rising in time) that its point is followed
-  /// through; empty where it is of its state's own instant.
+  /// For each observation, the states (of the same body, ascending in time) between which its point
+  /// is interpolated; empty if it has the time of its own state.
   std::vector<std::vector<std::size_t>> knots;
-  bool moving = false; ///< some observation is followed through several states
+  bool moving = false; ///< whether any observation is interpolated between states
 };
 
-/// Triangulates what has no start, and drops what says nothing: points seen by one camera only,
-/// boards with fewer than four points, images between instants whose neighbors are missing.
-/// Errors: numbers that are not finite, indices out of range, a camera with too few observations.
+/// Triangulates bodies without start values, and drops observations without information: points
+/// seen by one camera only, boards with fewer than four points, images between instants whose
+/// neighbors are missing. Errors: numbers that are not finite, indices out of range, a camera with
+/// too few observations.
 Result<BundleStart> startBundle(const BundleProblem& problem);
 
 } // namespace dewpoint::calibration

@@ -9,37 +9,38 @@
 
 namespace dewpoint::calibration {
 
-/// What people do wrong when they calibrate.
+/// Common mistakes in a calibration.
 enum class CalibrationFault {
-  MirroredBoard,    ///< or floor: one axis of the typed or printed points is the wrong way round
+  MirroredBoard,    ///< or mirrored floor: one axis of the entered or printed points is reversed
   MillimetersMixed, ///< a length a thousand times too large or small
   InchesMixed,      ///< a length in inches
   CamerasSwapped,   ///< the videos of two cameras exchanged
-  WrongSquareCount, ///< another number of squares in a row than typed
+  WrongSquareCount, ///< the number of squares in a row differs from the one entered
   WrongSquareSize,
   HalfPixel,      ///< image points or principal points half a pixel off, in all cameras
-  CameraLate,     ///< one video begins frames earlier or later than the others
-  CameraMoved,    ///< a camera stood elsewhere from some time on
+  CameraLate,     ///< one video is shifted in time against the others, by whole frames
+  CameraMoved,    ///< a camera was moved at some time
   VideoFlipped,   ///< mirrored, or upside down
-  ZoomChanged,    ///< another focal length than calibrated
-  WrongResolution ///< lens data of another image size
+  ZoomChanged,    ///< the focal length differs from the calibrated one
+  WrongResolution ///< lens data is for another image size
 };
 
-/// A fault that explains what is seen clearly better than its absence.
+/// A fault that explains the observations clearly better than no fault.
 struct NamedFault {
   CalibrationFault fault = CalibrationFault::CamerasSwapped;
-  std::vector<std::size_t> cameras = {}; ///< those concerned; empty: all, or none
-  /// Frames late; seconds when the camera moved; ratio of focal lengths, sizes, given over found
-  /// length; columns found; pixels. 0 where there is nothing to count.
+  std::vector<std::size_t> cameras = {}; ///< cameras concerned; empty: all, or none
+  /// Size of the fault: delay in frames; time of a camera motion in seconds; ratio of focal lengths
+  /// or of sizes (given over found length); number of columns found; pixels. 0 if the fault has no
+  /// size.
   double value = 0.0;
-  double gain = 0.0; ///< log-likelihood gained by it; 0 where it is no question of residuals
+  double gain = 0.0;         ///< gain in log likelihood; 0 if it does not follow from residuals
   std::string sentence = {}; ///< likely cause, and what to do
 };
 
-/// The stable name of a fault: "mirrored-board" ...
+/// Stable name of a fault: "mirrored-board" ...
 const char* faultName(CalibrationFault fault);
 
-/// Cause and advice, with the cameras by name.
+/// Sentence with cause and advice, with the cameras by name.
 std::string faultSentence(const NamedFault& fault, const std::vector<std::string>& cameraNames);
 
 } // namespace dewpoint::calibration

@@ -8,15 +8,16 @@
 
 namespace dewpoint::calibration {
 
-/// Reads a calibration file, ours or any other tool's that leaves nothing open (readCalibration()
-/// without hints); also a folder with a file per camera. Meters. Files without a pose are an error.
+/// Reads a calibration file of this program, or of any other tool if nothing has to be guessed
+/// (readCalibration() without hints); also a folder with one file per camera. The result is in
+/// meters. Files without poses are an error.
 ///
-/// Ours is TOML in the manner of anipose: one table per camera, with the keys of cameraFromToml();
-/// a camera without `name` is called as its table. `[metadata]` is passed over. Meters, unless a
-/// camera says `unit`.
+/// The format of this program is TOML in the style of anipose: one table per camera, with the keys
+/// of cameraFromToml(). A camera without `name` has the name of its table. `[metadata]` is ignored.
+/// Lengths are in meters, unless a camera states a `unit`.
 Result<CameraRig> loadCalibration(const std::filesystem::path& file);
 
-/// Writes that, in meters: sections [cam_0], [cam_1], ...
+/// Writes a calibration in the format of this program, in meters: sections [cam_0], [cam_1], ...
 Status saveCalibration(const CameraRig& rig, const std::filesystem::path& file);
 
 } // namespace dewpoint::calibration

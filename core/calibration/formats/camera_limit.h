@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// The error of a file with more than limits::kMostCameras.
+/// Error for a file with more than limits::kMostCameras cameras.
 tl::unexpected<Error> tooManyCameras(const std::string& file);
 
 } // namespace dewpoint::calibration

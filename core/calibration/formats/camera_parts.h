@@ -9,7 +9,7 @@
 
 namespace dewpoint::calibration {
 
-/// One camera as a file of another tool gives it, not yet checked.
+/// A camera as given by a file of another tool, not yet checked.
 struct CameraParts {
   std::string name;
   double width = 0.0; ///< pixels
@@ -21,7 +21,7 @@ struct CameraParts {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 
-/// What the parts are called in that file, for the error's field.
+/// Names of the parts in that file, for the field of errors.
 struct CameraPartNames {
   std::string size;
   std::string matrix;
@@ -30,18 +30,19 @@ struct CameraPartNames {
   std::string translation;
 };
 
-/// The camera of these parts, or the first of them that is wrong: a number that is not finite, a
-/// size that is no whole number of pixels, skew, a focal length that is not positive, more
-/// coefficients than the lens has, no rotation.
+/// Returns the camera made of these parts. The error names the first part that is wrong: a number
+/// that is not finite, a size that is not a whole number of pixels, skew, a focal length that is
+/// not positive, more coefficients than the lens model has, a matrix that is not a rotation.
 Result<Camera> checkedCamera(const CameraParts& parts, const std::string& file,
                              const CameraPartNames& fields);
 
-/// The matrix of the intrinsics, and its inverse use.
+/// Intrinsic matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] of intrinsics, or of separate numbers;
+/// pixels.
 Eigen::Matrix3d matrixOf(const Intrinsics& intrinsics);
 Eigen::Matrix3d matrixOf(double focalX, double focalY, double centerX, double centerY);
 
-/// The coefficients as a list that has as many as needed: 4 of a fisheye; else the smallest of 4, 5
-/// and 8 (at least `fewest`) that leaves out zeros only.
+/// Distortion coefficients as the shortest possible list: 4 for a fisheye; otherwise the smallest
+/// of 4, 5 and 8 (at least `fewest`) that drops only zeros.
 std::vector<double> coefficientsOf(const Camera& camera, int fewest);
 
 } // namespace dewpoint::calibration

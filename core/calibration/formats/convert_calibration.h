@@ -8,44 +8,46 @@
 
 namespace dewpoint::calibration {
 
-/// How a calibration is written.
+/// Where and how to write a calibration.
 struct CalibrationTarget {
-  std::filesystem::path path; ///< a file, or a folder for formats with a file per camera
-  std::string format;         ///< name; guessed from the ending where only one format has it
-  std::optional<double> unit; ///< meters in one unit, for formats that leave it open
-  bool replace = false;       ///< overwrite files that exist
+  std::filesystem::path path; ///< a file, or a folder for formats with one file per camera
+  std::string format; ///< name of the format; derived from the extension if only one format has it
+  std::optional<double> unit; ///< meters in one unit, for formats that do not define their unit
+  bool replace = false;       ///< whether existing files are overwritten
 };
 
-/// What a conversion did to one camera.
+/// Effect of a conversion on one camera.
 struct CameraDifference {
   std::string camera;
-  bool refitted = false;      ///< the lens was fitted again, the format has no such coefficients
-  double largestPixels = 0.0; ///< greatest distance between the pixels of the same point
-  int lostDirections = 0;     ///< of the 9 x 9, those that the written camera does not see
+  bool refitted =
+      false; ///< whether the lens was fitted again because the format lacks some coefficients
+  double largestPixels = 0.0; ///< largest distance between the pixels of the same point
+  int lostDirections = 0; ///< number of the 9 x 9 directions that the written camera does not see
 };
 
-/// What a conversion decided and how much it changed.
+/// Decisions and accuracy of a conversion.
 struct CalibrationConversion {
-  std::string from; ///< names of formats
-  std::string to;
-  std::vector<std::string> decisions; ///< whole sentences, of reading and of writing
+  std::string from;                   ///< name of the format that was read
+  std::string to;                     ///< name of the format that was written
+  std::vector<std::string> decisions; ///< full sentences about reading and writing
   std::vector<CameraDifference> cameras;
-  double largestPixels = 0.0;
+  double largestPixels = 0.0; ///< largest over all cameras
   std::vector<std::filesystem::path> written;
 };
 
-/// The greatest distance, in pixels, between the images of the same points: 9 x 9 pixels over the
-/// image, at 0.3, 1, 3 and 10 m before the camera. `otherFromWorld` leads from the world of
-/// `camera` to that of `other`.
+/// Largest distance, in pixels, between the projections of the same points: 9 x 9 pixels over the
+/// image, at 0.3, 1, 3 and 10 m in front of the camera. `otherFromWorld` maps the world of `camera`
+/// to that of `other`.
 CameraDifference difference(const Camera& camera, const Camera& other,
                             const Eigen::Isometry3d& otherFromWorld);
 
-/// Writes a rig (meters) in a format: refits lenses it cannot hold, makes the first camera the
-/// world where it has none; then reads the files again and compares every camera with the original.
+/// Writes a rig (meters) in a format. Lens models that the format lacks are fitted again, and the
+/// first camera defines the world if the format requires that. Then the files are read back and
+/// every camera is compared with the original.
 Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
                                                const CalibrationTarget& target);
 
-/// readCalibration(), then writeCalibration().
+/// Calls readCalibration(), then writeCalibration().
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
                                                  const CalibrationTarget& target);

@@ -10,11 +10,11 @@
 
 namespace dewpoint::calibration {
 
-/// A matrix as OpenCV's FileStorage writes it in YAML, each line after `indent`.
+/// Text of a matrix in the YAML of OpenCV's FileStorage, with each line after `indent`.
 std::string matrixNode(const std::string& indent, const std::string& key,
                        const Eigen::MatrixXd& matrix);
 
-/// The values as one row.
+/// Matrix with the values as its only row.
 Eigen::MatrixXd rowOf(const std::vector<double>& values);
 
 } // namespace dewpoint::calibration

@@ -5,9 +5,9 @@
 
 namespace dewpoint::calibration {
 
-/// anipose and FreeMoCap: TOML, board units (mostly mm).
+/// Format of anipose and FreeMoCap: TOML, in the unit of the board (usually mm).
 CalibrationFormat aniposeFormat();
-/// The same keys as Pose2Sim writes them: four coefficients, meters.
+/// Format of Pose2Sim: the same keys, four coefficients, meters.
 CalibrationFormat pose2simFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// camera_array.toml of Caliscope: meters.
+/// Format of Caliscope: camera_array.toml, meters.
 CalibrationFormat caliscopeFormat();
 
 } // namespace dewpoint::calibration

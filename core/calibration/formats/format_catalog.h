@@ -9,14 +9,14 @@
 
 namespace dewpoint::calibration {
 
-/// Every format known here, ours first.
+/// All supported formats, that of this program first.
 const std::vector<CalibrationFormat>& calibrationFormats();
 
-/// The format of that name; NotFound lists the names.
+/// Format by name. NotFound lists the names.
 Result<const CalibrationFormat*> calibrationFormat(const std::string& name);
 
-/// Which format a text is of, with a sentence why; otherwise what speaks for several, or against
-/// all.
+/// Recognized format of a text, with a sentence that gives the reason. The error says why the text
+/// could be in several formats, or in none.
 struct RecognizedFormat {
   const CalibrationFormat* format = nullptr;
   std::string reason;

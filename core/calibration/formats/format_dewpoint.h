@@ -7,10 +7,10 @@
 
 namespace dewpoint::calibration {
 
-/// Our own: the TOML of loadCalibration(), meters.
+/// Format of this program: the TOML that loadCalibration() reads, meters.
 CalibrationFormat dewpointFormat();
 
-/// The text of such a file, in meters: sections [cam_0], [cam_1], ...
+/// Text of such a file, in meters: sections [cam_0], [cam_1], ...
 std::string calibrationText(const CameraRig& rig);
 
 } // namespace dewpoint::calibration

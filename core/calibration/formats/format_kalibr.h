@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// camchain YAML of Kalibr: a chain of poses, meters.
+/// Format of Kalibr: camchain YAML with a chain of poses, meters.
 CalibrationFormat kalibrFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// calibrated_cameras_data.yml of MC-Calib: poses are rig from camera.
+/// Format of MC-Calib: calibrated_cameras_data.yml with poses rig from camera.
 CalibrationFormat mcCalibFormat();
 
 } // namespace dewpoint::calibration

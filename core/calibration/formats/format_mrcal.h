@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// .cameramodel of mrcal, one file per camera.
+/// Format of mrcal: .cameramodel, one file per camera.
 CalibrationFormat mrcalFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// calibration.json of multical; only read.
+/// Format of multical: calibration.json; can only be read.
 CalibrationFormat multicalFormat();
 
 } // namespace dewpoint::calibration

@@ -5,9 +5,9 @@
 
 namespace dewpoint::calibration {
 
-/// What the calibration sample of OpenCV writes: one camera, FileStorage YAML.
+/// Format of OpenCV's calibration sample: one camera, FileStorage YAML.
 CalibrationFormat opencvFormat();
-/// What the stereo sample writes: intrinsics.yml (M1 D1 M2 D2) and extrinsics.yml (R T ...).
+/// Format of OpenCV's stereo sample: intrinsics.yml (M1 D1 M2 D2) and extrinsics.yml (R T ...).
 CalibrationFormat opencvStereoFormat();
 
 } // namespace dewpoint::calibration

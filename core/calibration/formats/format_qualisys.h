@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// .qca.txt of Qualisys Track Manager: XML, mm, 1/64 pixels.
+/// Format of Qualisys Track Manager: .qca.txt, XML with mm and 1/64 pixels.
 CalibrationFormat qualisysFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,8 @@
 
 namespace dewpoint::calibration {
 
-/// camera_info YAML of ROS, one file per camera, and a file of static transforms beside it.
+/// Format of ROS: camera_info YAML, one file per camera, and an additional file of static
+/// transforms.
 CalibrationFormat rosFormat();
 
 } // namespace dewpoint::calibration

@@ -8,24 +8,25 @@
 
 namespace dewpoint::calibration {
 
-/// The tools that write a TOML table per camera with the keys of cameraFromToml().
+/// Tools that write one TOML table per camera with the keys of cameraFromToml().
 enum class TomlDialect {
   None,
-  Dewpoint, ///< `unit` in the metadata or a camera, or none of the marks below
+  Dewpoint, ///< `unit` in the metadata or a camera, or none of the marks listed below
   Anipose,  ///< `[metadata]` with `adjusted`
-  Pose2Sim  ///< that, with `fisheye = false` and four coefficients for every camera
+  Pose2Sim  ///< as Anipose, with `fisheye = false` and four coefficients for every camera
 };
 
-/// Which of them wrote this text; None when it holds no camera table, or is no TOML.
+/// Tool that wrote this text; None if it has no camera table, or is not TOML.
 TomlDialect tomlDialect(const CalibrationText& source);
 
-/// Every camera table of such a text but [metadata], in the file's lengths; a camera without `name`
-/// is called as its table. `passedOver` are keys of other tools that mean nothing here.
+/// Reads every camera table of such a text, without [metadata], in the unit of the file. A camera
+/// without `name` has the name of its table. `passedOver` lists keys of other tools that are
+/// ignored.
 Result<CameraRig> camerasFromToml(const CalibrationText& source,
                                   std::initializer_list<const char*> passedOver);
 
-/// How many coefficients the camera tables list, and whether they say what these mean: the first
-/// camera that has four and no `fisheye`, or nothing.
+/// Name of the first camera table with four coefficients and no `fisheye`, so that their meaning is
+/// unknown; empty if there is none.
 std::string cameraWithUnclearLens(const CalibrationText& source);
 
 } // namespace dewpoint::calibration

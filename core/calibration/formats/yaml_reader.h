@@ -14,30 +14,32 @@
 
 namespace dewpoint::calibration {
 
-/// Parses YAML; also what OpenCV's FileStorage writes, whose first line is no YAML, and a Python
-/// dictionary of numbers and texts. NotParsed with the line. yaml-cpp's exceptions stop here.
+/// Parses YAML. Also accepts the output of OpenCV's FileStorage, whose first line is not valid
+/// YAML, and a Python dictionary of numbers and texts. NotParsed gives the line. Exceptions of
+/// yaml-cpp do not get past this function.
 Result<YAML::Node> parseYaml(const std::string& text, const std::string& file);
 
-/// Takes values out of one YAML mapping and keeps the first error in it, with its
-/// line. Keys that are not requested are ignored: other tools write more than we need.
+/// Reads values from one YAML mapping and keeps the first error, with its line. Unknown keys are
+/// ignored, because other tools write more than is needed here.
 class YamlReader {
 public:
   YamlReader(const YAML::Node& node, std::string file, std::string prefix = "");
 
   bool has(const char* key) const;
-  /// The mapping below a key; empty, with an error kept, when it is none.
+  /// Reader for the mapping under a key; empty, with a recorded error, if there is none.
   YamlReader child(const std::string& key) const;
 
-  /// Its keys, in the order of the file.
+  /// Keys of the mapping, in the order of the file.
   std::vector<std::string> keys() const;
 
+  /// Text under a key; `unless` if the key is absent.
   std::string text(const char* key, const std::string& unless = "") const;
-  /// One number; an error when it is absent or none.
+  /// Number under a key; an error if it is absent or not a number.
   double number(const char* key) const;
-  /// The numbers of a sequence, of nested ones row by row, or of `data` in a matrix. An error when
-  /// their count is not among `counts`; any count when that is empty.
+  /// Numbers of a sequence, of nested sequences row by row, or of `data` in a matrix. It is an
+  /// error if their number is not among `counts`; an empty `counts` allows any.
   std::vector<double> numbers(const char* key, std::initializer_list<std::size_t> counts) const;
-  /// Row by row.
+  /// Matrix of the given size, read row by row.
   Eigen::MatrixXd matrix(const char* key, int rows, int columns) const;
 
   void fail(ErrorCode code, const std::string& key, std::string detail) const;

@@ -12,9 +12,9 @@
 
 namespace dewpoint::calibration {
 
-/// Where one camera sees a measured point.
+/// Pixel at which one camera sees a measured point.
 struct PointClick {
-  int camera = 0; ///< of the rig, from 0
+  int camera = 0; ///< index in the rig
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 
   bool operator==(const PointClick&) const = default;
@@ -29,38 +29,39 @@ struct MeasuredPoint {
   bool operator==(const MeasuredPoint&) const = default;
 };
 
-/// The click of a point in a camera; null when there is none.
+/// Click of a point in a camera; null if there is none.
 const PointClick* clickIn(const MeasuredPoint& point, int camera);
 
-/// Sets the pixel at which a camera sees the point, in place of an earlier one.
+/// Sets the pixel at which a camera sees the point; replaces an earlier one.
 void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel);
 
-/// How far a click is from where its camera should see the point.
+/// Distance of a click from the pixel at which its camera should see the point.
 struct ClickResidual {
   int point = 0;
   int camera = 0;
-  double pixels = 0.0; ///< infinite where the camera does not see the point
-  double meters = 0.0; ///< from the point to the ray of the click
+  double pixels = 0.0; ///< infinite if the camera does not see the point
+  double meters = 0.0; ///< distance from the point to the ray of the click
 };
 std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
                                           const std::vector<MeasuredPoint>& points);
 
-/// Why a camera has no trustworthy pose from its points.
+/// Reason why a camera has no reliable pose from its points.
 enum class PoseStatus {
   None,
   TooFew,    ///< fewer than four points
   Collinear, ///< the points lie on one line
-  Ambiguous, ///< they lie in one plane, and two poses explain them about as well
-  NoPose     ///< no pose has them all in front of the camera
+  Ambiguous, ///< the points lie in one plane, and two poses explain them about equally well
+  NoPose     ///< no pose has all points in front of the camera
 };
 
-/// Another way the pictures of a camera must lie to explain its clicks.
+/// Proposal that a camera's images are rotated or mirrored, because that explains its clicks.
 struct SymmetryProposal {
-  ImageSymmetry symmetry;     ///< to be applied to the pictures as they are now
-  double rmsPx = 0.0;         ///< with it
-  bool byUprightness = false; ///< it fits no better, but the camera would stand upright
+  ImageSymmetry symmetry;     ///< to be applied to the current images
+  double rmsPx = 0.0;         ///< reprojection error with the symmetry applied
+  bool byUprightness = false; ///< fits no better, but then the camera is upright
 };
 
+/// Result of solveFromPoints() for one camera.
 struct CameraFromPoints {
   int camera = 0;
   int clicks = 0;
@@ -69,30 +70,34 @@ struct CameraFromPoints {
   std::optional<SymmetryProposal> proposal;
 };
 
+/// Result of solveFromPoints().
 struct PointSolution {
-  CameraRig rig; ///< cameras that were solved have a new pose, the others their former one
-  std::vector<CameraFromPoints> cameras; ///< those with a click
-  std::vector<ClickResidual> residuals;  ///< with the rig, against the points as typed
+  CameraRig rig;                         ///< solved cameras have a new pose, the others keep theirs
+  std::vector<CameraFromPoints> cameras; ///< cameras with at least one click
+  std::vector<ClickResidual> residuals;  ///< of the rig, relative to the points as entered
   double rmsPx = 0.0;
-  std::optional<int> worst;   ///< the point with the largest residual
-  bool worstExplains = false; ///< without it the rest fits: it was mistyped or misclicked
+  std::optional<int> worst; ///< index of the point with the largest residual
+  bool worstExplains =
+      false; ///< everything else fits without this point: it was entered or clicked wrongly
 
   bool anySolved() const;
 };
 
+/// Settings of solveFromPoints().
 struct PointSettings {
-  bool alsoFocal = false; ///< focal lengths too, of cameras with six points or more
-  /// Standard deviations that the refinement over all cameras weighs by.
+  bool alsoFocal = false; ///< also estimate the focal lengths of cameras with at least six points
+  /// Standard deviations used as weights in the joint refinement.
   double tape = 0.003; ///< meters
   double click = 0.5;  ///< pixels
 };
 
-/// The poses of all cameras from their clicks on measured points: for each camera perspective-n-
-/// point (SQPnP, Terzakis and Lourakis 2020; IPPE, Collins and Bartoli 2014, for points in a plane)
-/// and least squares, then poses and points of all cameras together (Ceres), each point held near
-/// what the tape said. Cameras whose status is not None keep their pose, but for Ambiguous, where
-/// the better of both is taken. When the pictures of a camera fit only rotated or mirrored, that is
-/// proposed.
+/// Estimates the poses of all cameras from their clicks on measured points.
+///
+/// Each camera is solved by perspective-n-point (SQPnP, Terzakis and Lourakis 2020; for points in a
+/// plane IPPE, Collins and Bartoli 2014) and least squares. Then poses and points of all cameras
+/// are refined together (Ceres), with each point held near its measured position. Cameras whose
+/// status is not None keep their pose, except for Ambiguous, where the better of both poses is
+/// used. If the images of a camera fit only when rotated or mirrored, the result proposes that.
 PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPoint>& points,
                               const PointSettings& settings = {});
 

@@ -8,8 +8,8 @@
 
 namespace dewpoint::calibration {
 
-/// Poses of all cameras marked in `solved`, and the points, together: clicks weighted by
-/// `settings.click`, the positions of the points by `settings.tape`.
+/// Refines the poses of all cameras marked in `solved` together with the points. Clicks are
+/// weighted by `settings.click`, positions of points by `settings.tape`.
 void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
                     const std::vector<MeasuredPoint>& points, const PointSettings& settings);
 

@@ -8,48 +8,53 @@
 
 namespace dewpoint::calibration {
 
-/// What a camera does while a point of the world is dragged through its image.
+/// How a camera follows while a point of the world is dragged through its image.
 enum class DragMode {
-  Turn, ///< it stays where it is and turns
-  Slide ///< it keeps its direction and slides sideways
+  Turn, ///< keeps its position and rotates
+  Slide ///< keeps its orientation and moves sideways
 };
 
-/// Why a drag went no further.
+/// Reason why a drag could not continue.
 enum class DragLimit {
   None,
-  OutOfSight, ///< a point would be behind the camera, or past where its lens model holds
-  OneRay,     ///< the held points say too little: they lie on one ray or line with the dragged one
-  OutOfReach, ///< no pose near this one shows the points there
-  Fixed       ///< three points held fix the pose: only the focal length could still give way
+  OutOfSight, ///< a point would be behind the camera, or outside the range of its lens model
+  OneRay,     ///< the held points are not sufficient: they lie on one ray or line with the dragged
+              ///< point
+  OutOfReach, ///< no pose near this one shows the points at these pixels
+  Fixed       ///< three held points fix the pose: only the focal length could still change
 };
 
+/// Settings of a drag.
 struct DragSettings {
   DragMode mode = DragMode::Turn;
-  /// With three points held, the focal length changes and the pose follows.
+  /// Whether the focal length changes and the pose follows when three points are held.
   bool focalMayChange = false;
 };
 
+/// Result of a drag.
 struct Drag {
-  Camera camera;                     ///< how far the drag came
-  DragLimit limit = DragLimit::None; ///< what stopped it
-  double miss = 0.0;                 ///< pixels between the dragged point and where it should be
+  Camera camera;                     ///< camera at the end of the drag
+  DragLimit limit = DragLimit::None; ///< reason why the drag stopped early
+  double miss = 0.0; ///< distance between the dragged point and its target pixel, in pixels
 };
 
-/// Most points that can be held during a drag.
+/// Maximum number of points that can be held during a drag.
 inline constexpr int kMostHeld = 3;
 
-/// Moves a camera so that `dragged.world` comes to `dragged.pixel` while the held points stay at
+/// Moves a camera so that `dragged.world` is seen at `dragged.pixel` while the held points stay at
 /// their pixels (to 1e-6 px):
-/// - none held: the smallest turn about its center, or the slide across the line of sight;
-/// - one held: it rolls about the ray of the held point and moves along it; when sliding, the least
-///   change of pose that does it;
-/// - two held: the pose that does it (three points have finitely many, and this is the one reached
-///   from the present pose without a jump);
+/// - none held: the smallest rotation about its center, or the sideways motion across the line of
+///   sight;
+/// - one held: it rolls about the ray of the held point and moves along it; in slide mode, the
+///   smallest change of pose that meets the conditions;
+/// - two held: the pose that meets the conditions (three points allow finitely many poses; this is
+///   the one reached from the current pose without a jump);
 /// - three held: the focal length changes, and the dragged point comes as near as that allows.
-/// `camera` is as it was when the drag began, so that a drag back to its beginning changes nothing.
-/// The way there is followed in steps of some pixels; where it ends, the last good pose is returned
-/// with the reason. "Least change": sum of squares of turn (radians) and shift (in units of the
-/// points' mean distance).
+///
+/// `camera` is the camera at the beginning of the drag, so that dragging back to the start changes
+/// nothing. The path is followed in steps of a few pixels; if it ends early, the last valid pose is
+/// returned with the reason. The "smallest change" is the smallest sum of squares of rotation
+/// (radians) and displacement (in units of the points' mean distance).
 Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
                const ImageAnchor& dragged, const DragSettings& settings);
 

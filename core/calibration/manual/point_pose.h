@@ -6,7 +6,7 @@
 
 namespace dewpoint::calibration {
 
-/// The pose of one camera from points (parts of solveFromPoints()).
+/// Pose of one camera from points; a step of solveFromPoints().
 struct PointPose {
   Camera camera;
   PoseStatus status = PoseStatus::None;
@@ -14,13 +14,14 @@ struct PointPose {
   double rmsPx = 0.0;
 };
 
-/// Perspective-n-point without any start, then least squares.
+/// Estimates a pose by perspective-n-point without a start value, then by least squares.
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
                          bool alsoFocal);
 
-/// Whether the pictures lie otherwise than they should: `found` is what poseFromPoints() made of
-/// them as they are. A mirrored or rotated picture is proposed when it fits while the given one
-/// does not; a rotated one also when both fit but only it has the camera upright.
+/// Checks whether the images of a camera are rotated or mirrored. `found` is the result of
+/// poseFromPoints() for the images as they are. A mirrored or rotated image is proposed if it fits
+/// while the given one does not; a rotated one also if both fit but only then the camera is
+/// upright.
 std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
                                                const std::vector<ImageAnchor>& anchors,
                                                const PointPose& found);

@@ -13,7 +13,7 @@
 
 namespace dewpoint::calibration {
 
-/// A box of the world cut into cells; what is computed for a cell holds at its center.
+/// A box of the world divided into cells. Values computed for a cell are those at its center.
 struct VolumeGrid {
   Eigen::Vector3d low = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d high = Eigen::Vector3d::Ones();
@@ -22,62 +22,66 @@ struct VolumeGrid {
   std::size_t cellCount() const {
     return std::size_t(cells[0]) * std::size_t(cells[1]) * std::size_t(cells[2]);
   }
-  /// x runs fastest, then y, then z.
+  /// Index of a cell: x varies fastest, then y, then z.
   std::size_t index(int x, int y, int z) const {
     return std::size_t(x) +
            std::size_t(cells[0]) * (std::size_t(y) + std::size_t(cells[1]) * std::size_t(z));
   }
+  /// Center of a cell, world, meters.
   Eigen::Vector3d center(int x, int y, int z) const;
 
   bool operator==(const VolumeGrid&) const = default;
 };
 
-/// Covariance of a camera's pose, of the small vector (w, s) in (1 + [w]x) R, t + s of
-/// cameraFromWorld, about the camera's own center: rotation in camera axes (rad), then shift of the
-/// camera in camera axes (m).
+/// Covariance of a camera's pose error (w, s), where the true cameraFromWorld is (1 + [w]x) R, t +
+/// s, about the camera's own center: rotation in camera axes (rad), then displacement in camera
+/// axes (m).
 using PoseCovariance = Eigen::Matrix<double, 6, 6>;
 
-/// The one of a camera whose direction is known to `angle` (rad) and whose position to `distance`
-/// (m), per axis.
+/// Pose covariance of a camera whose direction is known to `angle` (rad) and whose position is
+/// known to `distance` (m), per axis.
 PoseCovariance poseCovariance(double angle, double distance);
 
-/// How far a triangulated point is expected to be off, over a volume: the rig planner's map.
+/// Expected error of a triangulated point over a volume: the map of the rig planner.
 ///
-/// A camera that sees the point X gives the information Jᵀ (σ² I + K C Kᵀ)⁻¹ J about it, J =
-/// d(pixel) / dX of its own lens (central differences), K = d(pixel)/d(pose), C the covariance of
-/// its pose; the point's covariance is the inverse of their sum (Hartley & Zisserman, Multiple View
-/// Geometry, 5.2, first order). Errors of different cameras count as independent, and nothing hides
-/// the point. What each camera gives is kept: when one is moved, only that one is recomputed.
+/// A camera that sees the point X contributes the information Jᵀ (σ² I + K C Kᵀ)⁻¹ J, where J =
+/// d(pixel) / dX of its own lens (central differences), K = d(pixel)/d(pose), and C is the
+/// covariance of its pose. The point's covariance is the inverse of the sum over cameras (Hartley &
+/// Zisserman, Multiple View Geometry, 5.2, first order). Errors of different cameras are assumed
+/// independent, and no point is occluded. The contribution of each camera is stored: when one
+/// camera is moved, only its contribution is computed again.
 class UncertaintyMap {
 public:
+  /// `pixelSigma`: standard deviation of a measurement in an image, pixels.
   UncertaintyMap(const VolumeGrid& grid, double pixelSigma);
 
-  /// All cameras. `covariances` is empty (exact poses), or has one per camera.
+  /// Sets all cameras. `covariances` is empty (exact poses), or has one entry per camera.
   void setRig(const CameraRig& rig, std::span<const PoseCovariance> covariances = {});
-  /// One camera of the rig, moved; or the next one, to add it.
+  /// Replaces one camera of the rig, or adds the next one.
   void setCamera(std::size_t camera, const Camera& moved,
                  const PoseCovariance& covariance = PoseCovariance::Zero());
 
   const VolumeGrid& grid() const { return grid_; }
-  /// One value per cell, VolumeGrid::index.
-  /// Cameras that see the cell's center.
+  /// Number of cameras that see the center of each cell. This and the following have one value per
+  /// cell, by VolumeGrid::index.
   const std::vector<std::uint8_t>& cameraCounts() const { return counts_; }
-  /// Standard deviation along the worst direction, meters; NaN where fewer than two cameras see it,
-  /// or those that do look along one line.
+  /// Standard deviation along the worst direction, meters; NaN where fewer than two cameras see the
+  /// center, or all that see it look along one line.
   const std::vector<float>& largestSigmas() const { return largest_; }
-  /// Standard deviations along x, y and z of the world, meters; NaN likewise.
+  /// Standard deviations along x, y and z of the world, meters; NaN as in largestSigmas().
   const std::vector<std::array<float, 3>>& axisSigmas() const { return axes_; }
 
-  /// A layer of cells of one height, x fastest: largestSigmas() of it.
+  /// Values of largestSigmas() in one horizontal layer of cells, x varying fastest.
   std::span<const float> layer(int z) const;
-  /// The layer that the height lies in; nothing outside the volume.
+  /// Layer that contains a height (meters); nothing outside the volume.
   std::optional<int> layerAt(double height) const;
-  /// The share of the cells (0 to 1) that at least two cameras see with a largest sigma of at most
+  /// Share of the cells (0 to 1) that at least two cameras see and whose largest sigma is at most
   /// `sigma` meters.
   double shareWithin(double sigma) const;
 
 private:
-  /// Symmetric 3 x 3 by xx xy xz yy yz zz, for all cells; and whether the camera sees them.
+  /// Symmetric 3 x 3 matrices as xx xy xz yy yz zz for all cells, and whether the camera sees the
+  /// cells.
   struct Information {
     std::vector<std::array<float, 6>> matrices;
     std::vector<std::uint8_t> seen;

@@ -11,49 +11,54 @@
 
 namespace dewpoint::calibration {
 
-/// What is known of a calibration beside its adjustment.
+/// Prior knowledge about a calibration that is not in its adjustment.
 struct AccuracyKnowledge {
-  double scaleSigma = 0.0; ///< relative standard deviation of the size; 0: exact, or not known
-  bool scaleKnown = true;  ///< else the size is a convention, and nothing is reported about it
+  double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or not known
+  bool scaleKnown = true;  ///< false: the scale is a convention, and its accuracy is not reported
   std::optional<double> upSigma; ///< radians, about each of two axes; nothing: up is a convention
 };
 
-/// How good a calibration is, in numbers. Errors are those after the best rigid motion: what does
-/// not depend on where the origin was put.
+/// Accuracy of a calibration. Errors are those that remain after the best rigid motion, so they do
+/// not depend on where the origin is.
 struct CalibrationAccuracy {
-  /// Meters: 95 % of the positions where the target was are nearer than this.
+  /// 95 % of the positions where the target was have a smaller error than this, meters.
   double position95 = 0.0;
-  double cameras95 = 0.0;        ///< meters: the part of it that no averaging of images takes away
-  std::optional<double> scale95; ///< relative
-  std::optional<double> up95;    ///< radians
-  /// By how much more the cameras change than their covariance says when a share of the instants is
-  /// left out; the covariance is widened by it. 1: the covariance was believed.
+  double cameras95 = 0.0; ///< part of position95 that averaging images does not reduce, meters
+  std::optional<double> scale95; ///< relative error of the scale, 95 %
+  std::optional<double> up95;    ///< error of the upward direction, 95 %, radians
+  /// Ratio of the actual change of the cameras, when a share of the instants is left out, to the
+  /// change predicted by their covariance; the covariance is increased accordingly. 1: the
+  /// covariance was not changed.
   double modelFactor = 1.0;
-  double heldOutPx = 0.0;   ///< root mean square distance in instants that were left out
-  std::size_t heldOut = 0;  ///< image points in them
-  double changeRatio = 0.0; ///< what was found before it was assessed: see modelFactor
+  double heldOutPx = 0.0;   ///< root mean square distance in left-out instants
+  std::size_t heldOut = 0;  ///< number of image points in left-out instants
+  double changeRatio = 0.0; ///< measured ratio from which modelFactor is derived
 };
 
-/// The accuracy of an adjustment from its outcome (both in the result's world).
+/// Assesses the accuracy of an adjustment from its outcome (problem and result in the world of the
+/// result).
 ///
-/// The covariance of the cameras is propagated to positions spread over those that were seen, by
-/// first order (Hartley & Zisserman, Multiple View Geometry, 5.2), without their common rigid
-/// motion; noise of one image of the target is added, and the 95 % are read off 200 draws. Held
-/// out: the instants are cut into 20 stretches, and each fifth of these is left out in turn; the
-/// left-out image points are compared with cameras found without them, and the spread of those five
-/// solutions (jackknife over stretches, Efron & Stein 1981) is the empirical error: when it is
-/// clearly larger than predicted, errors are not the independent ones that were assumed, and the
-/// prediction is widened to it.
-/// Errors: those of adjustBundle(), and Undetermined without free cameras or seen positions.
+/// The covariance of the cameras is propagated to first order to positions spread over the observed
+/// ones (Hartley & Zisserman, Multiple View Geometry, 5.2), without their common rigid motion; the
+/// noise of one image of the target is added, and the 95 % values are taken from 200 draws.
+///
+/// For cross-validation, the instants are divided into 20 stretches, and each fifth of these is
+/// left out in turn. The left-out image points are compared with cameras that were calibrated
+/// without them. The spread of those five solutions (jackknife over stretches, Efron & Stein 1981)
+/// is the empirical error. If it is clearly larger than predicted, the errors are not independent
+/// as assumed, and the prediction is increased to it.
+///
+/// Errors: those of adjustBundle(), and Undetermined without free cameras or observed positions.
 Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyKnowledge& known = {});
 
-/// The same for a wand; `floorTimes` are those of its WandProblem.
+/// Assesses the accuracy of a calibration by wand; `floorTimes` are those of its WandProblem.
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes);
 
-/// "In this volume +-3.1 mm (95 %), scale +-0.10 %, up +-0.20 degrees."
+/// Sentence about the accuracy: "In this volume +-3.1 mm (95 %), scale +-0.10 %, up +-0.20
+/// degrees."
 std::string accuracySentence(const CalibrationAccuracy& accuracy);
 
 } // namespace dewpoint::calibration

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// Faults of all cameras together, from the fit of all: pixels off by one half.
+/// Finds faults that all cameras share, from the joint fit of all: pixels off by one half.
 std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
                                      const PointFit& fit);
 

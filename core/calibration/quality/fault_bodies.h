@@ -8,11 +8,12 @@
 
 namespace dewpoint::calibration {
 
-/// Faults of typed lengths, boards and floors, from points as all cameras see them.
+/// Finds faults of entered lengths, boards and floors, from point positions triangulated by all
+/// cameras.
 std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
                                        const PointPositions& positions, const CameraRig& rig);
 
-/// A relative standard deviation of the initial rig's size.
+/// Relative standard deviation of the initial rig's size.
 double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma);
 
 } // namespace dewpoint::calibration

@@ -9,15 +9,15 @@
 
 namespace dewpoint::calibration {
 
-/// One camera that is left out, and what the others show.
+/// A camera that is left out of the fit, and the points as the other cameras see them.
 struct Suspect {
   std::size_t camera = 0;
   const ImagePoints* imagePoints = nullptr;
-  const PointPositions* positions = nullptr; ///< as the others see them
-  double sigmaPx = 1.0;                      ///< of image points as the others explain them
+  const PointPositions* positions = nullptr; ///< triangulated by the other cameras
+  double sigmaPx = 1.0; ///< standard deviation of the image points that the other cameras explain
 };
 
-/// The hypothesis that explains a suspect best, if it does so clearly better than none.
+/// Finds the fault that explains a suspect best, if it explains it clearly better than no fault.
 std::optional<NamedFault> faultOfCamera(const FaultQuestion& question, const Suspect& suspect);
 
 } // namespace dewpoint::calibration

@@ -11,46 +11,48 @@
 
 namespace dewpoint::calibration {
 
-/// One image point of a camera: which point, at which instant.
+/// An image point of a camera: which point, and at which instant.
 struct ImagePoint {
-  std::size_t instant = 0; ///< number of the state
-  std::size_t id = 0;      ///< of the body's points
+  std::size_t instant = 0; ///< index of the state
+  std::size_t id = 0;      ///< index of the point on the body
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
-/// Image points of all cameras, bodies taken apart: nothing is assumed of lengths.
+/// Image points of all cameras without the bodies: no lengths are assumed.
 struct ImagePoints {
-  std::vector<double> times; ///< of the instants, seconds
+  std::vector<double> times; ///< time of each instant, seconds
   std::vector<std::vector<ImagePoint>> perCamera;
-  std::size_t ids = 1; ///< points an instant can have
+  std::size_t ids = 1; ///< largest number of points per instant
 };
+/// Image points of a bundle problem.
 ImagePoints imagePointsOf(const BundleProblem& problem);
 
-/// How far the rig may be off.
+/// Standard deviations of the initial rig's poses.
 struct InitialRigSigma {
   double turn = 0.06;     ///< radians
   double position = 0.12; ///< meters
 };
 
-/// A rig that explains points by themselves.
+/// A rig that explains points whose positions are free.
 struct PointFit {
   CameraRig rig;
-  double sigmaPx = 0.0;        ///< of an image point per axis, robust, for the freedoms left
-  std::vector<double> squares; ///< of residuals per axis, pixels²
+  double sigmaPx =
+      0.0; ///< robust estimate for an image point per axis, corrected for the degrees of freedom
+  std::vector<double> squares; ///< squared residuals per axis, pixels²
   std::size_t points = 0;
 };
 
-/// The poses of the cameras that `use` names, from up to 240 points that two of them see, near the
-/// initial rig (residuals count as gross where a camera ends far from it); with `centersFree` their
-/// principal points too. Nothing when they cannot be solved.
+/// Estimates the poses of the cameras selected by `use` from up to 240 points that at least two of
+/// them see, near the initial rig (residuals count as outliers where a camera ends far from it);
+/// with `centersFree`, also their principal points. Nothing if there is no solution.
 std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
                                                   const ImagePoints& imagePoints,
                                                   const std::vector<bool>& use,
                                                   const InitialRigSigma& sigma,
                                                   bool centersFree = false);
 
-/// Where the points are, as the cameras that `use` names see them with the rig: by instant, then
-/// id.
+/// Positions of the points (world, meters), triangulated by the cameras selected by `use`: indexed
+/// by instant, then id.
 using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
 PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,
                             const std::vector<bool>& use);
@@ -62,21 +64,22 @@ struct PointCorrespondence {
   double time = 0.0;
 };
 
-/// One camera's pose (and focal length) from points of known position (resection).
+/// Pose (and focal length) of one camera from points of known position (resection).
 struct CameraResection {
   Camera camera;
-  std::vector<double> squares; ///< of residuals per axis, pixels²; large where it sees nothing
+  std::vector<double>
+      squares; ///< squared residuals per axis, pixels²; large for points that it does not see
 };
 std::optional<CameraResection> fitCamera(const Camera& initial,
                                          const std::vector<PointCorrespondence>& correspondences,
                                          const InitialRigSigma& sigma, bool focalFree,
                                          bool quick = false);
 
-/// The mean of minus log-likelihood of residuals under Student's distribution (4 degrees), up to a
-/// constant: gross errors count little.
+/// Mean negative log likelihood of residuals under Student's distribution (4 degrees of freedom),
+/// up to a constant: outliers count little.
 double meanCost(const std::vector<double>& squares, double sigmaPx);
 
-/// At most `most` of the elements, evenly.
+/// Selects at most `most` of the elements, evenly.
 template <class T> std::vector<T> spreadOver(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) {
     return all;

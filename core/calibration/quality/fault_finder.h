@@ -9,26 +9,31 @@
 
 namespace dewpoint::calibration {
 
+/// Faults that were found.
 struct FaultReport {
   std::vector<NamedFault> faults;
-  double sigmaPx = 0.0; ///< of an image point per axis, as the cameras that agree show it
+  double sigmaPx =
+      0.0; ///< standard deviation of an image point per axis, from the cameras that agree
 };
 
-/// Looks for the faults of CalibrationFault by solving again with each hypothesis.
+/// Searches for the faults listed in CalibrationFault by solving again under each hypothesis.
 ///
-/// Points are taken by themselves (no lengths), so that a wrong length hides nothing. Each camera
-/// in turn is left out; if the others agree, the left-out one is explained from their points: as it
-/// is, flipped, with another focal length, with lens data of another resolution, with another pose
-/// from some time on, shifted in time. Pairs are exchanged and all solved again. A hypothesis is
-/// named when it gains more than 30 in log-likelihood (Student's, 4 degrees) and 0.1 per number
-/// measured, and explains the images nearly as well as the cameras that agree explain theirs; of
-/// several, the best. When no camera is named: half-pixel shifts of all, lengths against the
-/// initial rig's size, and the board's side and columns. With two cameras, faults of a single one
-/// cannot be told apart and are not searched for.
+/// Point positions are free (no lengths are assumed), so that a wrong length hides nothing. Each
+/// camera in turn is left out. If the others agree, the left-out camera is explained from their
+/// points: unchanged, flipped, with another focal length, with lens data of another resolution,
+/// with another pose from some time on, or shifted in time. Pairs of cameras are exchanged, and
+/// everything is solved again.
+///
+/// A hypothesis is reported if it gains more than 30 in log likelihood (Student's, 4 degrees of
+/// freedom) and 0.1 per measured number, and explains the images nearly as well as the cameras that
+/// agree explain theirs; of several, the best is reported. If no camera is reported, half-pixel
+/// shifts of all cameras, lengths relative to the initial rig's size, and the board's side and
+/// columns are tested. With two cameras, faults of a single one cannot be identified and are not
+/// searched for.
 FaultReport findFaults(const FaultQuestion& question);
 
-/// The same for a wand, as it was seen. Errors: those of calibrateFromWand() about its
-/// views.
+/// Searches for faults in the observations of a wand. Errors: those of calibrateFromWand() about
+/// its views.
 Result<FaultReport> findWandFaults(const WandProblem& problem);
 
 } // namespace dewpoint::calibration

@@ -11,20 +11,21 @@
 
 namespace dewpoint::calibration {
 
-/// What a hypothesis about one or two cameras must gain in log-likelihood (Student's, 4 degrees of
-/// freedom) to be named. Origin not recorded.
+/// Smallest gain in log likelihood (Student's, 4 degrees of freedom) for which a hypothesis about
+/// one or two cameras is reported. Origin not recorded.
 inline constexpr double kLeastGain = 30.0;
 
-/// What was seen and what was stated about it, before anything was solved or dropped.
+/// Observations and entered data, before anything was solved or dropped.
 struct FaultQuestion {
-  /// Cameras: the initial rig with the lenses as given. Bodies: as typed. A fixed state of
-  /// a board is the floor (or a wall) that defines the world.
+  /// Cameras: the initial rig with the given intrinsics. Bodies: as entered. A fixed state of a
+  /// board is the floor (or a wall) that defines the world.
   BundleProblem problem;
-  InitialRigSigma initialSigma;                    ///< how far the initial rig may be off
-  std::vector<std::array<int, 2>> imageSizes = {}; ///< of the videos, pixels; empty: not known
-  std::optional<BoardDescription> board = {};      ///< of the first body
-  bool focalUnknown = false; ///< focal lengths are to be found: they may differ
-  /// Cameras run freely, or offsets are to be found: only what explains far more is named.
+  InitialRigSigma initialSigma; ///< standard deviations of the initial rig's poses
+  std::vector<std::array<int, 2>> imageSizes = {}; ///< size of each video, pixels; empty: not known
+  std::optional<BoardDescription> board = {};      ///< board of the first body
+  bool focalUnknown = false; ///< whether focal lengths are to be estimated: they may differ
+  /// Whether cameras run without synchronization, or offsets are to be estimated: a much larger
+  /// gain is then required.
   bool unsynchronized = false;
 };
 

@@ -10,7 +10,7 @@
 
 namespace dewpoint::calibration {
 
-/// What a calibration page shows.
+/// Content of the report page of a calibration.
 struct BoardReport {
   struct CameraPart {
     std::string name;
@@ -18,30 +18,30 @@ struct BoardReport {
     double rmsPx = 0.0;
     BoardCoverage coverage;
     std::vector<ViewFit> views;
-    std::vector<EstimatedParameter> parameters; ///< empty where intrinsics were given
+    std::vector<EstimatedParameter> parameters; ///< empty if intrinsics were given
     std::optional<double> projectionPx;         ///< IntrinsicsResult::worstProjectionPx
-    std::optional<double> centerSigma;          ///< meters, where poses were found
+    std::optional<double> centerSigma;          ///< meters, if poses were estimated
     std::optional<double> turnSigma;            ///< radians
   };
 
   std::string title;
   BoardDescription board;
   std::vector<CameraPart> cameras;
-  std::vector<BoardPose> boardPoses; ///< for the plot in space; empty: no plot
+  std::vector<BoardPose> boardPoses; ///< for the plot in space; without poses there is no plot
   std::vector<std::string> notices;
-  std::string accuracy; ///< a sentence; may be empty
+  std::string accuracy; ///< one sentence; may be empty
 };
 
-/// The part of a report about one camera's intrinsics.
+/// Section of a report about one camera's intrinsics.
 BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResult& result);
 
-/// The report on all cameras' poses.
+/// Report about the poses of all cameras.
 BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& result);
 
-/// One self-contained HTML page: figures, residual arrows, coverage and errors picture by picture
+/// Report as one self-contained HTML page: results, residual arrows, coverage and errors per image
 /// for each camera, and cameras and boards in space.
 std::string htmlText(const BoardReport& report);
-/// Several reports on one page, one below the other; not empty.
+/// Several reports on one page, one below the other. `reports` must not be empty.
 std::string htmlText(const std::vector<BoardReport>& reports);
 
 } // namespace dewpoint::calibration

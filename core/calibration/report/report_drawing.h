@@ -10,28 +10,29 @@
 
 namespace dewpoint::calibration {
 
-/// The beginning of a self-contained HTML page, up to its body; styles for the drawings below.
+/// Beginning of a self-contained HTML page up to its body, with styles for the drawings below.
 std::string pageHead(const std::string& title);
-/// Width of the widest drawings, SVG units. Origin not recorded.
+/// Width of the widest drawings in SVG units. Origin not recorded.
 inline constexpr double kDrawingWidth = 460.0;
 
 inline constexpr const char* kPageEnd = "</body></html>\n";
 
-/// Something seen in an image, and how far it is from where it is projected.
+/// An observed image point, and its distance from the projection.
 struct ImageResidual {
-  Eigen::Vector2d pixel;    ///< as measured
-  Eigen::Vector2d residual; ///< measured less projected, pixels
+  Eigen::Vector2d pixel;    ///< measured
+  Eigen::Vector2d residual; ///< measured minus projected, pixels
 };
 
-/// An image's outline with an arrow per residual from where it is projected to where it was
-/// measured, lengthened so that the longest usual ones can be seen, with the scale beside it. SVG.
+/// SVG with the outline of an image and an arrow per residual from the projected to the measured
+/// pixel. The arrows are lengthened so that the longest usual ones are visible; the scale is shown
+/// next to the image.
 std::string residualDrawing(const Intrinsics& image, const std::vector<ImageResidual>& residuals);
 
-/// What was seen in each region of the image, and notes beside it. SVG.
+/// SVG with the number of corners in each region of the image, and notes next to it.
 std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& coverage,
                             const std::vector<std::string>& notes);
 
-/// The error of each picture as a bar; those left out are hatched. SVG.
+/// SVG with the error of each image as a bar; images that were left out are hatched.
 std::string errorDrawing(const std::vector<ViewFit>& views);
 
 } // namespace dewpoint::calibration

@@ -10,13 +10,14 @@
 
 namespace dewpoint::calibration {
 
-/// A line through points of the world: "board" (thin, amber) or another class of the page.
+/// A polyline through points of the world (meters): "board" (thin, amber) or another CSS class of
+/// the page.
 struct SpaceLine {
   const char* kind = "board";
   std::vector<Eigen::Vector3d> points;
 };
 
-/// Cameras and lines in space: from the side above (with this label), and from above. SVG.
+/// SVG with cameras and lines in space: obliquely from above (with this label), and from above.
 std::string spaceDrawing(const CameraRig& cameras, const std::vector<SpaceLine>& lines,
                          const char* label);
 

@@ -9,17 +9,17 @@
 
 namespace dewpoint::calibration {
 
-/// What the page about a calibration by wand shows.
+/// Content of the report page of a calibration by wand.
 struct WandReport {
   CameraRig before;                    ///< the initial rig
-  WandResult result;                   ///< with its faults
-  std::string accuracy;                ///< a sentence
+  WandResult result;                   ///< including its faults
+  std::string accuracy;                ///< one sentence
   std::vector<BoardCoverage> coverage; ///< per camera
   bool offsetsFound = false;           ///< whether time offsets were estimated
 };
 
-/// One self-contained HTML page: the accuracy, faults and results, residual arrows and coverage for
-/// each camera, and cameras and the target's way in space.
+/// Report as one self-contained HTML page: accuracy, faults and results, residual arrows and
+/// coverage for each camera, and cameras and the target's path in space.
 std::string htmlText(const WandReport& report);
 
 } // namespace dewpoint::calibration

@@ -7,17 +7,18 @@
 
 namespace dewpoint::calibration {
 
-/// How the cameras' clocks stand against the first one's, to about half a frame: seconds to add to
-/// the times of a camera's views, as in WandResult::offsets. Offsets up to half a second either way
-/// are tried; 0 where the views do not determine one.
+/// Estimates the time offsets of the cameras relative to the first one, to about half a frame:
+/// seconds to add to the times of a camera's views, as in WandResult::offsets. Offsets of up to
+/// half a second in both directions are tried; 0 if the views do not determine an offset.
 ///
-/// With the right offset the rays of two cameras to the moving ball miss each other only because
-/// the cameras stand roughly: by something that changes smoothly with the position (a polynomial of
-/// second order is taken). With a wrong one they miss by the ball's way meanwhile, too. So the
-/// offset is taken that leaves the least beyond such a polynomial.
+/// With the correct offset, the rays of two cameras to the moving ball miss each other only because
+/// the poses are approximate; this distance changes smoothly with the position (it is modeled by a
+/// polynomial of second order). With a wrong offset they also miss each other by the motion of the
+/// ball in the meantime. The result is the offset for which the residual of such a polynomial is
+/// smallest.
 std::vector<double> searchTimeOffsets(const WandProblem& problem);
 
-/// The views at other times: these seconds are added to those of each camera.
+/// Returns the views with these seconds added to the times of each camera.
 std::vector<std::vector<MarkerObservation>>
 shiftedInTime(std::vector<std::vector<MarkerObservation>> views,
               const std::vector<double>& offsets);

@@ -5,27 +5,28 @@
 
 namespace dewpoint::calibration {
 
-/// Two cameras or more, each with views, and these usable; the error names the camera.
+/// Checks that there are at least two cameras, each with valid views. The error names the camera.
 Status checkViews(const WandProblem& problem);
 
-/// The views as a bundle problem on the initial cameras: views of the same instant (within half of
-/// the usual time between two) become observations of one state.
+/// Makes a bundle problem from the views and the initial cameras: views at the same time (within
+/// half the usual time between two) become observations of one state.
 Result<BundleProblem> wandBundle(const WandProblem& problem);
 
-/// Every k-th state, or every k-th run of neighbors where they are followed in time, so that at
-/// most `most` are left; their observations go along.
+/// Keeps every k-th state, or every k-th run of neighbors where states are followed in time, so
+/// that at most `most` remain, together with their observations.
 BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns);
 
-/// Sets every observation's outlineShift from the present cameras and states.
+/// Sets the outlineShift of every observation from the current cameras and states. `ballRadius` is
+/// in meters.
 void correctOutlines(const std::array<double, 2>& ballRadius, const BundleResult& now,
                      BundleProblem& problem);
 
-/// Drops, of every state, the worst observation that is off by more than `limit` pixels. Returns
-/// how many; `dropped` counts them per camera.
+/// Drops the worst observation of each state if its residual exceeds `limit` pixels. Returns the
+/// number dropped; `dropped` counts them per camera.
 std::size_t dropWorst(const BundleResult& now, double limit, BundleProblem& problem,
                       std::vector<std::size_t>& dropped);
 
-/// The lengths of the residuals of used observations, of all cameras or one.
+/// Median length of the residuals of used observations in pixels, for all cameras or one.
 double medianResidual(const BundleProblem& problem, const BundleResult& now, int camera = -1);
 
 } // namespace dewpoint::calibration

@@ -13,86 +13,88 @@
 
 namespace dewpoint::calibration {
 
-/// A ball in one image.
+/// Observation of a ball in one image.
 struct MarkerObservation {
   double time = 0.0;                               ///< seconds, by the camera's own clock
   std::size_t ball = 0;                            ///< 0, or 1 for the other end of a stick
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of its outline
   double radius = 0.0;                             ///< of the outline, pixels; 0: not measured
-  double sigma = 0.3;                              ///< standard deviation of `pixel` per axis
+  double sigma = 0.3; ///< standard deviation of `pixel` per axis, pixels
 };
 
-/// What gives the result its size.
+/// Source of the scale of the result.
 enum class WandScale {
-  InitialRig, ///< the initial rig: sizes are only as good as it
+  InitialRig, ///< the initial rig: the scale is only as accurate as this rig
   Stick,      ///< the known length of the stick
-  Distance,   ///< between two positions that were touched
-  Diameter    ///< the ball's apparent radius: to about 0.05 px of it
+  Distance,   ///< the distance between two positions that were touched
+  Diameter    ///< the apparent radius of the ball, measured to about 0.05 px
 };
 
-/// The ball was held at two positions a known distance apart.
+/// Two positions a known distance apart at which the ball was held.
 struct TouchedDistance {
   double firstTime = 0.0;  ///< seconds
   double secondTime = 0.0; ///< seconds
   double meters = 0.0;
 };
 
-/// A wand, and how its images are to be read.
+/// Input of calibrateFromWand(): a wand, its views, and what to estimate.
 struct WandProblem {
-  CameraRig initialRig;                              ///< where the cameras are, roughly
+  CameraRig initialRig;                              ///< approximate poses of the cameras
   std::vector<std::vector<MarkerObservation>> views; ///< per camera of `initialRig`
-  std::array<double, 2> ballRadius = {0.0, 0.0};     ///< meters; 0: unknown, taken for points
-  double stickLength = 0.0; ///< between the middles of balls 0 and 1, meters; 0: one ball
+  std::array<double, 2> ballRadius = {0.0,
+                                      0.0}; ///< meters; 0: unknown, balls are treated as points
+  double stickLength = 0.0; ///< between the centers of balls 0 and 1, meters; 0: one ball
   WandScale scale = WandScale::InitialRig;
-  TouchedDistance distance;                  ///< for WandScale::Distance
-  std::vector<double> floorTimes;            ///< when ball 0 lay on or touched the floor, seconds
-  std::optional<std::array<double, 2>> drop; ///< ball 0 fell freely from .. until, seconds
-  bool findOffsets = false;                  ///< time offsets of the cameras against the first
-  bool findFocal = false;                    ///< focal lengths, in their ratio
-  bool findDistortion = false;               ///< k1 of every camera
-  double initialTurnError = 0.06;            ///< by how much the initial rig may be off, radians
-  double initialPositionError = 0.12;        ///< meters
-  int starts = 6;                            ///< the initial rig, and it perturbed by as much
-  std::uint64_t seed = 1;                    ///< of the perturbations
-  int mostInstants = 900;                    ///< used, spread evenly over the recording
+  TouchedDistance distance;       ///< for WandScale::Distance
+  std::vector<double> floorTimes; ///< times when ball 0 lay on or touched the floor, seconds
+  std::optional<std::array<double, 2>> drop; ///< time span in which ball 0 fell freely, seconds
+  bool findOffsets = false;       ///< estimate time offsets of the cameras relative to the first
+  bool findFocal = false;         ///< estimate focal lengths, keeping their ratio
+  bool findDistortion = false;    ///< estimate k1 of every camera
+  double initialTurnError = 0.06; ///< expected error of the initial rig's orientations, radians
+  double initialPositionError = 0.12; ///< expected error of the initial rig's positions, meters
+  int starts = 6;         ///< number of starts: the initial rig, and perturbed copies of it
+  std::uint64_t seed = 1; ///< of the perturbations
+  int mostInstants = 900; ///< maximum number of instants used, spread evenly over the recording
 };
 
-/// One of the starts: how well its solution explains the images.
+/// Quality of the solution from one of the starts.
 struct WandStart {
   bool solved = false;
-  double medianPx = 0.0; ///< length of the residuals
+  double medianPx = 0.0; ///< median length of the residuals
 };
 
-/// What was read off a fall.
+/// Measurements from a free fall.
 struct WandDrop {
   double gravity = 0.0;     ///< meters per second squared; 9.81 if the scale is right
-  double sigma = 0.0;       ///< its standard deviation
-  std::size_t instants = 0; ///< used
+  double sigma = 0.0;       ///< standard deviation of `gravity`
+  std::size_t instants = 0; ///< number of instants used
 };
 
-/// A calibration by wand.
+/// Output of calibrateFromWand().
 struct WandResult {
-  CameraRig cameras;                  ///< named as the initial ones
+  CameraRig cameras;                  ///< named as the initial cameras
   std::vector<double> offsets;        ///< seconds; true time = camera's time + offset
-  std::vector<double> cameraMedianPx; ///< length of the residuals kept
+  std::vector<double> cameraMedianPx; ///< median length of the residuals that were kept
   double medianPx = 0.0;
-  std::vector<std::size_t> views;   ///< per camera, used
-  std::vector<std::size_t> dropped; ///< per camera, taken for gross errors
+  std::vector<std::size_t> views;   ///< number used, per camera
+  std::vector<std::size_t> dropped; ///< number dropped as outliers, per camera
   std::vector<WandStart> starts;
   WandScale scale = WandScale::InitialRig;
-  double scaleFactor = 1.0; ///< by which sizes were corrected against the initial rig
-  double scaleSigma = 0.0;  ///< relative standard deviation of the size; 0: not known
+  double scaleFactor = 1.0; ///< factor by which the size of the initial rig was corrected
+  double scaleSigma = 0.0;  ///< relative standard deviation of the scale; 0: not known
   bool floorFound = false;
-  double floorRms = 0.0; ///< meters, of the touched positions about the plane
+  double floorRms = 0.0; ///< RMS distance of the touched positions from the plane, meters
   std::optional<WandDrop> drop;
-  double upRotated = 0.0;              ///< radians between the initial rig's up and the result's
-  BundleProblem problem;               ///< what was adjusted last, in the result's world
-  BundleResult bundle;                 ///< and its outcome, with the covariance
-  double seconds = 0.0;                ///< of computing
-  std::vector<NamedFault> faults = {}; ///< left to findWandFaults()
+  double upRotated =
+      0.0; ///< angle between the upward directions of the initial rig and the result, radians
+  BundleProblem problem;               ///< the last adjusted problem, in the world of the result
+  BundleResult bundle;                 ///< its solution, with the covariance
+  double seconds = 0.0;                ///< computing time
+  std::vector<NamedFault> faults = {}; ///< filled by findWandFaults()
 };
 
-/// Where the computation is. Return false to stop it.
+/// Progress of the computation. The callback returns false to stop it.
 struct WandProgress {
   int step = 0;
   int steps = 0;
@@ -100,13 +102,14 @@ struct WandProgress {
 };
 using WandCallback = std::function<bool(const WandProgress&)>;
 
-/// Poses (focal lengths, k1, time offsets) of all cameras from a wand (a waved ball or stick),
-/// starting from an initial rig: bundle adjustment with robust losses, narrowed in steps, from
-/// several starts; views that no solution explains are dropped one per instant and round. The world
-/// stays aligned to the initial rig unless floor touches or a fall say where up is. Deterministic.
+/// Calibrates the poses (optionally focal lengths, k1 and time offsets) of all cameras from a wand
+/// (a waved ball or stick), starting from an initial rig: bundle adjustment with robust losses that
+/// are narrowed in steps, from several starts. Views that no solution explains are dropped, one per
+/// instant and round. The world stays aligned to the initial rig, unless floor touches or a fall
+/// define the upward direction. Deterministic.
 ///
 /// Errors: too few views of a camera (named), cameras that are not connected by common views,
-/// touches at times when the ball was not seen by two cameras, and Cancelled.
+/// touches at times when fewer than two cameras saw the ball, and Cancelled.
 Result<WandResult> calibrateFromWand(const WandProblem& problem,
                                      const WandCallback& callback = nullptr);
 

@@ -7,7 +7,7 @@
 
 namespace dewpoint::calibration {
 
-/// A change of the world: new = scale * rotation * old + translation.
+/// Similarity transform of the world: new = scale * rotation * old + translation.
 struct Similarity {
   double scale = 1.0;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -18,22 +18,22 @@ struct Similarity {
   }
 };
 
-/// The least-squares similarity (or rigid motion: `sized` false) that brings `from` to `to`
-/// (Umeyama 1991). At least three points that are not on a line.
+/// Least-squares similarity (or rigid motion if `sized` is false) that maps `from` to `to` (Umeyama
+/// 1991). Needs at least three points that are not on a line.
 Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
                          const std::vector<Eigen::Vector3d>& to, bool sized);
 
-/// The one that brings the cameras of a rig, positions and axes, to those of another.
+/// Similarity that maps the positions and axes of a rig's cameras to those of another rig.
 Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized);
 
-/// The cameras, states and covariance of a result in another world.
+/// Transforms the cameras, states and covariance of a result to another world.
 void moveWorld(const Similarity& change, BundleResult& result);
 
-/// The mean position of ball `ball` within a tenth of a second of a time; nothing when not seen.
+/// Mean position of ball `ball` within a tenth of a second of `time`; nothing if it was not seen.
 std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball = 0);
 
-/// The factor on sizes by the scale source of the problem, with its relative standard deviation: 1
-/// for the stick (it is in the adjustment) and the initial rig.
+/// Scale factor from the scale source of the problem, with its relative standard deviation. The
+/// factor is 1 for the stick (the adjustment already uses its length) and for the initial rig.
 struct ScaleFound {
   double factor = 1.0;
   double sigma = 0.0;
@@ -41,8 +41,8 @@ struct ScaleFound {
 Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,
                            const BundleResult& now);
 
-/// The change of world (already metric) by the floor touches or the fall, the identity without
-/// either; reports what it found in `result`.
+/// Change of the world (already metric) from the floor touches or the fall; the identity without
+/// either. Stores its findings in `result`.
 Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
                                 WandResult& result);
 

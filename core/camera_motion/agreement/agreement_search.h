@@ -10,21 +10,22 @@
 
 namespace dewpoint::camera_motion {
 
-/// Whether the rig as declared explains what the cameras saw: enough of it, and with errors that
-/// calibrations usually have.
+/// Returns whether the rig as declared explains the sightings: enough of them, and with errors that
+/// are usual for calibrations.
 bool isGood(const AgreementFit& asDeclared);
-/// Whether it explains hardly anything of it.
+/// Returns whether the rig as declared explains hardly any of the sightings.
 bool isBad(const AgreementFit& asDeclared);
 
-/// The fault that explains what the cameras saw clearly better than that nothing is wrong: by
-/// log odds of kLeastLogOdds, and of kLeastLead against every other one. Of those that leave open
-/// which, and where none explains it, nothing, or with `alsoUnknown` that the cameras disagree.
+/// Finds the fault that explains the sightings clearly better than the declared rig (log odds of at
+/// least kLeastLogOdds) and than every other fault (by at least kLeastLead). If several faults
+/// remain, or none explains the sightings, returns nothing, or, with `alsoUnknown`, that the
+/// cameras disagree.
 std::optional<CameraDisagreement> findFault(const AgreementModel& model, const CameraRig& rig,
                                             const AgreementFit& asDeclared, bool alsoUnknown);
 
-/// Of a fault against none, natural logarithms: one in twenty is wrong.
+/// Least log odds (natural logarithm) of a fault against none: one report in twenty is wrong.
 inline constexpr double kLeastLogOdds = 3.0;
-/// Of a fault against another: one in twenty.
+/// Least log odds (natural logarithm) of a fault against any other: one in twenty is wrong.
 inline constexpr double kLeastLead = 3.0;
 
 } // namespace dewpoint::camera_motion

@@ -15,49 +15,50 @@ namespace dewpoint::camera_motion {
 class AgreementModel;
 struct AgreementFit;
 
-/// Watches whether the cameras of a rig can agree on where things are, and names the likeliest
-/// reason when they cannot: by the rig alone at once (checkRig()), and by where regions of the
-/// targets' colors are seen while they move, whether or not anything is tracked. A few seconds of
-/// motion are enough; what is at rest tells nothing, since it may be another thing in each image.
+/// Monitors whether the cameras of a rig agree about the positions of objects, and names the most
+/// likely reason when they do not. It checks the rig itself at once (checkRig()), and then compares
+/// where the cameras see moving regions in the targets' colors, whether or not a target is tracked.
+/// A few seconds of motion are enough. Regions at rest are not used, because they may be different
+/// objects in different images.
 class CameraAgreement {
 public:
   explicit CameraAgreement(const CameraRig& rig);
 
-  /// The next images. Images of the past are passed over.
+  /// Adds the next images. Images that are older than the last ones are ignored.
   void watch(const FrameSet& frames, const std::vector<Target>& targets);
 
-  /// What is wrong, as far as it is known: faults of the rig alone first, then at most one that the
-  /// images show. It goes when the images agree again.
+  /// Faults found so far: first those of the rig itself, then at most one that the images show.
+  /// That one is removed when the images agree again.
   const std::vector<CameraDisagreement>& found() const { return found_; }
 
-  /// Forgets what was seen.
+  /// Discards all sightings.
   void restart();
 
 private:
   void takeColors(const std::vector<Target>& targets);
-  /// Whether enough was seen, and not too much at once.
+  /// Returns whether enough regions were seen, and not too many at once.
   bool tellsSomething() const;
   void check(double time);
   void takeGood(const AgreementModel& model, const AgreementFit& asDeclared, double time);
   void takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared, double time);
-  /// Whether the rig is looked at now and then only, from now on.
+  /// Sets whether the rig is from now on checked only occasionally.
   void settle(bool settled);
   void report(const std::optional<CameraDisagreement>& seen);
 
   CameraRig rig_;
   std::vector<CameraDisagreement> found_;
-  std::size_t ofRig_ = 0; ///< of found_, those of the rig alone
+  std::size_t ofRig_ = 0; ///< number of faults in found_ that concern the rig itself
   std::vector<ColorRanges> colors_;
-  std::vector<double> radii_; ///< of the targets of each color, meters; 0: unknown
+  std::vector<double> radii_; ///< radii of the targets of each color, meters; 0: unknown
   std::vector<std::vector<SightingHistory>> histories_; ///< [color][camera]
-  std::vector<double> lastTimes_;                       ///< per camera, of images; seconds
-  double due_ = 0.0;                                    ///< the next check, seconds
-  double wait_ = 0.0;                                   ///< until the check after it
-  std::optional<double> badSince_;     ///< the rig explains hardly anything, seconds
-  std::optional<double> unclearSince_; ///< not everything
+  std::vector<double> lastTimes_;  ///< time of the last image of each camera, seconds
+  double due_ = 0.0;               ///< time of the next check, seconds
+  double wait_ = 0.0;              ///< seconds from that check to the one after it
+  std::optional<double> badSince_; ///< time since which the rig explains hardly anything, seconds
+  std::optional<double> unclearSince_; ///< time since which it explains only a part, seconds
   std::optional<double> goodSince_;
-  bool settled_ = false; ///< the rig has proved right: it is looked at now and then
-  std::optional<CameraDisagreement> suspected_; ///< by the last check
+  bool settled_ = false; ///< the rig has proved correct and is checked only occasionally
+  std::optional<CameraDisagreement> suspected_; ///< fault suspected by the last check
 };
 
 } // namespace dewpoint::camera_motion

@@ -10,33 +10,33 @@
 
 namespace dewpoint::camera_motion {
 
-/// Why cameras cannot agree on where things are.
+/// Reason why cameras disagree about the positions of objects.
 enum class CameraFault {
-  Swapped,  ///< each shows what the other is calibrated for
-  Late,     ///< the images of one show what was some time before
-  Rotated,  ///< one does not look where its calibration says
-  Unit,     ///< the positions of all cameras are in another unit than meters
-  SamePose, ///< two are said to stand at one position, and to look along one axis
-  Unknown,  ///< none of these explains it
+  Swapped,  ///< two cameras show what the other one is calibrated for
+  Late,     ///< the images of one camera are delayed
+  Rotated,  ///< one camera does not look where its calibration says
+  Unit,     ///< the positions of all cameras are in a unit other than meters
+  SamePose, ///< two cameras have the same position and the same optical axis
+  Unknown,  ///< none of these faults explains the disagreement
 };
 
-/// A fault of a rig, with the likeliest reason and what mends it.
+/// A fault of a rig: the most likely reason, and the correction for it.
 struct CameraDisagreement {
   CameraFault fault = CameraFault::Unknown;
-  /// The cameras concerned: both that are swapped, or two such pairs one of which is; both that
-  /// have one pose; the one that is late or rotated, or two one of which is rotated; none for Unit;
-  /// of Unknown the one that disagrees most, or both of a rig of two.
+  /// Cameras concerned. Swapped: both cameras, or two pairs if either may be the swapped one.
+  /// SamePose: both cameras. Late and Rotated: the camera, or for Rotated two cameras if either may
+  /// be rotated. Unit: none. Unknown: the camera that disagrees most, or both cameras of a rig of
+  /// two.
   std::vector<std::size_t> cameras = {};
-  double delay = 0.0; ///< of Late: seconds, beyond what is known; negative: early
-  /// Of Rotated, for each of `cameras`, what mends it: the new cameraFromWorld is exp([turn]x)
+  double delay = 0.0; ///< for Late: seconds beyond the known delay; negative: early
+  /// For Rotated, the correction for each of `cameras`: the new cameraFromWorld is exp([turn]x)
   /// times the old one; radians, camera axes.
   std::vector<Eigen::Vector3d> turns = {};
-  double scale = 1.0; ///< of Unit: meters of one unit of the calibration
-  /// By how much more likely this is than that nothing is wrong, natural logarithm; 0 where it is
-  /// certain.
+  double scale = 1.0; ///< for Unit: meters in one unit of the calibration
+  /// Log odds (natural logarithm) of this fault against no fault; 0 where it is certain.
   double logOdds = 0.0;
 
-  /// Whether both say the same of the same cameras, whatever the numbers.
+  /// Returns whether both report the same fault of the same cameras, whatever the numbers.
   bool isSameAs(const CameraDisagreement& other) const {
     return fault == other.fault && cameras == other.cameras;
   }

@@ -11,29 +11,31 @@
 
 namespace dewpoint::camera_motion {
 
-/// Pixels of a target's color that lie together. Pixels, centers at integer coordinates.
+/// A connected region of pixels in a target's color. All lengths are in pixels; pixel centers are
+/// at integer coordinates.
 struct ColorRegion {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0.0; ///< of the disc of the same area
-  /// How far the center may be from that of the object's whole outline, one standard deviation per
-  /// axis: little for a round region, about the radius for one that is cut or of any other shape.
+  /// Standard deviation per axis of the region's center as an estimate of the center of the
+  /// object's whole outline: small for a round region, about the radius for a region that is cut
+  /// off or has any other shape.
   double sigma = 0.0;
-  /// The part of it that comes from the shape, and stays the same while the object moves.
+  /// Part of `sigma` that comes from the shape, and stays the same while the object moves.
   double bias = 0.0;
 };
 
-/// Finds the regions of one color in images, on every few rows: for where things are and how they
-/// move, at a small part of what a label of each pixel costs.
+/// Finds the regions of one color in images by scanning every few rows. It shows where objects are
+/// and how they move, at a small fraction of the cost of labeling each pixel.
 class ColorRegionSearch {
 public:
-  /// The largest regions that are reported of an image.
+  /// Maximum number of regions reported per image, the largest ones.
   static constexpr std::size_t kMost = 8;
 
   explicit ColorRegionSearch(const ColorRanges& color) : classifier_(color) {}
 
-  /// The regions of an image (CV_8UC3), the largest first; none for another type, or where the
-  /// color is found in hundreds of places. What is apart by less than its size counts as one: a
-  /// ball with a highlight, or with a pattern on it.
+  /// Finds the regions in an image (CV_8UC3), largest first; none for other image types, or if the
+  /// color occurs at hundreds of positions. Regions whose gap is smaller than their size count as
+  /// one: a ball with a highlight, or with a pattern on it.
   const std::vector<ColorRegion>& find(const cv::Mat& image);
 
 private:

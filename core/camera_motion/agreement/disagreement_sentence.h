@@ -8,8 +8,8 @@
 
 namespace dewpoint::camera_motion {
 
-/// What is wrong and how it is mended, in plain English for the command line: "left and right seem
-/// to be swapped; exchange their images in the project file". Without a full stop.
+/// Describes a fault and its correction in plain English for the command line: "left and right seem
+/// to be swapped; exchange their images in the project file". Without a period at the end.
 std::string disagreementSentence(const CameraDisagreement& found, const CameraRig& rig);
 
 } // namespace dewpoint::camera_motion

@@ -8,12 +8,12 @@
 
 namespace dewpoint::camera_motion {
 
-/// What cannot be right of a rig before any image is seen: cameras farther apart than a room, so
-/// that their positions are in another unit, and cameras with one pose.
+/// Checks a rig before any image is seen. Finds cameras that are farther apart than a room, so that
+/// their positions must be in another unit, and cameras with the same pose.
 std::vector<CameraDisagreement> checkRig(const CameraRig& rig);
 
-/// The unit of a calibration whose lengths are too large by about this factor: the meters of a
-/// millimeter, a centimeter or an inch. 0 where it is near none of them.
+/// Likely unit of a calibration whose lengths are too large by about this factor, in meters: that
+/// of a millimeter, a centimeter or an inch; 0 if the factor is near none of them.
 double unitOfRatio(double ratio);
 
 } // namespace dewpoint::camera_motion

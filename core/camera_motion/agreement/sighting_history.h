@@ -12,44 +12,44 @@
 
 namespace dewpoint::camera_motion {
 
-/// A region of a target's color as one camera saw it, followed from image to image.
+/// A region in a target's color as one camera saw it, tracked from image to image.
 struct RegionSighting {
   ColorRegion region;
-  Eigen::Vector2d rate = Eigen::Vector2d::Zero(); ///< of the center, pixels per second
-  /// Of the center: unit vector in camera axes, and how it changes per second.
+  Eigen::Vector2d rate = Eigen::Vector2d::Zero(); ///< velocity of the center, pixels per second
+  /// Direction to the center (unit vector in camera axes), and its change per second.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d directionRate = Eigen::Vector3d::Zero();
-  int track = 0; ///< of the same region in other images
-  /// It has moved by its own radius since the one of its track that counted before. Regions at rest
-  /// never count, and what is wrong with one that hardly moves counts once.
+  int track = 0; ///< number that the region has in all images in which it is tracked
+  /// Whether the region has moved by its own radius since its track counted the last time. Regions
+  /// at rest never count, and an error in a region that hardly moves counts once.
   bool counts = false;
 };
 
-/// All of one image.
+/// All sightings in one image.
 struct SightingImage {
   double time = 0.0; ///< seconds
   std::vector<RegionSighting> regions;
 };
 
-/// The regions of one color in the images of one camera over the last seconds.
+/// Regions of one color in the images of one camera over the last seconds.
 class SightingHistory {
 public:
-  /// Seconds that are kept.
+  /// Time span that is kept, in seconds.
   static constexpr double kKept = 4.0;
 
   SightingHistory(const ColorRanges& color, const Camera& camera);
 
   /// Searches the next image (CV_8UC3), taken at `time` (seconds). An image that is not later than
-  /// the last one is passed over.
+  /// the last one is ignored.
   void add(const cv::Mat& image, double time);
   void clear() { images_.clear(); }
-  /// How many of the regions count.
+  /// Number of sightings that count.
   std::size_t counted() const;
-  /// In the order of time.
+  /// Images in order of time.
   const std::deque<SightingImage>& images() const { return images_; }
 
 private:
-  /// Where a track counted last, or began.
+  /// Position at which a track counted last, or began.
   struct Counted {
     int track;
     Eigen::Vector2d center;
@@ -59,7 +59,7 @@ private:
   ColorRegionSearch search_;
   Unprojector unprojector_; ///< to camera axes
   std::deque<SightingImage> images_;
-  std::vector<Counted> counted_; ///< of the tracks of the last image
+  std::vector<Counted> counted_; ///< for the tracks in the last image
   int tracks_ = 0;
 };
 

@@ -8,20 +8,20 @@
 
 namespace dewpoint::color {
 
-/// How densely weighted colors lie in the space of all colors, smoothed as colors vary.
+/// Smoothed density of weighted colors in the space of all colors.
 ///
-/// A share of each color is spread as light changes it: along its ray through black (brightness),
-/// toward gray and away from it (highlights and haze, fullness), and around the gray axis (tint of
-/// the light), normally distributed with the standard deviations of inOtherLight(). A channel that
-/// would exceed 255 is cut off, as a sensor does. All of it is then spread by the noise of sensor
-/// and compression, the same in all directions.
+/// A share of each color's weight is spread as changes of the light would spread it: along the ray
+/// through black (brightness), toward gray and away from it (highlights and haze, saturation), and
+/// around the gray axis (tint of the light), normally distributed with the standard deviations of
+/// inOtherLight(). Channels above 255 are clipped, as in a sensor. The result is then smoothed by
+/// the noise of sensor and compression, equally in all directions.
 class ColorDensity {
 public:
-  /// `otherLight`, 0 to 1: the share of each color's weight that is spread as in other light.
+  /// `otherLight`, 0 to 1: share of each color's weight that is spread as in other light.
   ColorDensity(const std::vector<BgrColors>& colors, double otherLight);
 
-  /// In a cell, relative to colors spread evenly over all cells: the mean over the cells is 1; 0
-  /// everywhere if nothing has any weight.
+  /// Density in a cell, relative to colors spread evenly over all cells: its mean over all cells is
+  /// 1. 0 everywhere if nothing has any weight.
   double at(std::size_t cell) const { return cells_[cell]; }
 
 private:

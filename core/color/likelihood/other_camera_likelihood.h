@@ -12,21 +12,21 @@
 
 namespace dewpoint::color {
 
-/// How much a color in the image of a camera that was never shown the target speaks for it, from
-/// colors of the target that another camera saw. Cameras differ in exposure and white balance, and
-/// see other sides of an object in other light: the target's colors are spread by as much. What
-/// many pixels of the image have speaks against it, so that a color counts by how rare it is there.
+/// Learns the color likelihood of a camera without samples from the target's colors in another
+/// camera. Cameras differ in exposure and white balance, and see other sides of an object in other
+/// light: the target's colors are spread accordingly. Colors of many pixels in the image count
+/// against the target, so that rare colors count most.
 class OtherCameraLikelihood {
 public:
-  /// At least one color.
+  /// `target`: at least one color.
   explicit OtherCameraLikelihood(const std::vector<BgrColor>& target);
 
-  /// The table of a camera by the pixels of its image (CV_8UC3). `near` (CV_8UC1 of its size): 255
-  /// where the target may be; what is elsewhere cannot be taken for it, and counts a fifth. A large
-  /// target speaks against itself.
+  /// Table of a camera, from the pixels of its image (CV_8UC3). `near` (CV_8UC1 of its size) is 255
+  /// where the target may be; pixels elsewhere cannot be confused with it, and count a fifth. The
+  /// pixels of a large target count against the target itself.
   ColorLikelihood inImage(const cv::Mat& bgr, const cv::Mat& near) const;
-  /// The mean log ratio (nats) of the pixels of `region` (CV_8UC1 of the image's size, 255 in it)
-  /// by all others.
+  /// Mean log ratio (nats) of the pixels in `region` (CV_8UC1 of the image's size, 255 inside),
+  /// with all other pixels as the rest.
   double meanLogRatio(const cv::Mat& bgr, const cv::Mat& near, const cv::Mat& region) const;
 
 private:

@@ -12,9 +12,9 @@ namespace dewpoint::color {
 
 struct ColorEvidence;
 
-/// How a camera shows colors beside the reference camera, which every other one is compared with:
-/// factors of its gray levels, each > 0, by exposure (all alike) and white balance. Where gray
-/// levels are a power of the light, a gain of light is a gain of gray levels too.
+/// Color response of a camera relative to the reference camera: factors of its gray levels, each >
+/// 0, from exposure (equal for all channels) and white balance. If gray levels are a power of the
+/// light, a gain of the light is a gain of the gray levels too.
 struct ColorGain {
   double blue = 1.0;
   double green = 1.0;
@@ -23,51 +23,52 @@ struct ColorGain {
   bool operator==(const ColorGain&) const = default;
 };
 
-/// What is known of a target's color, common to all cameras: the colors it was seen in, and the HSI
-/// range that a person sees and edits. The range is the prior, which decides about colors that were
-/// never seen, and widened by a margin the limit, beyond which nothing counts as the target. All as
-/// the reference camera shows it.
+/// Color model of a target, common to all cameras and expressed as the reference camera shows
+/// colors: the observed colors, and the HSI range that the user sees and edits. The range is the
+/// prior, which decides about colors that were never seen. The range widened by margins is the
+/// limit, beyond which no color counts as the target.
 ///
-/// The table of a camera, by cell of color:
+/// The table of a camera, per color cell, is
 ///   (1 - w) prior + w ln((t + u exp(prior / 2)) / (k r + u exp(-prior / 2))),   w = n / (n + 20),
 /// with t and r the densities of the target's colors and of the rest (ColorDensity, relative to
-/// colors spread evenly), u kUnseenDensity, k restPerTarget, and n the pixels of the side that has
-/// fewer of them (of the only side if the other has none). So few pixels leave the prior, colors
-/// that were never seen have the prior, and colors k times as dense in the target as in the rest
-/// have about 0.
+/// colors spread evenly), u kUnseenDensity, k restPerTarget, and n the number of pixels of the side
+/// that has fewer of them (of the only side if the other has none). With few pixels the result is
+/// close to the prior; colors that were never seen have the prior; and colors that are k times as
+/// dense in the target as in the rest have about 0.
 class TargetColorModel {
 public:
-  // Judgments, not measured.
+  // The constants below are judgments, not measured.
 
-  /// The prior log ratio of a color in the range, nats; outside it is the negative of it.
+  /// Prior log ratio of a color in the range, in nats; colors outside have the negative of it.
   static constexpr double kPrior = 1.0;
-  /// Pixels of evidence that count as much as the prior.
+  /// Number of pixels of evidence that count as much as the prior.
   static constexpr double kPriorPixels = 20.0;
-  /// The density below which a color counts as never seen, relative to colors spread evenly over
-  /// all cells.
+  /// Density below which a color counts as never seen, relative to colors spread evenly over all
+  /// cells.
   static constexpr double kUnseenDensity = 0.3;
-  /// How far the limits lie beyond the range: twice and more what other light does to a hue
-  /// (inOtherLight()), and about as much for the others, as a fitted range ends where the
-  /// background begins.
+  /// Margins of the limits beyond the range. The hue margin is at least twice the effect of other
+  /// light on a hue (inOtherLight()), the other margins are about equal to it, because a fitted
+  /// range ends where the background begins.
   static constexpr double kHueMarginDegrees = 20.0;
   static constexpr double kSaturationMargin = 0.15;
   static constexpr double kIntensityMargin = 0.10;
 
-  /// The range widened by the margins.
+  /// Returns the range widened by the margins.
   static ColorRange limitsOf(const ColorRange& range);
 
-  /// Ranges have passed checkColorRange().
+  /// All ranges must have passed checkColorRange().
   explicit TargetColorModel(const ColorRange& range);
   TargetColorModel(const ColorRange& range, const ColorRange& limits);
 
-  /// Colors of the target as a camera of this gain shows them; weights are pixels.
+  /// Adds colors of the target as a camera of this gain shows them; weights are in pixels.
   void add(const std::vector<HsiColors>& colors, const ColorGain& gain = {});
 
-  /// The table of a camera with this gain that shows the target before `rest` (its own images, its
-  /// own colors; weights are pixels). `restPerTarget` > 0: how many pixels of the rest compete with
-  /// one of the target. 1 makes it a ratio of likelihoods, for those who know otherwise how likely
-  /// a target is at a place; pixelRatio() makes 0 the log ratio of colors with as many pixels of
-  /// the target as of the rest, as fitRange() weighs them, for those who divide whole images.
+  /// Table of a camera with this gain that shows the target in front of `rest` (the colors of its
+  /// own images; weights are in pixels). `restPerTarget` > 0 is the number of pixels of the rest
+  /// that compete with one pixel of the target. With 1 the table is a likelihood ratio, for callers
+  /// that know the probability of a target at a position from elsewhere. With pixelRatio() the log
+  /// ratio is 0 for colors with as many pixels of the target as of the rest, as fitRange() weighs
+  /// them, for callers that segment whole images.
   ColorLikelihood inCamera(const ColorGain& gain, const std::vector<HsiColors>& rest,
                            double restPerTarget = 1.0) const;
 
@@ -77,10 +78,11 @@ private:
   std::vector<BgrColors> target_; ///< as the reference camera shows them
 };
 
-/// Pixels of the rest for each of the target; 1 where there are none of one of them.
+/// Number of pixels of the rest per pixel of the target; 1 if either has none.
 double pixelRatio(const ColorEvidence& evidence);
 
-/// The table of one camera, or of several that show colors alike, from samples and images.
+/// Learns the table of one camera, or of several with the same color response, from samples and
+/// images.
 ColorLikelihood learnLikelihood(const ColorEvidence& evidence, const ColorRange& range,
                                 double restPerTarget = 1.0);
 
