@@ -9,13 +9,13 @@
 
 namespace dewpoint::filter {
 
-/// Particles needed so that, with 99 % confidence, the Kullback-Leibler distance between the
+/// Number of particles with which, at 99 % confidence, the Kullback-Leibler distance between the
 /// sampled and the true distribution over `occupiedBins` bins stays below `error` (KLD-sampling:
-/// Fox 2003, equation 13, by the Wilson-Hilferty approximation). At least 1.
+/// Fox 2003, equation 13, with the Wilson-Hilferty approximation). At least 1.
 Eigen::Index kldSampleSize(std::int64_t occupiedBins, double error);
 
-/// Number of cubes with edges of `binSize` meters that the first three columns of `states` (x, y,
-/// z) fall into.
+/// Number of cubes, with edges of `binSize` meters, that contain at least one particle. The first
+/// three columns of `states` are x, y and z in meters.
 std::int64_t occupiedBins(const Eigen::ArrayXXd& states, double binSize);
 
 } // namespace dewpoint::filter

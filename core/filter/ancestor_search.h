@@ -9,24 +9,27 @@
 
 namespace dewpoint::filter {
 
-/// The first particle whose cumulative weight is greater than a draw, for draws that rise: what
-/// std::upper_bound finds, in one walk along both. Made for one thread; several may walk over parts
-/// of the draws.
+/// Finds the ancestor of each draw: the first particle whose cumulative weight is greater than the
+/// draw. The draws are in ascending order, so one pass over both lists gives what std::upper_bound
+/// would find for each draw. An object serves one thread; several objects may search different
+/// draws in parallel.
 class AncestorSearch {
 public:
   AncestorSearch(const CumulativeWeights& cumulative, const SortedDraws& draws);
 
-  /// Ancestors of draws SortedDraws::kBlock * block and following; returns how many. Blocks in
-  /// rising order.
+  /// Writes the ancestors of one block of draws (from draw SortedDraws::kBlock * block on) to
+  /// `found` and returns their number. Blocks must be requested in ascending order.
   std::int64_t ancestors(std::int64_t block, std::int32_t* found);
 
-  /// Draws that are compared side by side with one cumulative weight after the other.
+  /// Number of draws in a tile. All draws of a tile are compared with one cumulative weight at a
+  /// time.
   static constexpr int kTile = 16;
+  /// Progress of the search within one tile.
   struct Position {
-    std::int64_t firstDraw = 0;             ///< of the tile, within its block
-    std::int64_t particle = 0;              ///< the next to compare with
-    std::int64_t base = 0;                  ///< particles before all draws of the tile
-    std::array<std::int64_t, kTile> rank{}; ///< and further ones before each of them, so far
+    std::int64_t firstDraw = 0;             ///< first draw of the tile, counted within its block
+    std::int64_t particle = 0;              ///< next particle to compare with
+    std::int64_t base = 0;                  ///< number of particles before all draws of the tile
+    std::array<std::int64_t, kTile> rank{}; ///< further particles before each draw
   };
 
 private:
@@ -36,9 +39,9 @@ private:
   const CumulativeWeights& cumulative_;
   const SortedDraws& draws_;
   std::int64_t weightBlock_ = -1;
-  std::int64_t particlesEnd_ = 0; ///< of the block of weights
+  std::int64_t particlesEnd_ = 0; ///< end of the current block of weights
   Position position_;
-  std::array<double, kPrefixBlock + 1> weights_; ///< cumulative; infinity behind the last
+  std::array<double, kPrefixBlock + 1> weights_; ///< cumulative weights of the block, then infinity
   std::array<double, SortedDraws::kBlock> block_;
 };
 

@@ -9,22 +9,22 @@
 
 namespace dewpoint::filter {
 
-/// The value for "no column" in an Assignment.
+/// Marks a row without a column in an `Assignment`.
 inline constexpr Eigen::Index kUnassigned = -1;
 
-/// The column assigned to each row. A column is assigned at most once.
+/// Result of an assignment: the column of each row. No column is assigned twice.
 struct Assignment {
-  std::vector<Eigen::Index> columnOfRow; ///< one entry per row; kUnassigned for none
-  Eigen::Index pairCount = 0;            ///< rows with a column
-  double cost = 0.0;                     ///< sum over the pairs, in the unit of the costs
+  std::vector<Eigen::Index> columnOfRow; ///< one entry per row; kUnassigned if it has no column
+  Eigen::Index pairCount = 0;            ///< number of rows with a column
+  double cost = 0.0;                     ///< sum over the assigned pairs, in the unit of the costs
 };
 
-/// Minimum-cost assignment of the rows of `cost` to its columns, each used at most once; any shape,
-/// any sign, empty too. A pair whose cost is not finite is forbidden. First as many pairs as
-/// possible are made, then their sum is made as small as possible. Equal inputs give equal results,
-/// ties included. Shortest augmenting paths (Jonker & Volgenant 1987, in the rectangular form of
-/// Crouse 2016, "On implementing 2D rectangular assignment algorithms"): at most s²l steps, s the
-/// shorter and l the longer side.
+/// Assigns rows of `cost` to columns at minimum total cost; each row and each column is used at
+/// most once. The matrix may have any shape, any sign, and may be empty. A pair whose cost is not
+/// finite is forbidden. The number of pairs is maximized first, then their total cost is minimized.
+/// Equal inputs give equal results, also when there are ties. Method: shortest augmenting paths
+/// (Jonker & Volgenant 1987, in the rectangular form of Crouse 2016, "On implementing 2D
+/// rectangular assignment algorithms"), at most s²l steps for a shorter side s and a longer side l.
 Assignment assignMinimumCost(const Eigen::MatrixXd& cost);
 
 } // namespace dewpoint::filter

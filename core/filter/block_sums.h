@@ -8,13 +8,14 @@
 
 namespace dewpoint::filter {
 
-/// Particles that are summed up together: their columns fit into the first-level cache.
+/// Number of particles summed together. Their columns fit into the first-level cache.
 inline constexpr std::int64_t kSumBlock = 1024;
 
-/// A sum over elements 0, 1, ..., taken in a fixed number of strands (element i belongs to strand i
-/// mod kStrands), so that vector units can take it and every processor rounds it alike.
+/// Number of partial sums in strandSum(); element i belongs to partial sum i mod kStrands. The
+/// number is fixed, so the loop can be vectorized and every processor rounds in the same way.
 constexpr int kStrands = 16;
 
+/// Returns the sum of term(0), ..., term(count - 1), in a fixed order of additions.
 template <class Term>
 [[gnu::always_inline]] inline double strandSum(std::int64_t count, const Term& term) {
   std::array<double, kStrands> strand{};
@@ -34,8 +35,8 @@ template <class Term>
   return sum;
 }
 
-/// The largest of elements 0, 1, ..., or `least` if none is larger. The inner loop is too long for
-/// the compiler to unroll it, and so becomes vector code.
+/// Returns the largest of term(0), ..., term(count - 1), or `least` if none is larger. The inner
+/// loop is too long for the compiler to unroll, so it is vectorized.
 template <class Term>
 [[gnu::always_inline]] inline double strandMax(std::int64_t count, double least, const Term& term) {
   constexpr std::int64_t kMaxStrands = 64;

@@ -12,16 +12,19 @@
 
 namespace dewpoint::filter {
 
-/// Linear weights that sum to 1, by blocks of kSumBlock particles: within a block they are kept
-/// relative to its largest, so that they are written once, when only the block itself is known.
+/// Linear weights that sum to 1, stored in blocks of kSumBlock particles. Within a block they are
+/// stored relative to the largest weight of that block, so each is written only once, before the
+/// other blocks are known.
 class BlockWeights {
 public:
+  /// Sets the number of particles. Their weights are undefined until they are set.
   void resize(std::int64_t count);
-  /// Sets the weights of the block that begins at particle `begin` from its `length` log weights;
-  /// one that is not finite counts as weight zero. Different blocks may be set at the same time.
+  /// Sets the weights of the block that begins at particle `begin` from its `length` log weights. A
+  /// log weight that is not finite becomes weight zero. Different blocks may be set at the same
+  /// time.
   void setBlock(std::int64_t begin, std::int64_t length, const double* logWeights);
-  /// After all blocks: makes the sum 1. If no log weight was finite, returns false and makes all
-  /// weights equal.
+  /// Normalizes the weights to sum 1; call it after all blocks have been set. If no log weight was
+  /// finite, it makes all weights equal and returns false.
   bool finish();
   /// Makes all weights equal.
   void setEqual();
@@ -30,18 +33,19 @@ public:
   double operator[](std::int64_t particle) const {
     return relative_[particle] * factor(particle / kSumBlock);
   }
+  /// Returns the weights of all particles; they sum to 1.
   Eigen::ArrayXd all() const;
 
-  /// Weights relative to the largest of their block, from particle `begin` on.
+  /// Weights from particle `begin` on, relative to the largest weight of their block.
   const double* relative(std::int64_t begin) const { return relative_.data() + begin; }
-  /// What turns them into weights.
+  /// Factor that converts the relative weights of a block to weights that sum to 1 over the set.
   double factor(std::int64_t block) const { return blocks_[std::size_t(block)].factor; }
-  /// Their sums within each stretch of the block.
+  /// Sums of the relative weights in each stretch of the block.
   const StretchSums& sums(std::int64_t block) const { return blocks_[std::size_t(block)].sums; }
 
 private:
   struct Block {
-    double largest = 0.0; ///< log weight
+    double largest = 0.0; ///< largest log weight of the block
     double factor = 0.0;
     StretchSums sums{};
   };

@@ -11,13 +11,14 @@
 
 namespace dewpoint::filter {
 
-/// Nearly constant velocity: states are x y z vx vy vz (meters, meters per second); a constant,
-/// random acceleration acts from one step to the next (Bar-Shalom, Li and Kirubarajan 2001, section
-/// 6.3.2: the discrete white noise acceleration model).
+/// Motion model with nearly constant velocity. States are x y z vx vy vz (meters and meters per
+/// second). Between two steps a constant, random acceleration acts on each axis (discrete white
+/// noise acceleration model: Bar-Shalom, Li and Kirubarajan 2001, section 6.3.2).
 struct ConstantVelocity {
-  double interval = 0.0;          ///< seconds from the last step to this one
+  double interval = 0.0;          ///< seconds since the last step
   double accelerationSigma = 0.0; ///< standard deviation along each axis, m/s²
 
+  /// Moves particles by one step. `firstIndex` is the index of the first row in the whole set.
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
     const double half = 0.5 * interval * interval;
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
@@ -30,7 +31,7 @@ struct ConstantVelocity {
     }
   }
 
-  /// The prediction of a Gaussian (Kalman filter).
+  /// Predicts a Gaussian by one step, as a Kalman filter does.
   void predict(Gaussian6& state) const {
     using Matrix6 = Gaussian6::Matrix;
     Matrix6 transition = Matrix6::Identity();

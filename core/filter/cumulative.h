@@ -11,19 +11,21 @@
 
 namespace dewpoint::filter {
 
-/// Running sums of the weights, never falling, and the same for any number of threads: summed in
-/// the stretches of prefix_sums.h. With up to kStretch particles they are the plain sums.
+/// Cumulative sums of the weights, in particle order. They never decrease, and they are the same
+/// for any number of threads because they are summed in the stretches of prefix_sums.h. For up to
+/// kStretch particles they are plain running sums.
 class CumulativeWeights {
 public:
-  /// The weights must stay where they are.
+  /// Computes the sums. The weights are not copied and must stay in memory, unchanged.
   void build(const BlockWeights& weights);
   void build(const Eigen::ArrayXd& weights);
 
   std::int64_t count() const { return count_; }
+  /// Sum of all weights.
   double total() const { return before_.back(); }
-  /// The block of kPrefixBlock particles that a draw below total() falls into.
+  /// Index of the block of kPrefixBlock particles into which a draw below total() falls.
   std::int64_t blockOf(double draw) const;
-  /// Writes the cumulative weights of a block and returns how many there are.
+  /// Writes the cumulative weights of a block and returns their number.
   std::int64_t write(std::int64_t block, double* cumulative) const;
 
 private:
@@ -32,8 +34,8 @@ private:
 
   const double* weights_ = nullptr;
   std::int64_t count_ = 0;
-  std::vector<double> factors_; ///< of the weights of every block
-  std::vector<double> before_; ///< the weights before every stretch, kAbreast per block, and of all
+  std::vector<double> factors_; ///< factor of the weights of each block
+  std::vector<double> before_;  ///< sums before each stretch, then the total
 };
 
 } // namespace dewpoint::filter

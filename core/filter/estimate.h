@@ -8,26 +8,26 @@
 
 namespace dewpoint::filter {
 
-/// Moments of a weighted particle set, in the units of the state.
+/// Mean, covariance and other statistics of a weighted particle set, in the units of the state.
 struct StateEstimate {
   Eigen::VectorXd mean;             ///< weighted mean (MMSE)
-  Eigen::MatrixXd covariance;       ///< weighted, about the mean, divisor 1
-  Eigen::Index bestIndex = 0;       ///< particle of highest weight (MAP); the first of equals
+  Eigen::MatrixXd covariance;       ///< weighted covariance about the mean, divisor 1
+  Eigen::Index bestIndex = 0;       ///< particle of highest weight (MAP); the first of ties
   double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
-  bool degenerate = false;          ///< no finite log weight: all particles were counted as equal
+  bool degenerate = false; ///< no finite log weight, so all particles were weighted equally
 };
 
-/// The same for a whole set whose moments are known; its weights sum to 1.
+/// Estimate of a whole set from its `Moments`. The weights of the set must sum to 1.
 StateEstimate estimateFrom(Moments moments);
 
-/// Turns log weights into linear weights that sum to 1, safe from underflow (log-sum-exp). A log
-/// weight that is not finite counts as weight zero. Returns false, and makes all weights equal,
-/// when no log weight is finite.
+/// Converts log weights to linear weights that sum to 1, without underflow (log-sum-exp). A log
+/// weight that is not finite becomes weight zero. If no log weight is finite, the function makes
+/// all weights equal and returns false.
 bool normalize(const Eigen::ArrayXd& logWeights, Eigen::ArrayXd& weights, ThreadTeam& team);
 
-/// Mean, covariance, best particle and effective sample size for weights that sum to 1. The set
-/// must not be empty. Sums run over fixed blocks, put together in particle order, so that their
-/// bits depend neither on the number of threads nor on the processor.
+/// Returns mean, covariance, best particle and effective sample size. The weights must sum to 1,
+/// and the set must not be empty. Sums are taken over fixed blocks and combined in particle order,
+/// so the results are bit-identical for any number of threads and on any processor.
 StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights,
                        ThreadTeam& team);
 StateEstimate estimate(const Eigen::ArrayXXd& states, const Eigen::ArrayXd& weights);

@@ -9,8 +9,9 @@
 
 namespace dewpoint::filter {
 
-/// Picks at most `limit` particles of a set, evenly spaced in its order, to be shown: the first
-/// `columns` of their states, with their weights in the whole set. `Weights` has an operator[].
+/// Copies at most `limit` particles for display, evenly spaced in the order of the set: the first
+/// `columns` columns of their states, and their weights in the whole set. `Weights` is any type
+/// with operator[].
 template <class States, class Weights>
 void pickEvenly(const States& states, const Weights& weights, int limit, Eigen::Index columns,
                 Eigen::ArrayXXd& shownStates, Eigen::ArrayXd& shownWeights) {

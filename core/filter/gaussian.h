@@ -7,20 +7,21 @@
 
 namespace dewpoint::filter {
 
-/// A normal distribution of fixed dimension.
+/// Normal distribution of fixed dimension.
 template <int Dimension> struct Gaussian {
   using Vector = Eigen::Matrix<double, Dimension, 1>;
   using Matrix = Eigen::Matrix<double, Dimension, Dimension>;
   Vector mean = Vector::Zero();
   Matrix covariance = Matrix::Identity();
 };
+/// Normal distribution of a position: x y z.
 using Gaussian3 = Gaussian<3>;
-/// Position and velocity: x y z vx vy vz.
+/// Normal distribution of position and velocity: x y z vx vy vz.
 using Gaussian6 = Gaussian<6>;
 
-/// Replaces the position of a state by its posterior; the velocity changes as far as it is
-/// correlated with the position (the update of a Kalman filter, written for the posterior of the
-/// observed part).
+/// Replaces the position of a state by the posterior `position`. The velocity is updated according
+/// to its correlation with the position: this is the Kalman update, written for the posterior of
+/// the observed part.
 void condition(Gaussian6& state, const Gaussian3& position);
 
 } // namespace dewpoint::filter

@@ -12,10 +12,10 @@
 
 namespace dewpoint::filter {
 
-/// Random walk of x, y and z, no direction privileged (Barrera et al. 2005, equations 1 to 3):
-/// each coordinate += N(0, sigma). Further state coordinates stay as they are.
+/// Random walk of x, y and z, equal in all directions (Barrera et al. 2005, equations 1 to 3): N(0,
+/// sigma²) noise is added to each coordinate. Other state coordinates do not change.
 struct IsotropicMotion {
-  double sigma = 0.03; ///< meters per iteration; Barrera et al. 2005 use 0.03
+  double sigma = 0.03; ///< standard deviation, meters per iteration; Barrera et al. 2005 use 0.03
 
   struct StepKernel {
     DEWPOINT_KERNEL void run(std::int64_t count, const double* __restrict step, double sigma,

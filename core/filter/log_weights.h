@@ -7,11 +7,12 @@
 
 namespace dewpoint::filter {
 
-/// The largest finite of `count` log weights; minus infinity if there is none.
+/// Returns the largest finite value of `count` log weights, or minus infinity if none is finite.
 double largestLogWeight(const double* logWeights, std::int64_t count);
 
-/// weights[i] = exp(logWeights[i] - largest), zero where the log weight is not finite; `largest`
-/// must be finite and no finite log weight above it. Returns their sum (see block_sums.h).
+/// Sets weights[i] = exp(logWeights[i] - largest), or zero where the log weight is not finite, and
+/// returns the sum of the weights (see block_sums.h). `largest` must be finite and at least as
+/// large as every finite log weight.
 double relativeWeights(const double* logWeights, std::int64_t count, double largest,
                        double* weights);
 

@@ -11,8 +11,9 @@
 
 namespace dewpoint::filter {
 
-/// Moves particles by p(X(t) | X(t-1)). `firstIndex` is the index of the first row within the whole
-/// set: random numbers are drawn by particle index, so that it does not matter how the set is cut.
+/// Moves particles by p(X(t) | X(t-1)). `firstIndex` is the index of the first row in the whole
+/// set. Random numbers are drawn by particle index, so the result does not depend on how the set is
+/// split.
 template <class M>
 concept MotionModel = requires(const M& model, StateRows rows, std::uint32_t firstIndex,
                                const RandomStream& stream) {
@@ -20,31 +21,32 @@ concept MotionModel = requires(const M& model, StateRows rows, std::uint32_t fir
 };
 
 /// Draws new states from q(X(t) | X(t-1), observation) and adds log(p / q) to the log weights,
-/// where p is the motion model's density.
+/// where p is the density of the motion model.
 template <class P>
 concept Proposal = requires(const P& proposal, StateRows rows, LogWeightSegment logWeights,
                             std::uint32_t firstIndex, const RandomStream& stream) {
   { proposal.propose(rows, logWeights, firstIndex, stream) } -> std::same_as<void>;
 };
 
-/// Adds log p(observation | X) of each particle to `logLikelihood`. Called from several threads at
-/// once, for different particles.
+/// Adds log p(observation | X) of each particle to `logLikelihood`. Several threads call it at the
+/// same time, for different particles.
 template <class O>
 concept ObservationModel = requires(const O& model, ConstStateRows rows,
                                     LogWeightSegment logLikelihood) {
   { model.addLogLikelihood(rows, logLikelihood) } -> std::same_as<void>;
 };
 
-/// Picks `count` particles, with repetition, so that particle i is expected count * weights[i]
-/// times (weights linear, summing to 1). `ancestors` is resized to `count`. A resampler that takes
-/// BlockWeights, and a ThreadTeam before `ancestors`, is given the filter's.
+/// Picks `count` particles with repetition, so that particle i is picked count * weights[i] times
+/// on average. The weights are linear and sum to 1. `ancestors` is resized to `count`. A resampler
+/// may instead take BlockWeights, and a ThreadTeam before `ancestors`; the particle filter then
+/// passes its own.
 template <class R>
 concept Resampler = requires(const R& resampler, const Eigen::ArrayXd& weights, Eigen::Index count,
                              const RandomStream& stream, Ancestors& ancestors) {
   { resampler.ancestors(weights, count, stream, ancestors) } -> std::same_as<void>;
 };
 
-/// The proposal of CONDENSATION: the motion model itself, so p / q = 1.
+/// Proposal of CONDENSATION: it draws from the motion model, so p / q = 1.
 template <MotionModel M> struct MotionProposal {
   M motion;
 

@@ -9,21 +9,23 @@
 
 namespace dewpoint::filter {
 
-/// Weighted moments of some particles. Blocks are put together by the formulas of Chan, Golub and
-/// LeVeque (1983), which keep the digits that a sum of squares about a far origin would lose.
+/// Weighted mean and scatter of some particles. Blocks are combined with the formulas of Chan,
+/// Golub and LeVeque (1983). These keep the digits that a sum of squares about a distant origin
+/// would lose.
 struct Moments {
-  double weight = 0.0;
-  double squares = 0.0; ///< of the weights
-  double largest = -1.0;
-  Eigen::Index largestIndex = 0;
-  Eigen::VectorXd mean;    ///< empty where all weights are zero
-  Eigen::MatrixXd scatter; ///< sum of weight * deviation * deviation', lower triangle
+  double weight = 0.0;           ///< sum of the weights
+  double squares = 0.0;          ///< sum of the squared weights
+  double largest = -1.0;         ///< largest weight
+  Eigen::Index largestIndex = 0; ///< index of the particle with the largest weight
+  Eigen::VectorXd mean;          ///< weighted mean; empty if all weights are zero
+  Eigen::MatrixXd scatter;       ///< sum of weight * deviation * deviation', lower triangle only
 
-  /// Adds the moments of further particles, whose weights are multiplied by `factor` first.
+  /// Adds the statistics of other particles, whose weights are first multiplied by `factor`.
   void add(const Moments& other, double factor = 1.0);
 };
 
-/// The moments of particles begin to end - 1, whose weights are weights[0], weights[1], ...
+/// Returns the mean and scatter of particles `begin` to `end` - 1, whose weights are weights[0],
+/// weights[1], ...
 Moments measureMoments(const Eigen::ArrayXXd& states, const double* weights, std::int64_t begin,
                        std::int64_t end);
 

@@ -10,18 +10,18 @@
 
 namespace dewpoint::filter {
 
-/// Resampling of CONDENSATION (Isard & Blake 1998): for each new particle an independent uniform
-/// draw, looked up in the cumulative weights. Unbiased; a particle of weight zero is never picked.
-/// The weights need not sum to 1, but at least one must be positive.
+/// Multinomial resampling as in CONDENSATION (Isard & Blake 1998): each new particle takes an
+/// independent uniform draw, which is looked up in the cumulative weights. Unbiased; a particle of
+/// weight zero is never picked. The weights need not sum to 1, but at least one must be positive.
 ///
-/// The draws are made in rising order (SortedDraws), so that ancestors rise too and memory is read
-/// from one end to the other. The ancestors are those of a binary search for each draw in
-/// CumulativeWeights.
+/// The draws are generated in ascending order (SortedDraws). The ancestors are therefore ascending
+/// too, and memory is read from front to back. The ancestors equal those of a binary search in
+/// CumulativeWeights for each draw.
 class MultinomialResampling {
 public:
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
                  Ancestors& picked) const;
-  /// Shared by several threads; the same to the bit for any number of them.
+  /// Runs on several threads. The result is bit-identical for any number of threads.
   void ancestors(const BlockWeights& weights, Eigen::Index count, const RandomStream& stream,
                  ThreadTeam& team, Ancestors& picked) const;
 };

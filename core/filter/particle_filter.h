@@ -20,32 +20,32 @@
 
 namespace dewpoint::filter {
 
-/// Identifies the random numbers of an iteration: equal keys give equal numbers.
+/// Key of the random numbers of one iteration: equal keys give equal numbers.
 struct RandomKey {
   std::uint64_t seed = 0;
   std::uint32_t frame = 0;
-  std::uint32_t iteration = 0; ///< within the frame
+  std::uint32_t iteration = 0; ///< counted within the frame
 
   RandomStream stream(RandomPurpose purpose) const { return {seed, frame, iteration, purpose}; }
 
-  /// The stream of one of up to 4096 parts (from 0) that draw for the same purpose in the same
-  /// iteration. Within 2^20 iterations of a frame no two parts share one.
+  /// Random stream of one of up to 4096 parts (numbered from 0) that draw for the same purpose in
+  /// the same iteration. Within 2^20 iterations of a frame, no two parts share a stream.
   RandomStream streamOfPart(RandomPurpose purpose, std::uint32_t part) const {
-    // The part lies between the low and the high bits of the iteration.
+    // The part number is stored between the low and the high bits of the iteration.
     return {seed, frame, (iteration & 0xFFU) | (part << 8U) | (iteration >> 8U) << 20U, purpose};
   }
 };
 
-/// A particle filter with resampling at every iteration (CONDENSATION; Barrera et al. 2005, section
-/// 2). It owns the particles; the models are handed in. The bits of every result are the same for
+/// Particle filter that resamples at every iteration (CONDENSATION; Barrera et al. 2005, section
+/// 2). It owns the particles; the models are passed to each call. All results are bit-identical for
 /// any number of threads.
 ///
-/// With many particles the time goes into memory, so each state is written once per iteration:
-/// resampling only lists ancestors, and the next iteration takes the states from there, moves and
-/// weighs them and sums them up, all while a block of them is in the cache.
+/// With many particles, memory access takes most of the time, so each state is written once per
+/// iteration. Resampling only lists ancestors. The next iteration copies the states of these
+/// ancestors, moves them, weighs them and sums them up while a block is in the cache.
 class ParticleFilter {
 public:
-  /// Restarts with these states, at least one, all equally likely.
+  /// Restarts with these states, which get equal weights. At least one state is needed.
   void start(Eigen::ArrayXXd states) {
     assert(states.rows() > 0);
     states_ = std::move(states);
@@ -55,7 +55,8 @@ public:
     weights_.setEqual();
   }
 
-  /// One iteration; the set for the next one is drawn with `nextCount` particles.
+  /// Runs one iteration and returns its estimate. Then it draws `nextCount` particles for the next
+  /// iteration.
   template <Proposal P, ObservationModel O, Resampler R>
   StateEstimate iterate(const P& proposal, const O& observation, const R& resampler,
                         Eigen::Index nextCount, const RandomKey& key, ThreadTeam& team) {
@@ -66,23 +67,23 @@ public:
     return result;
   }
 
-  /// Redraws the set for the next iteration from the weighted one, with another count.
+  /// Redraws the particles of the next iteration from the weighted ones, in another number.
   template <Resampler R>
   void resize(const R& resampler, Eigen::Index count, const RandomKey& key, ThreadTeam& team) {
     resample(resampler, count, key.stream(RandomPurpose::Resize), team);
   }
 
-  /// The particles as last weighted (before resampling): what estimates are made of.
+  /// Particles as last weighted, before resampling. Estimates are computed from these.
   const Eigen::ArrayXXd& states() const { return states_; }
-  /// Their linear weights; they sum to 1.
+  /// Linear weights of states(); they sum to 1.
   const BlockWeights& weights() const { return weights_; }
-  /// How many particles the next iteration has.
+  /// Number of particles in the next iteration.
   Eigen::Index nextCount() const { return static_cast<Eigen::Index>(ancestors_.size()); }
-  /// The resampled particles, all equally likely, from which the next iteration starts.
+  /// Resampled particles, equally weighted, with which the next iteration starts.
   Eigen::ArrayXXd next() const { return states_(ancestors_, Eigen::all); }
 
 private:
-  /// Predicts, weighs and measures block by block, while a block is in the cache.
+  /// Predicts, weighs and computes mean and scatter block by block, while a block is in the cache.
   template <Proposal P, ObservationModel O>
   void weigh(const P& proposal, const O& observation, const RandomStream& stream,
              ThreadTeam& team) {
@@ -132,9 +133,9 @@ private:
     }
   }
 
-  /// Prefetches the memory of the next block while this one is in work.
+  /// Prefetches the memory of the next block while the current one is processed.
   [[gnu::always_inline]] void prefetchParents(std::int64_t begin, std::int64_t end) {
-    constexpr std::int64_t kLine = 8; // numbers
+    constexpr std::int64_t kLine = 8; // numbers per cache line
     for (Eigen::Index column = 0; column < states_.cols(); ++column) {
       const double* from = parents_.col(column).data();
       double* to = states_.col(column).data();
@@ -149,7 +150,7 @@ private:
     Moments all;
     for (std::size_t block = 0; block < moments_.size(); ++block) {
       const auto begin = static_cast<std::int64_t>(block) * kSumBlock;
-      if (!usable) { // all weights have become equal since
+      if (!usable) { // finish() has changed all weights
         const std::int64_t end = std::min(begin + kSumBlock, weights_.count());
         moments_[block] = measureMoments(states_, weights_.relative(begin), begin, end);
       }
@@ -172,10 +173,10 @@ private:
   }
 
   Eigen::ArrayXXd states_;
-  BlockWeights weights_; ///< of the states
-  Ancestors ancestors_;  ///< among the states, of the next iteration's particles
+  BlockWeights weights_; ///< weights of `states_`
+  Ancestors ancestors_;  ///< for each particle of the next iteration, its index in `states_`
   Eigen::ArrayXXd parents_;
-  std::vector<Moments> moments_; ///< of every block
+  std::vector<Moments> moments_; ///< one entry per block
 };
 
 } // namespace dewpoint::filter

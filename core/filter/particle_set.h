@@ -10,15 +10,16 @@
 
 namespace dewpoint::filter {
 
-/// Some consecutive particles of a set, writable: one row per particle, one contiguous column per
-/// coordinate. What a thread gets to work on.
+/// Writable view of consecutive particles: one row per particle, one contiguous column per
+/// coordinate. Each thread works on one such view.
 using StateRows = Eigen::Ref<Eigen::ArrayXXd, 0, Eigen::OuterStride<>>;
+/// Read-only view of consecutive particles, in the layout of StateRows.
 using ConstStateRows = const Eigen::Ref<const Eigen::ArrayXXd, 0, Eigen::OuterStride<>>&;
-/// The log weights (or log likelihoods) of the same particles.
+/// Log weights (or log likelihoods) of the same particles.
 using LogWeightSegment = Eigen::Ref<Eigen::ArrayXd>;
 
-/// Which particle of a weighted set each particle of the next one comes from. A set has fewer than
-/// 2^31.
+/// For each particle of the next set, the index of its ancestor in the weighted set. A set has
+/// fewer than 2^31 particles.
 using Ancestors = std::vector<std::int32_t>;
 
 } // namespace dewpoint::filter

@@ -10,14 +10,14 @@
 
 namespace dewpoint::filter {
 
-/// The dynamic model of Mohedano et al. 2009, equations 14 and 15: constant velocity and, in states
-/// that have it, constant color, with normal noise of its own on position, velocity and color.
-/// States: x y z (m) vx vy vz (m/s), perhaps h s (in [0, 1]; the hue is circular).
+/// Motion model of Mohedano et al. 2009, equations 14 and 15: constant velocity and, in states with
+/// color, constant color. Position, velocity and color have independent normal noise. States: x y z
+/// (m) vx vy vz (m/s), optionally followed by h s (in [0, 1]; the hue is circular).
 struct PersonMotion {
-  double interval = 0.0;       ///< seconds from the last step to this one
-  double positionSigma = 0.03; ///< m, per step
-  double velocitySigma = 0.25; ///< m/s, per step
-  double colorSigma = 0.005;   ///< per step
+  double interval = 0.0;       ///< seconds since the last step
+  double positionSigma = 0.03; ///< standard deviation, m per step
+  double velocitySigma = 0.25; ///< standard deviation, m/s per step
+  double colorSigma = 0.005;   ///< standard deviation of h and s, per step
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
     const bool hasColor = rows.cols() >= 8;
@@ -39,16 +39,17 @@ struct PersonMotion {
   }
 };
 
-/// A person on the floor: x y vx vy (m, m/s) and the height (m). A constant, random acceleration
-/// acts from one step to the next; the height hardly changes, and returns slowly to the usual one.
+/// Motion model of a person on the floor. States: x y vx vy (m, m/s) and height (m). Between two
+/// steps a constant, random acceleration acts on x and y. The height changes little and returns
+/// slowly to the usual height.
 struct WalkingMotion {
-  double interval = 0.0;          ///< seconds from the last step to this one
-  double accelerationSigma = 3.0; ///< m/s², along each axis
+  double interval = 0.0;          ///< seconds since the last step
+  double accelerationSigma = 3.0; ///< standard deviation along each axis, m/s²
   double usualHeight = 1.72;      ///< m
-  double heightSigma = 0.01;      ///< m, per step
+  double heightSigma = 0.01;      ///< standard deviation, m per step
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
-    constexpr double kHeightPull = 0.02; // per step
+    constexpr double kHeightPull = 0.02; // share of the difference, per step
     const double half = 0.5 * interval * interval;
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
       const auto normal = stream.normal4(firstIndex + static_cast<std::uint32_t>(row));

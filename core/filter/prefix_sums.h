@@ -10,18 +10,22 @@
 
 namespace dewpoint::filter {
 
-/// Cumulative sums are taken in order within stretches of kStretch elements, and each stretch is
-/// then moved by the sum of those before: threads and processors of any number give the same bits.
+/// Number of elements in a stretch. Cumulative sums are taken in order within a stretch, and the
+/// sum of all earlier stretches is added afterwards. The results are therefore bit-identical for
+/// any number of threads and on any processor.
 inline constexpr std::int64_t kStretch = 256;
-/// Stretches that are summed up side by side: an addition has to wait for the one before it, but
-/// not for those of other stretches.
+/// Number of stretches summed in parallel. Each addition waits for the previous one in its stretch,
+/// but not for those of other stretches.
 inline constexpr std::int64_t kAbreast = 4;
+/// Number of elements in a block of stretches.
 inline constexpr std::int64_t kPrefixBlock = kStretch * kAbreast;
 
+/// One sum for each stretch of a block.
 using StretchSums = std::array<double, kAbreast>;
 
-/// Sums up the stretches of a block of `count` <= kPrefixBlock values, each by itself, and hands
-/// every sum on the way to put(index, sum). Returns the sums of the stretches, zero for empty ones.
+/// Computes the running sums of each stretch of a block of `count` <= kPrefixBlock values. Each
+/// running sum is passed to put(index, sum). Returns the total of each stretch, zero for empty
+/// ones.
 template <class Value, class Put>
 [[gnu::always_inline]] inline StretchSums prefixSums(const Value* values, std::int64_t count,
                                                      const Put& put) {

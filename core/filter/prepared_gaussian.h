@@ -8,8 +8,8 @@
 
 namespace dewpoint::filter {
 
-/// A normal distribution of a position with its matrix factors computed once, for drawing and
-/// evaluating many times.
+/// Normal distribution of a position whose matrix factors are computed once, for many draws and
+/// evaluations.
 class PreparedGaussian3 {
 public:
   explicit PreparedGaussian3(const Gaussian3& gaussian);
@@ -18,12 +18,13 @@ public:
   Eigen::Vector3d fromStandardNormal(const Eigen::Vector3d& standardNormal) const {
     return mean_ + factor_ * standardNormal;
   }
-  /// `count` samples, rows x y z. Sample i is made of element i of the stream.
+  /// Draws `count` samples, one per row: x y z. Sample i uses element i of the stream.
   Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
   /// Squared Mahalanobis distance from the mean.
   double squaredDistance(const Eigen::Vector3d& position) const {
     return (inverseFactor_ * (position - mean_)).squaredNorm();
   }
+  /// Natural logarithm of the density at a position.
   double logDensity(const Eigen::Vector3d& position) const {
     return logPeak_ - 0.5 * squaredDistance(position);
   }

@@ -10,15 +10,15 @@
 
 namespace dewpoint::filter {
 
-/// Systematic resampling (Kitagawa 1996; Arulampalam et al. 2002, algorithm 2): one uniform draw
-/// and equal steps through the cumulative weights. Unbiased, and every particle is picked floor or
-/// ceil of its expected number of times. The weights need not sum to 1, but at least one must be
+/// Systematic resampling (Kitagawa 1996; Arulampalam et al. 2002, algorithm 2): one uniform draw,
+/// then equal steps through the cumulative weights. Unbiased; each particle is picked floor or ceil
+/// of its expected number of times. The weights need not sum to 1, but at least one must be
 /// positive.
 struct SystematicResampling {
   void ancestors(const Eigen::ArrayXd& weights, Eigen::Index count, const RandomStream& stream,
                  Ancestors& picked) const {
     picked.resize(static_cast<std::size_t>(count));
-    Eigen::Index last = 0; // of positive weight, where rounding would carry a step past the end
+    Eigen::Index last = 0; // of positive weight, in case rounding carries a step past the end
     for (Eigen::Index i = 0; i < weights.size(); ++i) {
       last = weights[i] > 0.0 ? i : last;
     }

@@ -11,21 +11,21 @@
 
 namespace dewpoint::geometry {
 
-/// Pinhole intrinsics in pixels; pixel centers lie at integer coordinates.
+/// Pinhole intrinsics in pixels. Pixel centers are at integer coordinates.
 struct Intrinsics {
   int width = 0;
   int height = 0;
   double focalX = 0.0;
   double focalY = 0.0;
-  double centerX = 0.0;
-  double centerY = 0.0;
+  double centerX = 0.0; ///< principal point, column
+  double centerY = 0.0; ///< principal point, row
 
   bool operator==(const Intrinsics&) const = default;
 };
 
-/// One calibrated camera. World: meters, right-handed, Z up. Camera axes as in OpenCV: x right,
-/// y down, z forward. Distortion coefficients in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6 of a
-/// pinhole, k1 k2 k3 k4 (and zeros) of a fisheye.
+/// One calibrated camera. World frame: meters, right-handed, z up. Camera axes as in OpenCV: x
+/// right, y down, z forward. Distortion coefficients are in OpenCV's order: k1 k2 p1 p2 k3 k4 k5 k6
+/// for a pinhole; k1 k2 k3 k4, then zeros, for a fisheye.
 struct Camera {
   std::string name;
   Intrinsics intrinsics;
@@ -35,22 +35,24 @@ struct Camera {
 
   /// Optical center in the world frame, meters.
   Eigen::Vector3d center() const;
-  /// Unit vector of the optical axis in the world frame.
+  /// Unit vector along the optical axis, in the world frame.
   Eigen::Vector3d opticalAxis() const;
 
-  /// True where pixels are not those of an ideal pinhole.
+  /// Whether the lens differs from an ideal pinhole.
   bool distorted() const;
 
   bool operator==(const Camera& other) const;
 };
 
+/// All cameras of a project, in a fixed order.
 using CameraRig = std::vector<Camera>;
 
-/// The camera with the same lens at the origin of the world, along its axes.
+/// Returns the same camera at the world origin, with its axes along the world axes.
 Camera withoutPose(Camera camera);
 
-/// The pose (camera from world) of a camera at `position` that looks at `target`, image up along
-/// `up`, then rotated by `roll` radians about its optical axis. All in the world frame, meters.
+/// Pose (camera from world) of a camera at `position` that looks at `target`. The image's up
+/// direction is along `up`; the camera is then rotated by `roll` radians about its optical axis.
+/// All vectors are in the world frame, meters.
 Eigen::Isometry3d lookAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
                          const Eigen::Vector3d& up = Eigen::Vector3d::UnitZ(), double roll = 0.0);
 

@@ -8,11 +8,12 @@
 
 namespace dewpoint::geometry {
 
-/// What a camera is called that nobody has named: "camera 1" for number 0. The one function that
-/// decides so for files; the window shows the same words in its language.
+/// Default name of a camera without a name of its own: "camera 1" for index 0. Files always use
+/// this function; the window shows the same words in its own language.
 std::string defaultCameraName(std::size_t index);
 
-/// The first default name from the rig's size on that no camera of it has.
+/// Returns the first default name, counting from the size of the rig, that no camera of the rig
+/// has.
 std::string freeCameraName(const CameraRig& rig);
 
 } // namespace dewpoint::geometry

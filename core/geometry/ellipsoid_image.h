@@ -10,43 +10,43 @@
 
 namespace dewpoint::geometry {
 
-/// A solid ellipsoid in the world.
+/// Solid ellipsoid in the world frame.
 struct Ellipsoid {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
-  /// Extent (m²): symmetric, its eigenvalues are the squares of the semi-axes, its eigenvectors
-  /// their directions. The second moments of the solid are a fifth of it.
+  /// Extent (m²): a symmetric matrix whose eigenvalues are the squared semi-axes and whose
+  /// eigenvectors are their directions. The covariance of the points inside is one fifth of it.
   Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
 
-  /// Of a ball of the same volume, meters.
+  /// Radius of a ball of the same volume, meters.
   double radius() const;
 };
 
-/// The outline of an ellipsoid in an image.
+/// Outline of an ellipsoid in an image.
 struct EllipseImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< pixels
-  /// px²: its eigenvalues are the squares of the semi-axes. The second moments of the area inside
-  /// are a quarter of it.
+  /// Extent (px²): a symmetric matrix whose eigenvalues are the squared semi-axes. The covariance
+  /// of the pixels inside is one quarter of it.
   Eigen::Matrix2d extent = Eigen::Matrix2d::Zero();
 
-  /// Pixels.
+  /// Enclosed area, px².
   double area() const;
-  /// Squared distance from the center in semi-axes: at most 1 inside.
+  /// Squared distance of a pixel from the center, measured in semi-axes: at most 1 inside.
   double squaredDistance(const Eigen::Vector2d& pixel) const;
 };
 
-/// Where an ellipsoid appears in one camera: the cone of its tangents, exact for a pinhole; a lens
-/// that distorts is linear over the outline.
+/// Projects ellipsoids into one camera by their tangent cone. Exact for a pinhole; lens distortion
+/// is linearized over the outline.
 class EllipsoidProjector {
 public:
   explicit EllipsoidProjector(const Camera& camera);
 
-  /// Also outside the image; nothing when the ellipsoid reaches behind the camera or past where the
-  /// lens model holds.
+  /// Outline of the ellipsoid; it may lie outside the image. Returns nothing if the ellipsoid
+  /// reaches behind the camera or beyond the valid range of the lens model.
   std::optional<EllipseImage> project(const Ellipsoid& ellipsoid) const;
   const Projector& projector() const { return projector_; }
-  /// Optical center, meters, world.
+  /// Optical center in the world frame, meters.
   const Eigen::Vector3d& cameraCenter() const { return cameraCenter_; }
-  /// Pixels per radian along the optical axis.
+  /// Focal length in pixels: pixels per radian near the optical axis.
   double focal() const { return focal_; }
 
 private:

@@ -9,8 +9,8 @@
 
 namespace dewpoint::geometry {
 
-/// One of the eight ways a picture can lie: rotated clockwise by 0, 90, 180 or 270 degrees, and
-/// then perhaps mirrored left to right. The same two numbers say it of a camera's source.
+/// One of the eight orientations of an image: rotated clockwise by 0, 90, 180 or 270 degrees, then
+/// optionally mirrored left to right. The source of a camera stores the same two values.
 struct ImageSymmetry {
   int rotateDegrees = 0;
   bool mirrored = false;
@@ -18,19 +18,20 @@ struct ImageSymmetry {
   bool operator==(const ImageSymmetry&) const = default;
 };
 
-/// Identity first, then the rotations, then the mirrored ones.
+/// All orientations: identity first, then the rotations, then the mirrored ones.
 const std::array<ImageSymmetry, 8>& imageSymmetries();
 
-/// Where a pixel of an image of this size (pixels) comes to lie; centers of pixels at integers.
+/// Position of a pixel after the transformation of an image of this size (pixels). Pixel centers
+/// are at integer coordinates.
 Eigen::Vector2d transformed(const ImageSymmetry& symmetry, const Eigen::Vector2d& pixel, int width,
                             int height);
 
-/// The intrinsics and lens coefficients of the same camera when its pictures are transformed so. A
-/// rotation also turns the pose, so that every world point moves with its pixel; what a mirrored
-/// picture shows has no pose, so a mirroring leaves it as it is.
+/// Returns the same camera after its images are transformed: new intrinsics and distortion
+/// coefficients. A rotation also rotates the pose, so that every world point moves with its pixel.
+/// No pose can describe a mirrored image, so mirroring leaves the pose unchanged.
 Camera transformed(const ImageSymmetry& symmetry, const Camera& camera);
 
-/// What one symmetry does after another.
+/// Returns the symmetry that equals `first` followed by `second`.
 ImageSymmetry combined(const ImageSymmetry& first, const ImageSymmetry& second);
 
 } // namespace dewpoint::geometry

@@ -9,23 +9,25 @@
 
 namespace dewpoint::geometry {
 
-/// A function sampled on a grid of the ground plane: values(column, row) is that of the point
-/// origin + step * (column, row). Meters, world x and y.
+/// Function sampled on a grid of the ground plane: values(column, row) belongs to the point origin
+/// + step * (column, row). Meters, world x and y.
 struct GroundGrid {
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   double step = 0.1;
   Eigen::ArrayXXd values;
 };
 
-/// One piece of a level curve: points in order; closed when the last equals the first.
+/// One piece of a level curve: points in order, world x and y in meters. The curve is closed if the
+/// last point equals the first.
 using LevelCurve = std::vector<Eigen::Vector2d>;
 
-/// Where the function, linear along the edges of the grid, has this value (marching squares:
-/// Lorensen & Cline 1987 in two dimensions; a saddle is cut by the mean of its four corners).
+/// Curves on which the function, linear along the grid edges, equals `level` (marching squares:
+/// Lorensen & Cline 1987 in two dimensions; the mean of the four corners decides how a saddle is
+/// cut).
 std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level);
 
-/// The value above which lies the share `probability` of the sum of all values (the border of the
-/// smallest region that holds it); 0 when there is nothing.
+/// Level above which the values add up to the share `probability` of the sum of all values: the
+/// border of the smallest region with that probability. 0 if the sum is zero.
 double levelHolding(const GroundGrid& grid, double probability);
 
 } // namespace dewpoint::geometry

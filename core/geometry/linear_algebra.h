@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decompositions of matrices of any size, by Eigen, compiled in one place: each costs every file
-// that instantiates it up to twelve seconds.
+// Eigen's decompositions of matrices of any size, compiled in one place: each would add up to
+// twelve seconds to the compilation of every file that instantiates it.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,32 +10,33 @@
 
 namespace dewpoint::geometry {
 
-/// The x for which |matrix x - right| is least, one column for each column of `right`; by QR with
-/// column pivoting. Where the matrix does not determine x, a basic solution.
+/// Least-squares solution x of matrix x = right, with one column for each column of `right`; by QR
+/// with column pivoting. If the matrix does not determine x, the result is a basic solution.
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 Eigen::VectorXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
-/// Eigenvalues of a symmetric matrix in rising order, and their unit vectors as columns.
+/// Eigenvalues of a symmetric matrix in ascending order, and unit eigenvectors as columns.
 struct SymmetricEigen {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
   bool converged = false;
 };
 
-/// Reads the lower triangle only.
+/// Eigendecomposition of a symmetric matrix. Only the lower triangle is read.
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
 
-/// The x of matrix x = right for a positive or negative semidefinite matrix, by LDLT.
+/// Solves matrix x = right for a positive or negative semidefinite matrix, by LDLT.
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
-/// The inverse of a symmetric positive definite matrix, by Cholesky's method; nothing for another.
+/// Inverse of a symmetric positive definite matrix, by Cholesky decomposition; nothing for any
+/// other matrix.
 std::optional<Eigen::MatrixXd> inversePositive(const Eigen::MatrixXd& matrix);
 
-/// A singular value decomposition by Jacobi rotations.
+/// Singular value decomposition by Jacobi rotations.
 class SingularValues {
 public:
-  /// What is computed beside the values. `Thin` and `Full` allow solve(), `Full` gives all columns
-  /// of V, those of the null space last.
+  /// Which singular vectors are computed. `Thin` and `Full` allow solve(); `Full` gives all columns
+  /// of V, with those of the null space last.
   enum class Vectors { None, Thin, Full };
 
   SingularValues(const Eigen::MatrixXd& matrix, Vectors vectors);
@@ -43,10 +44,11 @@ public:
   SingularValues& operator=(const SingularValues&) = delete;
   ~SingularValues();
 
-  /// In falling order, as many as the shorter side of the matrix has.
+  /// Singular values in descending order, as many as the shorter side of the matrix.
   const Eigen::VectorXd& values() const;
+  /// Right singular vectors as columns.
   const Eigen::MatrixXd& matrixV() const;
-  /// The shortest of all x for which |matrix x - right| is least.
+  /// Least-squares solution x of matrix x = right with the smallest norm.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
 private:

@@ -13,21 +13,22 @@
 
 namespace dewpoint::geometry {
 
-/// A line in an image: pixels (column, row), also outside the image, neighbors close enough to be
-/// joined by straight strokes where the lens bends it.
+/// Line in an image: pixels (column, row), possibly outside the image. Where the lens bends the
+/// line, neighboring points are close enough to be joined by straight strokes.
 using ImageLine = std::vector<Eigen::Vector2d>;
 
-/// The twelve edges of a box, from corner to corner.
+/// The twelve edges of a box, each from corner to corner; world frame, meters.
 std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldBox& box);
 
-/// What a camera shows of the straight line between two points of the world: nothing of what is
-/// behind it, beyond the fold-back of its lens (Projector::project) or 10,000 pixels off, where
-/// nobody looks. Several pieces where the line leaves that part and comes back.
+/// Projects the straight line between two world points (meters). Parts behind the camera, beyond
+/// the fold-back of the lens (Projector::project), or more than 10,000 pixels away are left out.
+/// The result has several pieces if the line leaves the visible part and returns.
 std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to);
-/// The same of all edges of a box.
+/// Projects all edges of a box in the same way.
 std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
-/// The same of a ray, up to 1000 m from its origin: the epipolar line of the pixel it comes from.
+/// Projects a ray up to 1000 m from its origin: the epipolar line of the pixel from which the ray
+/// comes.
 std::vector<ImageLine> projectedRay(const Projector& projector, const Ray& ray);
 
 } // namespace dewpoint::geometry

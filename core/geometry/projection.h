@@ -8,39 +8,39 @@
 
 namespace dewpoint::geometry {
 
-/// How a lens bends the rays, apart from its coefficients.
+/// Model of lens distortion, without its coefficients.
 enum class LensModel {
-  Pinhole, ///< OpenCV's: rational radial and tangential, k1 k2 p1 p2 k3 k4 k5 k6
+  Pinhole, ///< OpenCV: rational radial and tangential, k1 k2 p1 p2 k3 k4 k5 k6
   Fisheye  ///< OpenCV's cv::fisheye (Kannala and Brandt 2006, odd powers of the angle): k1 k2 k3 k4
 };
 
-/// OpenCV's camera models in plain numbers, as the loops over many points need them. Made by
-/// Projector.
+/// OpenCV's camera models in plain numbers, for loops over many points. Made by Projector.
 struct Projection {
-  std::array<double, 9> rotation{}; ///< camera from world, row by row
-  std::array<double, 3> translation{};
+  std::array<double, 9> rotation{};    ///< camera from world, row by row
+  std::array<double, 3> translation{}; ///< camera from world, meters
   double focalX = 0.0, focalY = 0.0, centerX = 0.0, centerY = 0.0; ///< pixels
-  std::array<double, 8> distortion{}; ///< in the order of its lens model
-  /// Largest squared normalized radius at which the radial distortion still grows.
+  std::array<double, 8> distortion{}; ///< in the order of the lens model
+  /// Largest squared normalized radius at which the distorted radius still increases.
   double radiusSquaredLimit = 0.0;
 
-  /// Points nearer to the plane of the camera, in meters, are not projected.
+  /// Smallest depth in front of the camera, meters. Nearer points are not projected.
   static constexpr double kMinDepth = 1e-9;
 
+  /// Projected point, pixels.
   struct Pixel {
     double column;
     double row;
-    bool visible; ///< in front, and not beyond the angle where the distortion folds back
+    bool visible; ///< in front of the camera and within the valid angle of the distortion
   };
 
-  /// The pixel of the world point (x, y, z). Without branches, so that a loop over it becomes
-  /// vector code; the numbers mean nothing where the point is not visible.
+  /// Projects the world point (x, y, z), meters. Without branches, so that a loop over it can be
+  /// vectorized. Column and row are meaningless if the point is not visible.
   template <bool Distorted> [[gnu::always_inline]] Pixel pixel(double x, double y, double z) const {
     const auto& r = rotation;
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
     const double yCamera = r[3] * x + r[4] * y + r[5] * z + translation[1];
     const double zCamera = r[6] * x + r[7] * y + r[8] * z + translation[2];
-    bool visible = zCamera > kMinDepth; // false for NaN too
+    bool visible = zCamera > kMinDepth; // also false for NaN
     const double inverse = 1.0 / zCamera;
     double u = xCamera * inverse;
     double v = yCamera * inverse;
@@ -59,8 +59,8 @@ struct Projection {
     return {focalX * u + centerX, focalY * v + centerY, visible};
   }
 
-  /// The same for LensModel::Fisheye: the angle t off the axis is seen at the normalized radius
-  /// t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸).
+  /// The same for LensModel::Fisheye. A point at angle t from the optical axis appears at the
+  /// normalized radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸).
   Pixel fisheyePixel(double x, double y, double z) const {
     const auto& r = rotation;
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
@@ -69,7 +69,7 @@ struct Projection {
     const double u = xCamera / zCamera;
     const double v = yCamera / zCamera;
     const double s = u * u + v * v;
-    const bool visible = zCamera > kMinDepth && s <= radiusSquaredLimit; // false for NaN too
+    const bool visible = zCamera > kMinDepth && s <= radiusSquaredLimit; // also false for NaN
     const double radius = std::sqrt(s);
     const double angle = std::atan(radius);
     const double t = angle * angle;

@@ -11,18 +11,20 @@
 
 namespace dewpoint::geometry {
 
-/// Projects points of the world into one camera: OpenCV's models (see LensModel).
-/// Prepared once per camera, then cheap per point.
+/// Projects world points into one camera with OpenCV's models (see LensModel). Prepared once per
+/// camera, then cheap per point.
 class Projector {
 public:
   explicit Projector(const Camera& camera);
 
-  /// Pixel (column, row) of a world point, also outside the image; nothing behind the camera, nor
-  /// beyond the angle where the distortion polynomial folds back (there it would invent an image).
+  /// Pixel (column, row) of a world point in meters; it may lie outside the image. Returns nothing
+  /// for points behind the camera, or beyond the angle where the distortion polynomial folds back
+  /// and would produce a false image.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
 
-  /// The same for `count` points given as three columns, meters; the pixels go into two more, NaN
-  /// where project() returns nothing. Equal to project() to the bit. Columns must not overlap.
+  /// Projects `count` points given as three columns, meters. The pixels are written to two more
+  /// columns, NaN where project() returns nothing. The results are bit-identical to those of
+  /// project(). Columns must not overlap.
   void projectBatch(std::int64_t count, const double* x, const double* y, const double* z,
                     double* column, double* row) const;
 

@@ -11,26 +11,28 @@
 
 namespace dewpoint::geometry {
 
-/// A half-line in the world: `origin` in meters, `direction` of length 1.
+/// Half-line in the world frame: `origin` in meters, `direction` of length 1.
 struct Ray {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-/// The inverse of Projector: from a pixel of one camera to its ray in the world. Prepared once per
+/// Inverse of Projector: converts a pixel of one camera to a ray in the world. Prepared once per
 /// camera, then cheap per pixel.
 class Unprojector {
 public:
   explicit Unprojector(const Camera& camera);
 
-  /// Unit direction, in the world, of the pixel (column, row), also outside the image. Lens
-  /// distortion is undone by Newton's method on Projector's own model, to 1e-9 px; nothing where
-  /// the model has no such direction (beyond its fold-back) or the pixel is not finite.
+  /// Unit direction, in the world frame, of the pixel (column, row), which may lie outside the
+  /// image. Lens distortion is inverted by Newton's method on Projector's model, to 1e-9 px.
+  /// Returns nothing if the model has no such direction (beyond its fold-back) or the pixel is not
+  /// finite.
   std::optional<Eigen::Vector3d> rayWorld(const Eigen::Vector2d& pixel) const;
 
-  /// The same with the camera's center as its origin.
+  /// The same direction as a ray from the camera's center.
   std::optional<Ray> ray(const Eigen::Vector2d& pixel) const;
 
+  /// Optical center in the world frame, meters.
   const Eigen::Vector3d& center() const { return center_; }
 
 private:
@@ -42,16 +44,17 @@ private:
   bool distorted_ = false;
   bool fisheye_ = false;
   std::array<double, 8> distortion_;
-  Projector lens_; ///< the same lens with the camera at the world's origin
+  Projector lens_; ///< the same lens, with the camera at the world origin
 };
 
-/// The point with the least sum of squared distances to the rays' lines (the normal equations
-/// sum (I - d d') X = sum (I - d d') o; Hartley & Zisserman call two of them the midpoint method).
-/// Nothing for fewer than two rays, for rays closer than about 0.1 degrees to parallel, or when the
-/// point lies behind the origin of one.
+/// Point with the smallest sum of squared distances to the lines of the rays, from the normal
+/// equations sum (I - d d') X = sum (I - d d') o. For two rays, Hartley & Zisserman call this the
+/// midpoint method. Returns nothing for fewer than two rays, for rays within about 0.1 degrees of
+/// parallel, or if the point lies behind the origin of a ray.
 std::optional<Eigen::Vector3d> nearestPoint(const std::vector<Ray>& rays);
 
-/// Distance of a point to the ray: to its origin where the point lies behind it. Meters.
+/// Distance of a point to the ray in meters. If the point lies behind the origin, this is the
+/// distance to the origin.
 double distanceToRay(const Ray& ray, const Eigen::Vector3d& point);
 
 } // namespace dewpoint::geometry

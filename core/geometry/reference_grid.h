@@ -12,39 +12,42 @@
 
 namespace dewpoint::geometry {
 
-/// Which surface of the room a reference grid lies on.
+/// Surface of the room on which a reference grid lies.
 enum class GridKind {
-  Floor, ///< its x and y
-  Wall,  ///< its x and z
-  Box    ///< floor and the two walls that meet in the origin, and the box's edges
+  Floor, ///< x and y
+  Wall,  ///< x and z
+  Box    ///< the floor, the two walls that meet at the origin, and the edges of the box
 };
 
-/// A grid of known size in the world, to be laid over the real surface in the images (Barrera,
-/// Cañas and Matellán 2005 calibrate so). It begins at `origin` and reaches `size` along its own
-/// axes, which are those of the world rotated by `turn` about the vertical.
+/// Grid of known size in the world, drawn over the real surface in the images (the calibration
+/// method of Barrera, Cañas and Matellán 2005). It starts at `origin` and extends by `size` along
+/// its own axes. These are the world axes rotated by `turn` about the vertical.
 struct ReferenceGrid {
   GridKind kind = GridKind::Floor;
-  Eigen::Vector3d size{4.0, 4.0, 2.0}; ///< meters along x, y and z; a floor has no z, a wall no y
-  double step = 0.5;                   ///< meters between lines
-  Eigen::Vector3d origin{-2.0, -2.0, 0.0}; ///< world, meters
-  double turn = 0.0;                       ///< radians, counterclockwise from above
+  Eigen::Vector3d size{4.0, 4.0, 2.0};     ///< meters along x, y and z; floors ignore z, walls y
+  double step = 0.5;                       ///< distance between lines, meters
+  Eigen::Vector3d origin{-2.0, -2.0, 0.0}; ///< world frame, meters
+  double turn = 0.0;                       ///< radians, counterclockwise as seen from above
 
   bool operator==(const ReferenceGrid&) const = default;
 
+  /// Pose of the grid in the world, meters.
   Eigen::Isometry3d worldFromGrid() const;
   /// World position of the grid's center, meters.
   Eigen::Vector3d center() const;
 };
 
-/// Most lines along one side.
+/// Maximum number of lines along one side.
 inline constexpr int kMostGridLines = 200;
 
-/// BadValue with the field (`size`, `step`, `origin`) of a grid that cannot be drawn.
+/// Checks whether a grid can be drawn. The error is BadValue and names the field (`size`, `step`,
+/// `origin`).
 Status checkGrid(const ReferenceGrid& grid);
 
+/// Role of a line or text of a grid; it decides the color and width.
 enum class GridRole { Line, Border, AxisX, AxisY, AxisZ };
 
-/// One straight line of a grid: world, meters.
+/// One straight line of a grid; world frame, meters.
 struct GridLine {
   GridRole role = GridRole::Line;
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
@@ -52,7 +55,7 @@ struct GridLine {
 };
 std::vector<GridLine> gridLines(const ReferenceGrid& grid);
 
-/// A text at a position: the name of an axis, or meters along it.
+/// Text at a position: the name of an axis, or a distance along it in meters.
 template <int Dimension> struct GridText {
   GridRole role = GridRole::Line;
   Eigen::Matrix<double, Dimension, 1> at;
@@ -60,24 +63,27 @@ template <int Dimension> struct GridText {
 };
 std::vector<GridText<3>> gridLabels(const ReferenceGrid& grid);
 
-/// A line as one image shows it: pixels, cut at the border of the image, bent by the lens (less
-/// than 0.2 px beside the true curve).
+/// Grid line as it appears in one image: pixels, clipped at the image border and bent by the lens.
+/// It deviates less than 0.2 px from the true curve.
 struct GridStroke {
   GridRole role = GridRole::Line;
   std::vector<Eigen::Vector2d> points;
 };
 
+/// Grid as it appears in one image.
 struct ProjectedGrid {
-  std::vector<GridStroke> strokes; ///< lines first, borders and axes last, to be drawn on top
+  std::vector<GridStroke> strokes; ///< lines first; borders and axes last, to be drawn on top
   std::vector<GridText<2>> labels; ///< inside the image
 };
 
-/// What a camera sees of a grid; nothing that is behind it or past where its lens model holds.
+/// Projects a grid into a camera. Parts behind the camera or beyond the valid range of the lens
+/// model are left out.
 ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 
-/// The world point of the grid that is meant by a pixel: the crossing of lines within `reach`
-/// pixels, else what the ray meets on the grid's surfaces, else the point of the ray as far away as
-/// the grid's center. Nothing where the camera has no ray.
+/// World point of the grid that a click at `pixel` refers to. This is the nearest intersection of
+/// grid lines within `reach` pixels; otherwise the point where the pixel's ray meets a surface of
+/// the grid; otherwise the point on the ray at the distance of the grid's center. Returns nothing
+/// if the pixel has no ray.
 std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const ReferenceGrid& grid,
                                            const Eigen::Vector2d& pixel, double reach);
 

@@ -10,12 +10,13 @@
 
 namespace dewpoint::geometry {
 
-/// The nearest rotation of a matrix that is nearly one (published files carry six digits or more);
-/// the same bits where it is one to double precision. Otherwise why it is none: rows that are not
-/// orthonormal, or a mirror.
+/// Returns the rotation nearest to a matrix that is almost a rotation (published files have six
+/// digits or more). A matrix that is a rotation to double precision is returned unchanged. The
+/// error says why the matrix is not a rotation: its rows are not orthonormal, or it is a
+/// reflection.
 tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d& matrix);
 
-/// The smallest rotation that takes the direction of `from` to that of `to`.
+/// Smallest rotation that takes the direction of `from` to the direction of `to`.
 Eigen::Matrix3d rotationBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 } // namespace dewpoint::geometry

@@ -7,11 +7,11 @@
 
 namespace dewpoint::geometry {
 
-/// The rotation of a rotation vector (Rodrigues), radians: its direction is the axis, its length
-/// the angle.
+/// Rotation matrix of a rotation vector (Rodrigues): its direction is the axis, its length the
+/// angle in radians.
 Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector);
 
-/// The rotation vector of a rotation matrix; its length is within 0 to pi.
+/// Rotation vector of a rotation matrix; its length is between 0 and pi.
 Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation);
 
 } // namespace dewpoint::geometry

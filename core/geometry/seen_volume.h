@@ -9,22 +9,23 @@
 
 namespace dewpoint::geometry {
 
-/// Meters to which one camera alone is taken to see, which nothing else tells. Chosen: the size of
-/// a room.
+/// Assumed range of a single camera, meters, used when the rig itself implies no distance. Chosen:
+/// the size of a room.
 inline constexpr double kReachOfOneCamera = 4.0;
 
-/// The box around what at least `cameras` cameras of a rig see together, each up to half as far
-/// again as where its optical axis meets those of the others (the median), and at most 20 times as
-/// far as the cameras are apart; up to kReachOfOneCamera where the cameras tell no distance.
-/// Cameras without an image size or a focal length do not count. Nothing where that
-/// number of cameras sees nothing together.
+/// Bounding box of the volume that at least `cameras` cameras of a rig see together; world frame,
+/// meters. Each camera is assumed to see up to 1.5 times the distance at which its optical axis
+/// meets those of the others (the median), and at most 20 times the largest distance between two
+/// cameras. If the cameras imply no distance, the limit is kReachOfOneCamera. Cameras without an
+/// image size or a focal length do not count. Returns nothing if no volume is seen by that number
+/// of cameras.
 ///
-/// Sampled: the box is that of points on a lattice of each camera's rays, a tenth of its view's
-/// width and 3 % of its depth apart. Takes a few milliseconds for eight cameras.
+/// The box is computed from sample points on a lattice of each camera's rays. The spacing is a
+/// tenth of the width of the view and 3 % of its depth. Takes a few milliseconds for eight cameras.
 std::optional<WorldBox> commonVolume(const CameraRig& rig, std::size_t cameras);
 
-/// The common volume of two cameras; that of one where no two see anything together. Nothing
-/// without a camera that counts.
+/// Common volume of two cameras, or of one if no two cameras see anything together. Returns nothing
+/// if no camera counts.
 std::optional<WorldBox> seenVolume(const CameraRig& rig);
 
 } // namespace dewpoint::geometry

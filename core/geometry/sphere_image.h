@@ -10,30 +10,31 @@
 
 namespace dewpoint::geometry {
 
-/// The outline of a sphere in an image: an ellipse, described by the circle of the same center and
+/// Outline of a sphere in an image. It is an ellipse; this is the circle of the same center and
 /// area. Pixels.
 struct SphereImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0.0;
 };
 
-/// Where a sphere appears in one camera. The center of its outline is not the projection of its
-/// center: perspective pushes it away from the optical axis, by half a pixel and more for a near
-/// ball.
+/// Projects spheres into one camera. The center of the outline is not the projection of the
+/// sphere's center: perspective moves it away from the optical axis, by half a pixel or more for a
+/// near ball.
 class SphereProjector {
 public:
   explicit SphereProjector(const Camera& camera);
 
-  /// Outline of the sphere of `radius` meters around `centerWorld` (meters, world), also outside
-  /// the image; nothing when it reaches behind the camera or past where the lens model holds.
+  /// Outline of the sphere of `radius` meters around `centerWorld` (meters, world frame); it may
+  /// lie outside the image. Returns nothing if the sphere reaches behind the camera or beyond the
+  /// valid range of the lens model.
   std::optional<SphereImage> project(const Eigen::Vector3d& centerWorld, double radius) const;
 
-  /// Meters in front of the camera, along its optical axis.
+  /// Distance in front of the camera along its optical axis, meters.
   double depth(const Eigen::Vector3d& pointWorld) const {
     return (pointWorld - cameraCenter_).dot(axis_);
   }
 
-  /// Optical center, meters, world.
+  /// Optical center in the world frame, meters.
   const Eigen::Vector3d& cameraCenter() const { return cameraCenter_; }
   const Projector& projector() const { return projector_; }
 

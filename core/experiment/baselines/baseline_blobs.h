@@ -13,48 +13,49 @@
 
 namespace dewpoint::experiment {
 
-/// A connected region of matching pixels.
+/// Connected region of matching pixels.
 struct Blob {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of mass, pixels (column, row)
   int area = 0;                                     ///< pixels
-  cv::Rect box;                                     ///< the pixels it lies in
-  /// Of the disk of the same area, pixels.
+  cv::Rect box;                                     ///< bounding box
+  /// Radius of the disk of the same area, pixels.
   double radiusPx() const;
 };
 
-/// Smaller regions are noise.
+/// Least area of a region in pixels; smaller ones are noise.
 inline constexpr int kMinBlobArea = 4;
 
-/// The 8-connected regions of a mask (CV_8UC1, not 0 where it matches) of at least kMinBlobArea
-/// pixels, largest first; of equal ones the upper, then the left one first.
+/// Finds the 8-connected regions of a mask (CV_8UC1, nonzero where it matches) of at least
+/// kMinBlobArea pixels, largest first. Among equal ones, the upper comes first, then the left one.
 std::vector<Blob> findBlobs(const cv::Mat& mask);
 
-/// Where one camera believes one target is.
+/// Direction in which one camera sees one target.
 struct Bearing {
   std::size_t camera = 0;
   std::size_t blob = 0; ///< index among the camera's blobs
   Ray ray;
-  double focalLength = 1.0; ///< pixels
-  double radiusPx = 0.0;    ///< apparent size of what is seen there; 0: not known
+  double focalLength = 1.0; ///< focal length of the camera, pixels
+  double radiusPx = 0.0;    ///< apparent radius of the blob; 0: not known
 };
 
-/// A position that bearings of at least two cameras agree on. World frame, meters.
+/// Position on which bearings of at least two cameras agree. World frame, meters.
 struct TriangulatedPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  /// From the geometry alone: each bearing is off by kCenterSigmaPx across its ray.
+  /// Covariance from the geometry alone (m²), if each bearing has an error of kCenterSigmaPx across
+  /// its ray.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double residualPx = 0.0; ///< largest distance of a bearing's ray, in pixels of its camera
+  double residualPx = 0.0; ///< largest distance of a ray from the position, in pixels of its camera
   std::vector<Bearing> bearings;
 };
 
-/// How well the center of a blob is known, pixels per axis; what the baselines' covariances stand
-/// on.
+/// Standard deviation of the center of a blob, pixels per axis. The covariances of the baselines
+/// are computed from it.
 inline constexpr double kCenterSigmaPx = 0.5;
 
-/// Distance of a bearing's ray from a point (world, meters), in pixels of its camera.
+/// Distance between a bearing's ray and a point (world, meters), in pixels of its camera.
 double residualPx(const Bearing& bearing, const Eigen::Vector3d& point);
 
-/// Least-squares intersection of the bearings; nothing where nearestPoint() has none.
+/// Intersects bearings by least squares; nothing where nearestPoint() returns nothing.
 std::optional<TriangulatedPoint> triangulate(std::vector<Bearing> bearings);
 
 } // namespace dewpoint::experiment

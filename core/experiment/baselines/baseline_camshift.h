@@ -5,9 +5,9 @@
 
 namespace dewpoint::experiment {
 
-/// OpenCV's CamShift (Bradski 1998) with the color mask as its probability image, so that it sees
-/// what the other methods see. It is lost when its window holds no color. The position is the
-/// center of mass in the window, not the rounded center that CamShift itself returns.
+/// OpenCV's CamShift (Bradski 1998) with the color mask as its probability image, so it sees the
+/// same pixels as the other methods. It is lost when its window contains no color. The position is
+/// the center of mass in the window, not the rounded center that CamShift returns.
 class CamShiftFollower final : public CameraFollower {
 public:
   bool start(const CameraImages& images, const cv::Rect& box) override;

@@ -6,8 +6,8 @@
 
 namespace dewpoint::experiment {
 
-/// OpenCV's CSRT (Lukežič et al. 2017) with its default parameters, on the camera's image; it does
-/// not use the color mask. The position is the center of its box. It is lost when it says so, or
+/// OpenCV's CSRT (Lukežič et al. 2017) with default parameters, on the camera's image; it does not
+/// use the color mask. The position is the center of its box. It is lost when it reports so, or
 /// when that center is outside the image.
 class CsrtFollower final : public CameraFollower {
 public:

@@ -7,31 +7,34 @@
 
 namespace dewpoint::experiment {
 
+/// Parameters of the Kalman filter.
 struct KalmanSetup {
-  double accelerationSigma = 6.0; ///< m/s² per axis: what the target may do between two frames
-  double startSpeedSigma = 1.0;   ///< m/s per axis
-  /// Squared Mahalanobis distance that a measurement may have: 99.9 % of chi-square with 3 degrees
-  /// of freedom.
+  double accelerationSigma = 6.0; ///< acceleration between two frames, m/s² per axis
+  double startSpeedSigma = 1.0;   ///< initial speed, m/s per axis
+  /// Largest squared Mahalanobis distance of an accepted measurement: 99.9 % of chi-square with 3
+  /// degrees of freedom.
   double gate = 16.266;
-  int restartAfter = 3;     ///< measurements outside the gate in a row: believe them, start again
+  int restartAfter = 3;     ///< successive measurements outside the gate until the filter restarts
   double forgetAfter = 0.5; ///< seconds without a measurement until the target counts as lost
 };
 
-/// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li &
-/// Kirubarajan 2001, section 6.3.2: white-noise acceleration, piecewise constant). World frame,
-/// meters and seconds.
+/// Constant-velocity Kalman filter on positions with known covariance (Bar-Shalom, Li & Kirubarajan
+/// 2001, section 6.3.2: white-noise acceleration, piecewise constant). World frame, meters and
+/// seconds.
 class KalmanPoint {
 public:
   explicit KalmanPoint(const KalmanSetup& setup = {}) : setup_(setup) {}
 
+  /// Returns to the state before the first measurement.
   void forget() { *this = KalmanPoint(setup_); }
-  /// Predicts `seconds` ahead.
+  /// Predicts the state `seconds` later.
   void predict(double seconds);
-  /// Takes a measurement, unless it is outside the gate; starts with the first one.
+  /// Updates with a measurement (m and m²), unless it is outside the gate. The first measurement
+  /// starts the filter.
   void update(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance);
 
   bool started() const { return started_; }
-  /// Squared Mahalanobis distance that a measurement may have.
+  /// Largest squared Mahalanobis distance of an accepted measurement.
   double gate() const { return setup_.gate; }
   Eigen::Vector3d position() const { return state_.head<3>(); }
   Eigen::Vector3d velocity() const { return state_.tail<3>(); }

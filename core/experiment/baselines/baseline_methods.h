@@ -10,13 +10,13 @@
 
 namespace dewpoint::experiment {
 
-/// All methods of the suite, in the order of its tables: the ones a project may choose, ours first
-/// (and smoothed after the run), then `triangulation`, `triangulation-kalman`, `camshift` and
-/// `csrt`.
+/// Returns all methods of the suite in the order of its tables: the methods that a project may
+/// choose, ours first (followed by its smoothed variant), then `triangulation`,
+/// `triangulation-kalman`, `camshift` and `csrt`.
 std::vector<std::string> suiteMethods();
 
-/// A tracker of one of suiteMethods() that knows what a method may know of the run (for the
-/// smoothed one that which it is made from); NotFound for another name.
+/// Makes a tracker of one of suiteMethods() that knows only what a method may know of the run. For
+/// the smoothed method it is the tracker whose estimates are smoothed. NotFound for any other name.
 Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
                                                   const ScenarioRun& run);
 

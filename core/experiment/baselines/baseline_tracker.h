@@ -12,32 +12,36 @@
 
 namespace dewpoint::experiment {
 
+/// Variant of the baseline.
 struct BaselineSetup {
-  /// Follows each target in each camera; null: the blobs are paired again in every frame.
+  /// Makes the followers of each target in each camera; null: blobs are paired again in every
+  /// frame.
   CameraFollowerFactory follower = nullptr;
-  bool kalman = false; ///< a Kalman filter behind the triangulation, whose gate the pairing uses
+  bool kalman = false; ///< filter the triangulated positions; its gate is used for pairing
 };
 
-/// The baselines: color mask, a position in each camera's image, least-squares intersection of the
-/// rays, no particles and no appearance but the mask. A target is valid when two cameras see it (or
-/// while its Kalman filter predicts); it knows no probability, so `existenceProbability` is 0 or 1.
+/// Baseline methods: a color mask, a position in each camera's image, and the least-squares
+/// intersection of the rays. They use no particles, and no appearance except the mask. A target is
+/// valid while two cameras see it or its Kalman filter predicts it. The method has no probability,
+/// so `existenceProbability` is 0 or 1.
 ///
-/// They know what the methods know at the start: colors, sizes, calibration and the start volume.
-/// Blobs of different cameras are paired (blob_pairing.h), and of the pairs each target takes the
-/// one that looks most like it and is nearest to where it is expected: in the start volume at
-/// first, then where it was last, or where its Kalman filter predicts it. Targets of one color and
-/// size share the blobs.
+/// At the start it knows the same as the other methods: colors, sizes, calibration and start
+/// volume. It pairs blobs of different cameras (blob_pairing.h). Each target takes the pair that
+/// looks most like it and is nearest to its expected position. The expected position is in the
+/// start volume at first, then the last position or the prediction of the Kalman filter. Targets of
+/// one color and size share the blobs.
 ///
-/// With followers, the pairing only starts them: a follower begins with the box of its camera's
-/// blob, and all of a target's begin again when fewer than two are left, or when their rays miss
-/// each other by more than the pairing allows. A camera without a follower gets one at the blob
-/// that fits the position of the others. Deterministic: seed and parameters mean nothing to it.
+/// With followers, pairing only starts them: a follower begins with the box of its camera's blob.
+/// All followers of a target restart when fewer than two are left, or when their rays miss each
+/// other by more than the pairing allows. A camera without a follower gets one at the blob that
+/// fits the position from the others. The method is deterministic: seed and parameters have no
+/// effect.
 class BaselineTracker final : public Tracker,
                               public TargetFollowing,
                               public CameraCalibrated,
                               public ParticleCloud {
 public:
-  /// `start` is where the targets are first searched for.
+  /// `start` is the volume in which targets are first searched for.
   BaselineTracker(const BaselineSetup& setup, const CameraRig& rig, std::vector<Target> targets,
                   const StartVolume& start);
 
@@ -57,10 +61,10 @@ private:
   struct Tracked {
     CameraFollowers followers;
     KalmanPoint filter;
-    std::optional<Eigen::Vector3d> last; ///< where it was seen last, or is predicted
-    double sinceSeen = 0.0;              ///< seconds
+    std::optional<Eigen::Vector3d> last; ///< last or predicted position, world, meters
+    double sinceSeen = 0.0;              ///< seconds since the target was last seen
   };
-  /// What the cameras show of one color, in the order of the rig.
+  /// Images and blobs of one color in all cameras, in the order of the rig.
   struct Views {
     std::vector<CameraImages> images;
     std::vector<CameraBlobs> blobs;

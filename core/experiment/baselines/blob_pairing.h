@@ -12,63 +12,64 @@
 
 namespace dewpoint::experiment {
 
-/// What one camera shows of a color at one frame.
+/// Blobs of one color in one camera at one frame.
 struct CameraBlobs {
   bool hasImage = false;
-  std::vector<Blob> blobs; ///< as from findBlobs(); the first of them are paired
+  std::vector<Blob> blobs; ///< as from findBlobs(); only the first ones are paired
 };
 
-/// A position that blobs of several cameras agree on, and how badly it looks like the target: the
-/// sum of squared standardized deviations of residual and sizes, and kMissingCost for each camera
-/// that should show the target and does not.
+/// Position on which blobs of several cameras agree. The cost says how little it looks like the
+/// target: the sum of squared standardized deviations of residual and sizes, plus kMissingCost for
+/// each camera that should show the target but does not.
 struct PairedBlobs {
   TriangulatedPoint point;
   double cost = 0.0;
 };
 
-/// Where a target is expected before the images of a frame are considered. World frame, m and m².
+/// Expected position of a target before the images of a frame are considered. World frame, m and
+/// m².
 struct ExpectedPosition {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  /// Squared Mahalanobis distance beyond which a position is not believed, and taken only when
-  /// there is no other; nothing: all are possible, and from kFarSquared on equally so.
+  /// Squared Mahalanobis distance beyond which a position is accepted only if there is no other.
+  /// Nothing: all positions are possible, and those beyond kFarSquared are equally likely.
   std::optional<double> gate;
 };
 
-/// How far a blob's ray may miss the position, pixels...
+/// Largest distance between a blob's ray and the position, pixels.
 inline constexpr double kResidualPx = 4.0;
-/// ... or, of a large blob, in its radii: a ball of which half is hidden has its center of mass off
-/// by 0.42.
+/// The same limit for a large blob, in its radii. The center of mass of a half-hidden ball is off
+/// by 0.42 radii.
 inline constexpr double kResidualRadii = 0.5;
-/// Greatest ratio of the apparent size to the expected one, either way: what is three quarters
-/// hidden looks half as large.
+/// Largest ratio between apparent and expected size, in both directions. A ball that is three
+/// quarters hidden appears half as large.
 inline constexpr double kSizeFactor = 2.0;
-/// Standard deviation of the logarithm of the apparent size: half of a disk hidden is 1.7 of these.
+/// Standard deviation of the logarithm of the apparent size. Half of a disk hidden is 1.7 of these.
 inline constexpr double kSizeSigma = 0.2;
-/// Cost of each camera that has an image, and the position in view, but no blob there: as two
+/// Cost of each camera that has an image and the position in view, but no blob there; equals two
 /// standard deviations.
 inline constexpr double kMissingCost = 4.0;
-/// Squared standardized distance from which on an expectation without a gate tells no difference.
+/// Squared standardized distance beyond which an expectation without a gate makes no difference.
 inline constexpr double kFarSquared = 9.0;
 
-/// Finds which blobs of different cameras show the same object: by the distance of their rays and
-/// by their size. All numbers above are judgments, not tuned.
+/// Finds blobs of different cameras that show the same object, by the distance of their rays and by
+/// their size. All constants above are judgments, not tuned.
 class BlobPairing {
 public:
   explicit BlobPairing(const CameraRig& rig);
 
-  /// Of a pixel of one camera; nothing where the lens model has no ray.
+  /// Bearing of a pixel of one camera; nothing if the lens model has no ray there.
   std::optional<Bearing> bearing(std::size_t camera, std::size_t blob, const Eigen::Vector2d& pixel,
                                  double radiusPx) const;
 
-  /// Every position that at least two cameras agree on: pairs of blobs, and pairs joined by the
-  /// nearest blob of each further camera that fits. `radius` is the target's in meters, 0 when it
-  /// is not known: then the sizes must agree with each other. Of each camera the largest
-  /// 16 + `targetCount` blobs are considered; `cameras` are in the order of the rig.
+  /// Finds every position on which at least two cameras agree: pairs of blobs, and pairs joined by
+  /// the nearest fitting blob of each further camera. `radius` is the target's in meters, or 0 if
+  /// it is not known; then the sizes must agree with each other. Only the largest 16 +
+  /// `targetCount` blobs of each camera are considered. `cameras` are in the order of the rig.
   std::vector<PairedBlobs> pair(const std::vector<CameraBlobs>& cameras, double radius,
                                 std::size_t targetCount) const;
 
-  /// The blob of a camera that fits a position (world, meters) best; nothing if none fits.
+  /// Index of the blob of a camera that fits a position (world, meters) best; nothing if none fits.
   std::optional<std::size_t> blobAt(std::size_t camera, const std::vector<Blob>& blobs,
                                     const Eigen::Vector3d& position, double radius) const;
 
@@ -90,13 +91,13 @@ private:
   std::vector<SphereProjector> projectors_;
 };
 
-/// The largest residual of some bearings at a position, as a share of what each may have: at most 1
-/// when they agree on it.
+/// Largest residual of some bearings at a position, as a share of the allowed one: at most 1 if
+/// they agree.
 double residualShare(const std::vector<Bearing>& bearings, const Eigen::Vector3d& position);
 
-/// Which of the pairs each target takes, by the sum of the pair's cost and that of its distance
-/// from where the target is expected; the cheapest first, each blob once. Nothing for those that
-/// get none.
+/// Assigns pairs to targets by the cost of the pair plus the cost of its distance from the expected
+/// position. The cheapest is assigned first, and each blob is used once. Nothing for targets
+/// without a pair.
 std::vector<std::optional<TriangulatedPoint>>
 assignPairs(const std::vector<PairedBlobs>& pairs, const std::vector<ExpectedPosition>& expected);
 

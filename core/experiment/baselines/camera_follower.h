@@ -12,26 +12,27 @@
 
 namespace dewpoint::experiment {
 
-/// What one camera shows at one frame: both empty where there is no image.
+/// Images of one camera at one frame; both are empty if there is no image.
 struct CameraImages {
   cv::Mat bgr;  ///< CV_8UC3
-  cv::Mat mask; ///< as from matchImage(), of the target's color
+  cv::Mat mask; ///< mask of the target's color, as from matchImage()
 };
 
-/// Where a follower sees the target. Pixel centers lie at integer coordinates.
+/// Position at which a follower sees the target. Pixel centers are at integer coordinates.
 struct FollowedPixel {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< column, row
-  double radiusPx = 0.0;                            ///< of about the size of what it follows
+  double radiusPx = 0.0;                            ///< approximate size of the followed object
 };
 
-/// Follows one target through the images of one camera, from a box on. It knows neither other
+/// Follows one target through the images of one camera, starting from a box. It uses neither other
 /// cameras nor the target's size.
 class CameraFollower {
 public:
   virtual ~CameraFollower() = default;
-  /// Takes what is in the box as the target. False when it cannot start there.
+  /// Starts with the content of the box as the target. Returns false if it cannot start there.
   virtual bool start(const CameraImages& images, const cv::Rect& box) = 0;
-  /// Where the target is in the next images; nothing when it is lost. They are not empty.
+  /// Position of the target in the next images, which must not be empty; nothing if the target is
+  /// lost.
   virtual std::optional<FollowedPixel> step(const CameraImages& images) = 0;
 };
 

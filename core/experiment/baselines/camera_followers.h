@@ -8,19 +8,20 @@
 
 namespace dewpoint::experiment {
 
-/// The followers of one target, at most one per camera.
+/// Followers of one target, at most one per camera.
 class CameraFollowers {
 public:
-  /// `make` may be null: then there never is a follower.
+  /// If `make` is null, no camera ever has a follower.
   CameraFollowers(CameraFollowerFactory make, std::size_t cameraCount)
       : make_(make), followers_(cameraCount) {}
 
+  /// Removes all followers.
   void forget();
   bool follows(std::size_t camera) const { return followers_[camera] != nullptr; }
-  /// A new follower for this camera, in place of what it had; none if it cannot start there.
+  /// Replaces the follower of this camera by a new one; none if it cannot start there.
   void start(std::size_t camera, const CameraImages& images, const cv::Rect& box);
-  /// Where each camera's follower sees the target in the next images, in the order of the rig. One
-  /// that is lost is dropped; one without an image waits.
+  /// Positions at which each camera's follower sees the target in the next images, in the order of
+  /// the rig. A follower that is lost is removed; one without an image waits.
   std::vector<std::optional<FollowedPixel>> step(const std::vector<CameraImages>& images);
 
 private:

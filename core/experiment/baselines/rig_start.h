@@ -8,13 +8,13 @@
 
 namespace dewpoint::experiment {
 
-/// What all cameras of a rig see together (geometry::commonVolume), or two of them where there is
-/// nothing that all see. Nothing for fewer than two cameras, or when no two see anything together.
+/// Volume that all cameras of a rig see together (geometry::commonVolume), or two of them if no
+/// volume is seen by all. Nothing for fewer than two cameras, or if no two see a common volume.
 std::optional<StartVolume> commonView(const CameraRig& rig);
 
-/// Where a method starts that would otherwise start on the desk of its paper: in the part of the
-/// run's start volume that the cameras see together; when the run's start is a point, in all that
-/// they see together. The run's own start volume where both have nothing in common.
+/// Start volume for a method that would otherwise start on the desk of its paper: the part of the
+/// run's start volume that the cameras see together. If the run's start is a point, it is all that
+/// they see together. If the two volumes do not intersect, it is the run's own start volume.
 StartVolume startFromRig(const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

@@ -8,10 +8,10 @@
 
 namespace dewpoint::experiment {
 
-/// The method of the tables that is `dewpoint`, smoothed after the run.
+/// Name, in the tables, of method `dewpoint` smoothed after the run.
 inline constexpr const char* kSmoothedMethod = "dewpoint-smoothed";
 
-/// The estimates of a whole run, by frame and target, as they are known after it (smoother.h).
+/// Estimates of a whole run, by frame and target, smoothed after the run (smoother.h).
 std::vector<std::vector<SphereEstimate>>
 smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double framesPerSecond);
 

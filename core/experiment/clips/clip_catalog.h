@@ -7,11 +7,11 @@
 
 namespace dewpoint::experiment {
 
-/// All real clips, in the order of the report: R1 are recordings of calibrated cameras, R2 those of
-/// one camera.
+/// All real clips in the order of the report: R1 are recordings of calibrated cameras, R2
+/// recordings of one camera.
 std::span<const ClipDeclaration> clipCatalog();
 
-/// The recordings that are known and that no clip is made of.
+/// Known recordings from which no clip is made.
 std::span<const OmittedRecording> omittedRecordings();
 
 } // namespace dewpoint::experiment

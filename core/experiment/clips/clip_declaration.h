@@ -11,51 +11,51 @@
 
 namespace dewpoint::experiment {
 
-/// Where real clips are read from.
+/// Folders from which real clips are read.
 struct ClipFolders {
-  std::filesystem::path recordings; ///< a folder per recording; empty: there are none
-  std::filesystem::path truth;      ///< bench/clips of the sources: truth that was made here
+  std::filesystem::path recordings; ///< one folder per recording; empty: none
+  std::filesystem::path truth;      ///< bench/clips of the sources: truth made for this project
 };
 
-/// Where a clip's truth comes from, and so how independent it is of the methods.
+/// Origin of a clip's truth, and therefore how independent it is of the methods.
 enum class TruthOrigin {
-  Board,    ///< corners of a printed board: no color, no tracker
-  Marked,   ///< by hand, by eye
+  Board,    ///< corners of a printed board; no color, no tracker
+  Marked,   ///< by hand and eye
   Segmented ///< from the targets' colors: NOT independent of methods that use color
 };
 
-/// Whether methods were made on a clip.
+/// Whether methods were developed with a clip.
 enum class TunedOn {
-  No,     ///< nobody looked at it while a method was made, as far as it is recorded
-  Looked, ///< it was looked at or tested with; no constant is recorded as chosen on it
-  Yes     ///< constants were chosen, or defaults set, on it
+  No,     ///< as far as recorded, nobody looked at it during development
+  Looked, ///< viewed or used for tests; no constant is recorded as chosen on it
+  Yes     ///< constants or defaults were chosen on it
 };
 
-/// A real clip: one row of the catalog. Either `calibrated` or `images` is there.
+/// Declaration of a real clip: one row of the catalog. Either `calibrated` or `images` is set.
 struct ClipDeclaration {
-  std::string name;      ///< of the scenario: "R1-hand"
+  std::string name;      ///< name of the scenario: "R1-hand"
   std::string recording; ///< folder of the recording
-  std::string sentence;  ///< what is to be seen
-  std::string start;     ///< how methods get to know the target
-  std::string truth;     ///< what it is, from where, and how exact
+  std::string sentence;  ///< what it shows
+  std::string start;     ///< how methods learn the target
+  std::string truth;     ///< kind, origin and accuracy of the truth
   TruthOrigin origin = TruthOrigin::Marked;
-  /// How exact, along each axis: mm, or pixels where only images are measured.
+  /// Standard deviation of the truth along each axis: mm, or pixels if only images are measured.
   double truthSigma = 0.0;
   TunedOn tunedOn = TunedOn::No;
-  std::string tuned; ///< what was, or why not, in one clause
+  std::string tuned; ///< what was tuned, or why nothing was, in one clause
   int seeds = 5;     ///< runs of a report unless requested otherwise
-  /// Whether `truth` of ClipFolders is needed too.
+  /// Whether the `truth` folder of ClipFolders is also needed.
   bool needsTruthFolder = false;
-  /// Of calibrated cameras: for methods that track in space.
+  /// Loads a clip of calibrated cameras, for methods that track in space.
   std::function<Result<CalibratedClip>(const ClipFolders&)> calibrated = nullptr;
-  /// Of one camera: for methods that follow boxes.
+  /// Loads a clip of one camera, for methods that follow boxes.
   std::function<Result<BoxClip>(const ClipFolders&)> images = nullptr;
 };
 
-/// A recording that no clip is made of, and why.
+/// Recording from which no clip is made, and why.
 struct OmittedRecording {
-  std::string recording; ///< its folder
-  std::string reason;    ///< a sentence
+  std::string recording; ///< folder of the recording
+  std::string reason;    ///< one sentence
 };
 
 } // namespace dewpoint::experiment

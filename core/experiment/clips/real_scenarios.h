@@ -10,23 +10,23 @@
 
 namespace dewpoint::experiment {
 
-/// A clip that is left out because its files are not there.
+/// Clip that is left out because its files are missing.
 struct SkippedClip {
-  std::string name;     ///< of the clip
-  std::string sentence; ///< with the name, and what is missing
+  std::string name;     ///< name of the clip
+  std::string sentence; ///< names the clip and what is missing
 };
 
-/// The real clips as scenarios of the suite.
+/// Real clips as scenarios of the suite.
 struct RealScenarios {
   std::vector<ScenarioDeclaration> scenarios;
   std::vector<SkippedClip> skipped;
 };
 
-/// The clips of a catalog (clipCatalog()) whose recordings are in the folders. A recording that is
-/// there but broken is not skipped: its run is an error.
+/// Makes scenarios of those clips of a catalog (clipCatalog()) whose recordings are in the folders.
+/// A recording that exists but is broken is not skipped: its run is an error.
 RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDeclaration> catalog);
 
-/// What a report says of a clip: what is to be seen, how a target is learned, the truth, and
+/// Description of a clip in a report: what it shows, how a target is learned, the truth, and
 /// whether methods were tuned on it.
 std::string clipSentence(const ClipDeclaration& clip);
 

@@ -10,13 +10,14 @@
 
 namespace dewpoint::experiment {
 
-/// A figure of a sample; it gets the values in ascending order, at least one.
+/// Statistic of a sample. Its values are passed in ascending order, at least one.
 using Statistic = std::function<double(const std::vector<double>& sorted)>;
 
 double meanOf(const std::vector<double>& sorted);
 double medianOf(const std::vector<double>& sorted);
 double p95Of(const std::vector<double>& sorted); ///< linear between order statistics
 
+/// Number of resamples, confidence level and seed of a bootstrap.
 struct BootstrapSetup {
   int resamples = 2000;
   double level = 0.95;
@@ -24,10 +25,10 @@ struct BootstrapSetup {
 };
 
 /// Percentile bootstrap interval of a statistic over the pooled values of all runs (Efron &
-/// Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because the values within a
-/// run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). Give each
-/// value a run of its own where they are independent. Values must be finite; runs may be empty. NaN
-/// without values. A pure function of its arguments, seed included.
+/// Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because values within a run
+/// depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). If the values are
+/// independent, pass each as a run of its own. Values must be finite; runs may be empty. NaN
+/// without values. The result depends only on the arguments, including the seed.
 Interval bootstrapInterval(std::span<const std::vector<double>> runs, const Statistic& statistic,
                            const BootstrapSetup& setup = {});
 

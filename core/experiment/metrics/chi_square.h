@@ -9,8 +9,8 @@ namespace dewpoint::experiment {
 /// gamma function P(degrees / 2, value / 2).
 double chiSquareProbability(double value, double degrees);
 
-/// The value that a chi-square variable does not exceed with `probability`, in [0, 1): the inverse
-/// of chiSquareProbability, to about 1e-12 relative.
+/// Value that a chi-square variable does not exceed with `probability`, in [0, 1): the inverse of
+/// chiSquareProbability, to a relative error of about 1e-12.
 double chiSquareQuantile(double probability, double degrees);
 
 } // namespace dewpoint::experiment

@@ -11,34 +11,35 @@
 
 namespace dewpoint::experiment {
 
-/// An error and the covariance the method stated for it. World frame, m and m².
+/// Error and the covariance that the method reported for it. World frame, m and m².
 struct StateError {
   Eigen::Vector3d error = Eigen::Vector3d::Zero(); ///< estimate minus truth
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// As kChiSquared95ThreeDof, for 50 %: half of the errors of a consistent estimate lie within.
+/// Like kChiSquared95ThreeDof, for 50 %: half of the errors of a consistent estimate are within
+/// this bound.
 inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 
-/// Do the stated covariances fit the errors? NEES is the normalized estimation error squared,
-/// error^T covariance^-1 error (Bar-Shalom, Li & Kirubarajan 2001, section 5.4.2): 3 on average for
-/// a consistent estimate, more for one too sure of itself.
+/// Agreement of the reported covariances with the errors. NEES is the normalized estimation error
+/// squared, error^T covariance^-1 error (Bar-Shalom, Li & Kirubarajan 2001, section 5.4.2). Its
+/// mean is 3 for a consistent estimate, and higher for an overconfident one.
 struct Consistency {
-  std::int64_t samples = 0;  ///< all that were given
-  std::int64_t unusable = 0; ///< not finite, or the covariance is not positive definite
-  Interval nees;             ///< mean, and the bounds a consistent filter keeps (see below)
+  std::int64_t samples = 0;  ///< all samples
+  std::int64_t unusable = 0; ///< not finite, or covariance not positive definite
+  Interval nees;             ///< mean, with the bounds of a consistent filter (see below)
   Eigen::Vector3d axisNees = Eigen::Vector3d::Zero(); ///< mean error² / variance per world axis
-  Interval axisBounds; ///< value 1: what each of axisNees should be, and its bounds
+  Interval axisBounds; ///< value 1, expected for each of axisNees, with its bounds
   Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
   Proportion inside50; ///< the same for the 50 % ellipsoid
 };
 
-/// The bounds are the two-sided chi-square bounds of the mean at `level`. They take the errors for
-/// independent: use one sample per run, or take them as a guide. Means are NaN and bounds unlimited
-/// without usable samples.
+/// Computes the consistency. The bounds are the two-sided chi-square bounds of the mean at `level`.
+/// They assume independent errors: use one sample per run, or treat them as a guide. Without usable
+/// samples, means are NaN and bounds are infinite.
 Consistency consistency(std::span<const StateError> errors, double level = 0.95);
 
-/// error^T covariance^-1 error; NaN if the sample is unusable.
+/// NEES of a sample, error^T covariance^-1 error; NaN if it is unusable.
 double normalizedErrorSquared(const StateError& sample);
 
 } // namespace dewpoint::experiment

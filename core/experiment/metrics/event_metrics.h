@@ -14,41 +14,43 @@
 
 namespace dewpoint::experiment {
 
-/// One target at one frame: the input of the metrics of events. World frame, meters.
+/// One target at one frame: the input of the event metrics. World frame, meters.
 struct TargetFrame {
   std::int64_t frame = 0;
-  std::optional<Eigen::Vector3d> truth;    ///< nothing: the target is not there
+  std::optional<Eigen::Vector3d> truth;    ///< nothing: the target is absent
   std::optional<Eigen::Vector3d> estimate; ///< nothing: the method does not declare it present
-  /// The target can be seen; clear it where no method could (all cameras blind).
+  /// Whether the target can be seen; false if no method could see it (all cameras blind).
   bool visible = true;
 
-  /// Declared present, and nearer to the truth than `gate`.
+  /// Whether the target is declared present and nearer to the truth than `gate` (meters).
   bool isFollowed(double gate) const;
 };
 
-/// One identity's truth and one identity's estimates, frame by frame, all visible.
+/// Pairs the truth of one identity with the estimates of another, frame by frame, all visible.
 std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int truthIdentity,
                                       int estimateIdentity);
 
-/// Frames before the first of kConvergedRun followed frames in a row (0: from the start); nothing
-/// if there is no such run.
+/// Number of frames before the first of kConvergedRun successive followed frames (0: from the
+/// start); nothing if there is no such run.
 std::optional<std::int64_t> framesToConverge(std::span<const TargetFrame> frames, double gate);
 
-/// The same, counted from the frame numbered `event` (a jump, the first frame after a blackout).
+/// The same number, counted from the frame numbered `event` (a jump, the first frame after a
+/// blackout).
 std::optional<std::int64_t> framesToReacquire(std::span<const TargetFrame> frames,
                                               std::int64_t event, double gate);
 
-/// Frames from the one numbered `vanished` (the first without the target) in which the method still
-/// declares it present; 0: withdrawn at once. Nothing if it was not withdrawn before the target
-/// came back or the frames ended.
+/// Number of frames, from the one numbered `vanished` (the first without the target), in which the
+/// method still declares the target present; 0: withdrawn at once. Nothing if it was not withdrawn
+/// before the target returned or the frames ended.
 std::optional<std::int64_t> framesToDeclareLoss(std::span<const TargetFrame> frames,
                                                 std::int64_t vanished);
 
-/// Frames with the target there and visible (total), and those of them not followed (count).
+/// Frames in which the target is present and visible (total), and those of them in which it is not
+/// followed (count).
 Proportion lostFrames(std::span<const TargetFrame> frames, double gate);
 
-/// All frames (total), and those with an estimate that is not nearer than `gate` to any truth
-/// (count), such as any estimate while nothing is there.
+/// All frames (total), and those with an estimate that is not nearer than `gate` (meters) to any
+/// truth (count). Any estimate counts while no target is present.
 Proportion falseAlarmFrames(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

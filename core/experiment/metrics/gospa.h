@@ -7,17 +7,18 @@
 
 namespace dewpoint::experiment {
 
+/// Parameters of GOSPA.
 struct GospaSetup {
   double cutoff = 0.1; ///< meters; a pair farther apart counts as one missed and one false target
   double order = 2.0;  ///< p, at least 1
 };
 
-/// The generalized optimal sub-pattern assignment metric between two sets of points, alpha = 2
-/// (Rahmathullah, Garcia-Fernandez & Svensson 2017, proposition 1):
-/// distance^p = sum over the assigned pairs of d^p + cutoff^p / 2 * (missed + false).
+/// Generalized optimal sub-pattern assignment metric between two sets of points, alpha = 2
+/// (Rahmathullah, Garcia-Fernandez & Svensson 2017, proposition 1): distance^p = sum over the
+/// assigned pairs of d^p + cutoff^p / 2 * (missed + false).
 struct Gospa {
   double distance = 0.0; ///< meters
-  /// What the three kinds of error add to distance^p, in meters^p.
+  /// Contributions of the three kinds of error to distance^p, in meters^p.
   double localization = 0.0;
   double missed = 0.0;
   double falseTargets = 0.0;
@@ -25,9 +26,9 @@ struct Gospa {
   int falseCount = 0;
 };
 
-/// Averages over frames. The parts add up to rootMean^p, as in one frame.
+/// Averages over frames. The parts add up to rootMean^p, as in a single frame.
 struct GospaAverage {
-  double mean = 0.0;     ///< mean of the distance, meters
+  double mean = 0.0;     ///< mean distance, meters
   double rootMean = 0.0; ///< p-th root of the mean of distance^p, meters
   double localization = 0.0;
   double missed = 0.0;
@@ -36,10 +37,10 @@ struct GospaAverage {
   double falsePerFrame = 0.0;
 };
 
-/// Truth against estimates of one frame; identities do not count.
+/// GOSPA of the truth and the estimates of one frame. Identities are ignored.
 Gospa gospa(const TrackFrame& frame, const GospaSetup& setup);
 
-/// All zero when there are no frames.
+/// Averages over frames; all zero if there are none.
 GospaAverage averageGospa(std::span<const TrackFrame> frames, const GospaSetup& setup);
 
 } // namespace dewpoint::experiment

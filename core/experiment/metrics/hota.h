@@ -9,13 +9,13 @@
 
 namespace dewpoint::experiment {
 
-/// Similarity thresholds: 0.05, 0.10, ..., 0.95.
+/// Number of similarity thresholds: 0.05, 0.10, ..., 0.95.
 inline constexpr int kHotaThresholdCount = 19;
 
-/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). NaN where there is nothing
-/// to judge: all but LocA without truths and estimates, LocA without matches.
+/// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined values are NaN:
+/// all except LocA without truths and estimates, LocA without matches.
 struct HotaAtThreshold {
-  double threshold = 0.0; ///< alpha: the similarity a match needs
+  double threshold = 0.0; ///< alpha: least similarity of a match
   std::int64_t matches = 0;
   std::int64_t misses = 0;
   std::int64_t falsePositives = 0;
@@ -25,7 +25,7 @@ struct HotaAtThreshold {
   double hota = 0.0;         ///< sqrt(DetA * AssA)
 };
 
-/// The figures at each threshold and their means. LocA is averaged over the thresholds that have
+/// Values at each threshold and their means. LocA is averaged over the thresholds that have
 /// matches.
 struct Hota {
   std::array<HotaAtThreshold, kHotaThresholdCount> thresholds;
@@ -35,9 +35,9 @@ struct Hota {
   double hota = 0.0;
 };
 
-/// Similarity of a pair is 1 - distance / gate, not below 0. Frames are matched as in the authors'
-/// TrackEval: once for all thresholds, for the greatest sum of similarity times the two identities'
-/// alignment over the whole sequence.
+/// Computes HOTA. The similarity of a pair is 1 - distance / gate, at least 0; `gate` is in meters.
+/// Frames are matched as in the authors' TrackEval: once for all thresholds, by the greatest sum of
+/// similarity times the alignment of the two identities over the whole sequence.
 Hota hota(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

@@ -15,31 +15,34 @@
 
 namespace dewpoint::experiment {
 
-/// How several targets are compared whose names have nothing to do with each other.
+/// How to compare several targets whose names in estimate and truth are unrelated.
 struct IdentityComparison {
-  double gate = 0.5;   ///< meters within which an estimate belongs to a truth; cutoff of GOSPA
-  bool ground = false; ///< positions are compared on the floor: z does not count
+  double gate = 0.5;   ///< meters; largest distance of a match, and the cutoff of GOSPA
+  bool ground = false; ///< compare positions on the floor, without z
 };
 
-/// A trajectory against the truth, frame by frame: valid samples with a position, identities by
-/// target name in the order of their appearance. Frames are matched by number, and those of either
-/// count. Mismatch when one has no frame numbers, or no frame is common.
+/// Converts a trajectory and the truth to frames: valid samples with a position; identities are
+/// numbered by target name in the order of appearance. Frames are matched by number, and frames of
+/// either trajectory count. Mismatch if one has no frame numbers, or no frame is common.
 Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
                                             const IdentityComparison& comparison);
 
+/// Result of the comparison of several targets.
 struct IdentityEvaluation {
   IdentityComparison comparison;
   std::int64_t frames = 0;
   ClearMot clear;
   Hota hota;
-  GospaAverage gospa; ///< order 2
+  GospaAverage gospa; ///< of order 2
 };
 
+/// Evaluates a trajectory; errors as in trackFrames().
 Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
                                               const IdentityComparison& comparison);
 
-/// As `dewpoint-cli evaluate --identities` prints it; meters and millimeters.
+/// Text that `dewpoint-cli evaluate --identities` prints; meters and millimeters.
 std::string identityText(const IdentityEvaluation& evaluation);
+/// The same evaluation as JSON.
 nlohmann::json identityJson(const IdentityEvaluation& evaluation);
 
 } // namespace dewpoint::experiment

@@ -7,14 +7,14 @@
 
 namespace dewpoint::experiment {
 
-/// A figure with its confidence interval. NaN where there was nothing to measure.
+/// Value with its confidence interval. NaN if there was nothing to measure.
 struct Interval {
   double value = 0.0;
   double low = 0.0;
   double high = 0.0;
 };
 
-/// How many of how many.
+/// Number of cases among a total.
 struct Proportion {
   std::int64_t count = 0;
   std::int64_t total = 0;
@@ -22,7 +22,7 @@ struct Proportion {
   double value() const; ///< in [0, 1]; NaN if `total` is 0
 };
 
-/// Score interval of a proportion of independent trials (Wilson 1927); [0, 1] if there are none.
+/// Score interval of a proportion of independent trials (Wilson 1927); [0, 1] without trials.
 Interval wilsonInterval(const Proportion& proportion, double level = 0.95);
 
 } // namespace dewpoint::experiment

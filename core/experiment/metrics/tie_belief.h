@@ -7,20 +7,21 @@
 
 namespace dewpoint::experiment {
 
-/// How far P(exists) may exceed one over the number of equal candidates before a method counts as
-/// sure of a tie. A probability, within [0, 0.5): a judgment. It is the calibration error that the
-/// suite accepts of P(exists) in general, so that scatter of the evidence is no claim.
+/// Margin by which P(exists) may exceed one over the number of equal candidates before a method
+/// counts as sure of a tie. A probability, within [0, 0.5): a judgment. It equals the calibration
+/// error of P(exists) that the suite accepts in general, so scatter of the evidence is not counted
+/// as a claim.
 inline constexpr double kTieSlack = 0.05;
 
-/// Whether a method claims to know what nothing in the images tells. `equalCandidates` objects (at
-/// least 1) are the target equally well, so that an estimate is on the right one with a probability
-/// of at most 1 / equalCandidates; true if the target is declared present and P(exists), which is
-/// the probability that the target exists and is where the estimate says, exceeds that by more than
-/// kTieSlack. Being right is no excuse: it was luck.
+/// Whether a method claims knowledge that the images cannot give. `equalCandidates` objects (at
+/// least 1) fit the target equally well, so an estimate is on the right one with a probability of
+/// at most 1 / equalCandidates. P(exists) is the probability that the target exists and is at the
+/// estimate. The result is true if the target is declared present and P(exists) exceeds that bound
+/// by more than kTieSlack. It does not matter whether the estimate is right: that is luck.
 bool isSureOfTie(const StatedBelief& belief, int equalCandidates);
 
-/// The frames in which a method is sure of a tie. The total is the number of all beliefs, also of
-/// those in which the method states nothing.
+/// Counts the frames in which a method is sure of a tie. The total is the number of all beliefs,
+/// including those in which the method reports nothing.
 Proportion sureOfTie(std::span<const StatedBelief> beliefs, int equalCandidates);
 
 } // namespace dewpoint::experiment

@@ -9,18 +9,19 @@
 
 namespace dewpoint::experiment {
 
-/// Of which clothes the simulated people are.
+/// Clothes of the simulated people.
 enum class StudyClothes { Both, Different, Similar };
 
-/// How an experiment is run.
+/// Options of an experiment.
 struct ExperimentOptions {
-  std::filesystem::path folder; ///< report.html, pictures and numbers go there; it is made
-  int runs = 0; ///< seeds per case, from firstSeed on; 0: as many as the experiment declares
-  /// Told how far it is (0 to 1); returns false to stop.
+  /// Output folder for report.html, pictures and numbers; it is created.
+  std::filesystem::path folder;
+  int runs = 0; ///< seeds per case, from firstSeed on; 0: as the experiment declares
+  /// Receives the progress (0 to 1); returns false to stop.
   std::function<bool(double part)> progress = {};
-  /// Folder with the recordings juggle1 and otb; empty: none. Of those that take recordings.
+  /// Folder with the recordings juggle1 and otb; empty: none. For experiments that take recordings.
   std::filesystem::path recordings = {};
-  StudyClothes clothes = StudyClothes::Both; ///< of those that take clothes
+  StudyClothes clothes = StudyClothes::Both; ///< for experiments that take clothes
   std::uint64_t firstSeed = kFirstReportingSeed;
 };
 

@@ -14,22 +14,24 @@
 
 namespace dewpoint::experiment {
 
-/// Style and name of each curve, as a legend lists them.
+/// Style and name of each curve, as listed in a legend.
 using PlotLegend = std::vector<std::pair<std::string, std::string>>;
 
-/// The error of an experiment that was stopped.
+/// Error of an experiment that was stopped.
 Status experimentStopped();
-/// Tells how far it is; false: stop.
+/// Reports the progress `part` (0 to 1). Returns false if the experiment must stop.
 bool experimentGoesOn(const ExperimentOptions& options, double part);
 
-/// The line through values at 0, 1, 2, ... times `step`, after `first`.
+/// Line through values at `first` plus 0, 1, 2, ... times `step`.
 SvgSeries lineOver(const std::string& style, const std::vector<double>& values, double first = 0.0,
                    double step = 1.0);
-/// Points without a line: columns `across` and `up` of the rows.
+/// Points without a line, from the columns `across` and `up` of the rows. `area` is in square
+/// pixels.
 SvgSeries pointsOf(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                    Eigen::Index up, double area = 7.0);
 
-/// Axes of one scale within which every point of all these plots lies, at least `least` meters up.
+/// Gives all these plots the same axes, with one scale for both directions, so that every point is
+/// visible. They cover at least `least` meters vertically.
 void showAll(std::initializer_list<Plot*> plots, double least = 0.5);
 
 } // namespace dewpoint::experiment

@@ -9,17 +9,18 @@
 
 namespace dewpoint::experiment {
 
-/// A checksum of what was computed, rounded: of two programs whose numbers differ by rounding
-/// errors only it is the same, of two that compute something else it is not. (FNV-1a, 64 bits, by
-/// G. Fowler, L. C. Noll and K.-P. Vo, folded to 32.)
+/// Checksum of rounded results. It is the same for two programs whose numbers differ by rounding
+/// errors only, and different if they compute something else. (FNV-1a, 64 bits, by G. Fowler, L. C.
+/// Noll and K.-P. Vo, folded to 32.)
 class Fingerprint {
 public:
-  /// A number, rounded to the nearest multiple of `step` (> 0); what is not finite counts as such.
+  /// Adds a number, rounded to the nearest multiple of `step` (> 0). Values that are not finite
+  /// count as such.
   void add(double value, double step);
-  /// A number rounded to this many significant digits (1 to 15).
+  /// Adds a number rounded to this many significant digits (1 to 15).
   void addDigits(double value, int digits);
   void add(std::string_view text);
-  /// Eight hexadecimal digits.
+  /// Checksum as eight hexadecimal digits.
   std::string text() const;
 
 private:

@@ -8,8 +8,8 @@
 
 namespace dewpoint::experiment {
 
-/// Makes the folder of a report and tries to write into it, so that this is known before minutes
-/// are spent. FileUnwritable names the folder, or the report when a folder has its name.
+/// Creates the folder of a report and tries to write into it, so that a failure is known before
+/// minutes of computation. FileUnwritable names the folder, or the report if a folder has its name.
 Status prepareReportFolder(const std::filesystem::path& folder,
                            const std::string& report = "report.html");
 

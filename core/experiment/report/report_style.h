@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// The style sheet of every report's page, light and dark.
+/// Style sheet of all report pages, for light and dark mode.
 std::string reportStyle();
 
 } // namespace dewpoint::experiment

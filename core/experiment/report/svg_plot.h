@@ -9,7 +9,7 @@
 
 namespace dewpoint::experiment {
 
-/// Where a value lies on one axis of a plot.
+/// Range and scale of one axis of a plot.
 struct SvgAxis {
   std::string label;
   double low = 0.0;
@@ -17,30 +17,32 @@ struct SvgAxis {
   bool logarithmic = false;
 };
 
+/// Point of a line, in the units of the axes.
 struct SvgPoint {
   double x = 0.0;
   double y = 0.0; ///< NaN: the line is interrupted here
 };
 
-/// A line with, if wanted, a band around it or a disk on each point.
+/// Line, optionally with a band around it or a disk on each point.
 struct SvgSeries {
-  std::string style; ///< CSS class that gives the color ("m0" to "m8")
+  std::string style; ///< CSS class for the color ("m0" to "m8")
   std::vector<SvgPoint> line;
-  std::vector<double> bandLow;  ///< at the line's points; empty for none
-  std::vector<double> bandHigh; ///< at the line's points; empty for none
-  std::vector<double> areas;    ///< of disks on the line's points, square pixels; empty for none
+  std::vector<double> bandLow;  ///< lower values at the line's points; empty: no band
+  std::vector<double> bandHigh; ///< upper values at the line's points; empty: no band
+  std::vector<double> areas;    ///< areas of disks on the points, square pixels; empty: no disks
 };
 
+/// Plot of some lines with its axes.
 struct Plot {
   std::string title; ///< for screen readers
   SvgAxis x;
   SvgAxis y;
-  bool diagonal = false; ///< a guide from corner to corner
+  bool diagonal = false; ///< draw a guide from corner to corner
   std::vector<SvgSeries> series;
 };
 
-/// The plot as an SVG element to stand in HTML: its colors are the page's CSS variables. Values
-/// outside the axes are moved to the border.
+/// Renders the plot as an SVG element for an HTML page, with the page's CSS variables as colors.
+/// Values outside the axes are moved to the border.
 std::string svgOf(const Plot& plot);
 
 /// Positions of the ticks of an axis, ascending: at most about six.

@@ -8,15 +8,15 @@
 
 namespace dewpoint::experiment {
 
-/// How rough the images, time stamps and calibration of a run are: `Ideal` has sensor noise,
-/// shading and clutter, and nothing wrong; `Room` has what webcams in a room have (GradeModel says
-/// what, with numbers); `Wild` has more of it, and other cameras, furniture, lamps and people in
-/// each run; `Real` are recordings of real cameras.
+/// Realism of a run. `Ideal` has sensor noise, shading and clutter but no other faults. `Room` has
+/// the faults of images, time stamps and calibration that webcams in a room have (see GradeModel
+/// for numbers). `Wild` has larger faults, and other cameras, furniture, lamps and people in each
+/// run. `Real` are recordings of real cameras.
 enum class Grade { Ideal, Room, Wild, Real };
 
-/// "ideal", "room", "wild" or "real".
+/// Name of a grade: "ideal", "room", "wild" or "real".
 const char* gradeName(Grade grade);
-/// Nothing for another name.
+/// Grade with this name; nothing for any other name.
 std::optional<Grade> gradeNamed(const std::string& name);
 
 } // namespace dewpoint::experiment

@@ -7,8 +7,8 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// The target of most scenarios: the pink ball of the paper's kind, with the color range that holds
-/// its pixels. `radius` in meters; 0: unknown to the method.
+/// Target of most scenarios: a pink ball like the paper's, with the color range that contains its
+/// pixels. `radius` is in meters; 0: the method does not know it.
 Target pinkTarget(const std::string& name, double radius);
 
 } // namespace dewpoint::experiment::scenarios

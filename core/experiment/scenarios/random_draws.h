@@ -11,16 +11,16 @@
 
 namespace dewpoint::experiment {
 
-/// The same number for the same text, everywhere (FNV-1a).
+/// Hash of a text, the same on every platform (FNV-1a).
 std::uint32_t hashOf(const std::string& text);
 
 inline constexpr double kFullTurn = 2.0 * std::numbers::pi; ///< radians
 
-/// Numbers that a seed decides, drawn one after the other: what a scenario is made of.
+/// Random numbers determined by a seed, drawn one after the other to make a scenario.
 class Draws {
 public:
   explicit Draws(const RandomStream& stream) : stream_(stream) {}
-  /// Numbers of its own for each name, such as a scenario's.
+  /// Starts a separate sequence for each name, such as a scenario's.
   Draws(std::uint64_t seed, const std::string& name);
 
   double uniform(double low, double high);

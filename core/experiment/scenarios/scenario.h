@@ -20,7 +20,7 @@
 
 namespace dewpoint::experiment {
 
-/// Something that happens at a frame and that metrics refer to.
+/// Event at a frame to which metrics refer.
 struct ScenarioEvent {
   enum class Kind {
     Jump,
@@ -31,80 +31,84 @@ struct ScenarioEvent {
     CameraLost,
     CameraBack,
     Bump,
-    UnseenBegin, ///< from this frame on the camera sees nothing of the target: it is outside the
-                 ///< image or hidden (camera -1: so in all cameras)
-    UnseenEnd,   ///< from this frame on it sees some of it again
+    /// From this frame on, the camera sees nothing of the target: it is outside the image or hidden
+    /// (camera -1: in all cameras).
+    UnseenBegin,
+    UnseenEnd, ///< from this frame on, it sees part of the target again
   };
   Kind kind = Kind::Jump;
   std::int64_t frame = 0;
-  int camera = -1; ///< which camera it happens to; -1: all, or none in particular
+  int camera = -1; ///< affected camera; -1: all, or no particular one
 };
 
-/// The center of a target in one image of a real clip, as the clip's truth states it.
+/// Center of a target in one image of a real clip, according to the clip's truth.
 struct MarkedCenter {
-  std::int64_t frame = 0; ///< of the run
+  std::int64_t frame = 0; ///< number of the frame in the run
   std::size_t target = 0; ///< in the order of the run's targets
   std::size_t camera = 0; ///< in the order of the rig
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
-/// How large a target is, whatever its shape. Meters.
+/// Size of a target of any shape. Meters.
 struct TargetExtent {
-  double radius = 0.0; ///< of a ball of its volume
-  /// Semi-axes of the solid ellipsoid with its second moments, the longest first: sqrt(5) times the
-  /// standard deviations of its points along their principal axes. Of a ball: its radius.
+  double radius = 0.0; ///< radius of a ball of the same volume
+  /// Semi-axes, the longest first, of the solid ellipsoid whose points have the same covariance:
+  /// sqrt(5) times the standard deviations of the target's points along their principal axes. For a
+  /// ball: its radius.
   Eigen::Vector3d halfAxes = Eigen::Vector3d::Zero();
 };
 
-/// One seeded run of a scenario: what a method may know, and the truth it is measured against.
+/// One seeded run of a scenario: what a method may know, and the truth for its evaluation.
 struct ScenarioRun {
   std::string scenario;
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
-  CameraRig rig; ///< as the method believes it
-  /// Whether a method is told that the calibration and the time stamps are exact. If not, it goes
-  /// by what it assumes of any rig.
+  CameraRig rig; ///< calibration that the method receives
+  /// Whether a method knows that calibration and time stamps are exact. Otherwise it uses its
+  /// assumptions for any rig.
   bool exactSensing = false;
-  CameraRig trueRig; ///< as the images were rendered, until a camera is moved
+  CameraRig trueRig; ///< cameras of the rendered images, until a camera is moved
   std::vector<Target> targets;
-  Eigen::Vector3d startCenter = Eigen::Vector3d::Zero(); ///< where the search starts, meters
-  Eigen::Vector3d startHalf = Eigen::Vector3d::Zero();   ///< half size of the box around it
+  /// Center of the volume in which the search starts, meters.
+  Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
+  Eigen::Vector3d startHalf = Eigen::Vector3d::Zero(); ///< half size of that volume, meters
   double framesPerSecond = simulation::kUsualFrameRate;
   std::int64_t frameCount = 0;
   /// One sample per target and frame; not `valid` while the target is not in the scene. The
-  /// position is the center of a ball, and the centroid of any other target.
+  /// position is the center of a ball, or the centroid of any other target.
   Trajectory truth;
-  std::vector<TargetExtent> extents; ///< one per sample of `truth`, in its order
-  /// How exact `truth` is: standard deviation along each axis, meters. Beliefs are compared with a
-  /// truth that is this uncertain.
+  std::vector<TargetExtent> extents; ///< one per sample of `truth`, in the same order
+  /// Standard deviation of `truth` along each axis, meters. Beliefs are compared with a truth of
+  /// this uncertainty.
   double truthSigma = 0.0;
   std::vector<ScenarioEvent> events;
-  /// Frames with a truth, ascending: only these are measured. Empty: all frames are.
+  /// Frames with a truth, ascending; only these are evaluated. If empty, all frames are.
   std::vector<std::int64_t> measuredFrames;
-  /// Of real clips. A run with marks and without `truth` is measured in pixels only.
+  /// Marks of real clips. A run with marks but without `truth` is evaluated in pixels only.
   std::vector<MarkedCenter> marks;
-  /// An estimate is on its target when its projections are no farther from the marks, pixels.
+  /// Largest distance of an estimate's projections from the marks, pixels, at which it counts as on
+  /// its target.
   double markGate = 0.0;
-  /// How many objects in the images are the first target as well as each other, as far as start,
-  /// color and size can tell. 1: the start says which one is meant. More: nothing does, at any
-  /// time, and an honest P that an estimate is the target is at most 1 / equalCandidates.
+  /// Number of objects in the images that fit the first target equally well, as far as start, color
+  /// and size can tell. 1: the start determines which one is meant. More: nothing does at any time,
+  /// and an honest P that an estimate is the target is at most 1 / equalCandidates.
   int equalCandidates = 1;
-  /// The images of frame k: a pure function, so that methods see the same bits.
+  /// Returns the images of frame k. A pure function, so that all methods see identical images.
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
 
-/// A scenario of the suite, declared once.
+/// Declaration of a scenario of the suite.
 struct ScenarioDeclaration {
   std::string name;     ///< "S4-desk-cloud"
   std::string family;   ///< "S4"
   std::string sentence; ///< what happens in it
   int seeds = 20;       ///< runs of a report unless requested otherwise
-  /// Undetermined when chance has drawn no run for this seed and grade, such as no position at
-  /// which everything is seen that must be: the suite then skips this run. Any other error stops
-  /// it.
+  /// Makes the run of a seed and grade. Undetermined if the random draws allow no run, for example
+  /// if they find no position at which all that must be visible is visible. The suite then skips
+  /// this run. Any other error stops the suite.
   std::function<Result<ScenarioRun>(std::uint64_t seed, Grade grade)> make;
-  bool recorded = false; ///< a real clip: of grade `Real` only; all others are of every other grade
-  /// Of a recorded scenario, instead of `make`: the images of one camera with the true boxes, for
+  bool recorded = false; ///< a real clip, with grade `Real` only; the others have all other grades
+  /// Of a recorded scenario of one camera, instead of `make`: the images with the true boxes, for
   /// methods that follow boxes.
   std::function<Result<BoxClip>()> clip = nullptr;
 };

@@ -6,7 +6,7 @@
 
 namespace dewpoint::experiment {
 
-// Barrera et al. 2005, section III-A, on the simulated demo, as FigureExperiment::run.
+// Figures of Barrera et al. 2005, section III-A, on the simulated demo, as FigureExperiment::run.
 Status barreraFigure3(const ExperimentOptions& options);
 Status barreraFigure4(const ExperimentOptions& options);
 

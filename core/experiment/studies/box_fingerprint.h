@@ -9,11 +9,11 @@
 
 namespace dewpoint::experiment {
 
-/// As suiteFingerprints(), of boxFollowerNames(): the boxes of 300 particles on the first
-/// images of the rendered clip (the first tuning seed), from the true box of the first one. All
-/// methods for none.
+/// Fingerprints like suiteFingerprints(), for the methods of boxFollowerNames(). They cover the
+/// boxes of 300 particles on the first images of the rendered clip (the first tuning seed),
+/// starting from the true first box. An empty list means all methods.
 ///
-/// Rounded: boxes to 0.01 px. NotFound for a method that does not exist.
+/// Boxes are rounded to 0.01 px. NotFound for an unknown method.
 Result<std::map<std::string, std::string>> boxFingerprints(const std::vector<std::string>& methods);
 
 } // namespace dewpoint::experiment

@@ -12,11 +12,11 @@
 
 namespace dewpoint::experiment {
 
-/// How a box drawn by hand differs from the true one.
+/// Difference between a box drawn by hand and the true one.
 struct BoxPerturbation {
-  double scale = 1.0; ///< of width and height
-  double right = 0.0; ///< of the center, in true widths
-  double down = 0.0;  ///< of the center, in true heights
+  double scale = 1.0; ///< factor of width and height
+  double right = 0.0; ///< shift of the center, in true widths
+  double down = 0.0;  ///< shift of the center, in true heights
 
   ImageBox of(const ImageBox& box) const {
     return ImageBox::around(box.center() + Eigen::Vector2d(right * box.width, down * box.height),
@@ -24,30 +24,31 @@ struct BoxPerturbation {
   }
 };
 
-/// 0.8, 1, 1.2 and 1.4 times the true size, each in place and shifted by 15 % to the left, to the
-/// right, up and down.
+/// All perturbations: 0.8, 1, 1.2 and 1.4 times the true size, each unshifted and shifted by 15 %
+/// to the left, to the right, up and down.
 std::vector<BoxPerturbation> boxPerturbations();
 
-/// One method on one clip from first boxes of one size, in place and shifted: means over all runs.
+/// Results of one method on one clip from first boxes of one size, unshifted and shifted: means
+/// over all runs.
 struct BoxPerturbationRow {
   std::string clip;
-  std::string method; ///< "histogram", "csrt"
-  double scale = 1.0; ///< of the first box
-  int runs = 0;       ///< shifts times seeds
-  BoxFigures figures; ///< against the true boxes
-  double worstPrecision = 1.0;
-  bool claims = false;        ///< the rest is known: the method says how sure it is
-  double similarityOn = 0.0;  ///< mean similarity with the center within the radius
-  double similarityOff = 0.0; ///< with the center farther off; held boxes count as 0
-  double surelyWrong = 0.0;   ///< share of all frames off the target, yet above 0.9
+  std::string method;          ///< "histogram", "csrt"
+  double scale = 1.0;          ///< size factor of the first box
+  int runs = 0;                ///< number of shifts times seeds
+  BoxFigures figures;          ///< compared with the true boxes
+  double worstPrecision = 1.0; ///< lowest precision of a run
+  bool claims = false;         ///< the method reports its confidence, so the rest is known
+  double similarityOn = 0.0;   ///< mean similarity with the center within the radius
+  double similarityOff = 0.0;  ///< mean similarity with the center outside; held boxes count as 0
+  double surelyWrong = 0.0;    ///< share of all frames off the target with similarity above 0.9
 };
 
-/// The methods that are compared unless others are chosen.
+/// Default methods of the comparison.
 std::vector<std::string> perturbationMethods();
 
-/// Follows every clip from sloppy first boxes with `sugandi` and `histogram` (300 particles,
-/// `seeds` runs each, from `firstSeed` on), CSRT and CamShift. `report` gets each row as it is
-/// done; it returns false to stop.
+/// Follows every clip from inexact first boxes with `sugandi` and `histogram` (300 particles,
+/// `seeds` runs each, from `firstSeed` on), CSRT and CamShift. `report` receives each row when it
+/// is done; it returns false to stop.
 Result<std::vector<BoxPerturbationRow>>
 studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
                     const std::function<bool(const BoxPerturbationRow&)>& report,

@@ -17,7 +17,7 @@
 
 namespace dewpoint::experiment {
 
-/// One row of the study: where the ball lies, where the cloud starts and where the cameras stand
+/// One row of the study: positions of the ball, of the start of the cloud, and of the cameras
 /// (world, meters).
 struct ConvergenceCase {
   std::string name;
@@ -27,53 +27,54 @@ struct ConvergenceCase {
   int runs = 100;
   int iterations = 150;
   CameraRig cameras = simulation::demoRig();
-  bool clutter = true; ///< books, boxes and more on the desk, which hide a ball behind them
+  bool clutter = true; ///< books, boxes and more on the desk, which can hide the ball
   std::uint64_t firstSeed = kFirstTuningSeed;
 };
 
-/// What `runs` seeds (from the first one on) of method `barrera` did from there, one iteration per
-/// frame. Whether a cloud has converged is decided by the cloud alone, see convergedFrom(); how
-/// near to the ball it then is, is measured.
+/// Results of `runs` seeds (from the first one on) of method `barrera` in this case, with one
+/// iteration per frame. Whether a cloud has converged depends on the cloud alone, see
+/// convergedFrom(). Its distance to the ball is then measured.
 struct ConvergenceResult {
   ConvergenceCase setup;
   int converged = 0;             ///< runs whose cloud has converged at the end
-  int within = 0;                ///< of these, runs whose RMSE after convergence is below 3 cm
-  double medianIterations = 0.0; ///< iterations until convergence, over the converged runs
-  double rmse = 0.0;             ///< meters, all converged runs, iterations from convergence on
+  int within = 0;                ///< of these, runs with an RMSE below 3 cm after convergence
+  double medianIterations = 0.0; ///< iterations until convergence, over converged runs
+  double rmse = 0.0;             ///< meters, over converged runs, from convergence on
   double depthBias = 0.0;        ///< meters along camera 1's optical axis, same iterations
 };
 
-/// Iteration (from 1) from which a cloud has converged: from there to the end its spread (root mean
-/// square distance of the weighted particles to their mean, meters) is below sqrt(3) sigma_m, by
-/// which one step of motion alone scatters a point. The images then tell more than the motion
-/// forgets. Nothing where the last spread is larger.
+/// Iteration (from 1) from which a cloud has converged. From there to the end, its spread (root
+/// mean square distance of the weighted particles to their mean, meters) is below sqrt(3) sigma_m.
+/// This is the spread that one step of motion alone gives a point, so the images then add more
+/// information than the motion removes. Nothing if the last spread is larger.
 std::optional<int> convergedFrom(std::span<const double> spreads, double motionSigma);
 
-/// The cases of Barrera et al. 2005, section III, completed where the paper is silent: ball
-/// positions, start volumes, and where the cameras look.
+/// Cases of Barrera et al. 2005, section III. Where the paper gives no values, they are chosen
+/// here: ball positions, start volumes, and directions of the cameras.
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
                                                      std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// The run of the paper's figures 3 and 4: a bare desk, the ball 1.1 m from camera 1 and whole in
-/// both images, and the paper's start in camera 1's view. Camera 2 looks at the ball; camera 1
-/// looks between the ball and the start, which are 35 degrees apart as it sees them.
+/// Run of the paper's figures 3 and 4: a bare desk, the ball 1.1 m from camera 1 and whole in both
+/// images, and the paper's start in camera 1's view. Camera 2 is aimed at the ball. Camera 1 is
+/// aimed between the ball and the start, which are 35 degrees apart in its view.
 ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
 
 /// Runs one case with a still ball.
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
 
-/// One run of a case, iteration by iteration (from 1): the run after it, and what it believes.
+/// Called after each iteration (from 1) of a run of a case, with the run and its estimate.
 using ConvergenceWatch =
     std::function<void(int iteration, const TrackingRun& run, const SphereEstimate& estimate)>;
+/// Runs one seed of a case and calls `watch` after each iteration.
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceWatch& watch);
 
-/// As measureDrift(), after each iteration: meters that the mean has moved so far.
+/// Distance that the mean has moved after each iteration, meters; see measureDrift().
 Result<std::vector<double>> driftCurve(int runs, int iterations,
                                        std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// The systematic drift (section III, figures 4 and 5): meters per iteration that the cloud's mean
-/// moves away from camera 1 along its optical axis when only that camera is used; mean over runs.
+/// Systematic drift (section III, figures 4 and 5): meters per iteration by which the cloud's mean
+/// moves away from camera 1 along its optical axis when only that camera is used. Mean over runs.
 Result<double> measureDrift(int runs = 50, int iterations = 40,
                             std::uint64_t firstSeed = kFirstTuningSeed);
 

@@ -8,14 +8,15 @@
 
 namespace dewpoint::experiment {
 
-/// Of particles evenly spread over the cross-section of a cone at `depth` meters from its apex
-/// (radius `slope` times the depth), the share that is still in the cone after a step of that
-/// length in meters along the axis, away from the apex, and of N(0, motionSigma) sideways; one per
-/// step. What figure 5 of Barrera et al. 2005 sketches. Drawn from a fixed seed.
+/// Share of particles that stay in a cone after one step, as sketched in figure 5 of Barrera et al.
+/// 2005. The particles are spread evenly over the cross-section of the cone at `depth` meters from
+/// its apex (radius `slope` times the depth). The step moves them by its length in meters along the
+/// axis, away from the apex, and by N(0, motionSigma) sideways. One value per step. Drawn from a
+/// fixed seed.
 std::vector<double> shareThatStaysInCone(double slope, double depth, double motionSigma,
                                          const std::vector<double>& steps);
 
-// Barrera et al. 2005, section III-B, on the simulated demo, as FigureExperiment::run.
+// Figures of Barrera et al. 2005, section III-B, on the simulated demo, as FigureExperiment::run.
 Status barreraFigure5(const ExperimentOptions& options);
 Status barreraDrift(const ExperimentOptions& options);
 Status barreraStarts(const ExperimentOptions& options);

@@ -6,7 +6,7 @@
 
 namespace dewpoint::experiment {
 
-// Barrera et al. 2005, section III-C, as FigureExperiment::run.
+// Figures of Barrera et al. 2005, section III-C, as FigureExperiment::run.
 Status dynamicsFigure6(const ExperimentOptions& options);
 Status dynamicsFigure7(const ExperimentOptions& options);
 Status dynamicsFigure8(const ExperimentOptions& options);

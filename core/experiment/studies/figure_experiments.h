@@ -10,21 +10,21 @@
 
 namespace dewpoint::experiment {
 
-/// Under which heading an experiment is listed.
+/// Group under which an experiment is listed.
 enum class ExperimentGroup { Barrera, Sugandi, Mohedano, People };
 
-/// The heading: the paper, or what the experiments of no paper are about.
+/// Heading of a group: the paper, or the topic of experiments without a paper.
 std::string_view experimentGroupTitle(ExperimentGroup group);
 
-/// A figure or a table of a paper, reproduced by one command, or a study of our own.
+/// Figure or table of a paper, reproduced by one command, or a study of our own.
 struct FigureExperiment {
-  std::string_view name;     ///< as on the command line
-  std::string_view title;    ///< for people
-  std::string_view sentence; ///< what it shows, and from where
+  std::string_view name;     ///< name on the command line
+  std::string_view title;    ///< name in menus and reports
+  std::string_view sentence; ///< what it shows, and its source
   int runs;                  ///< seeds per case unless given
-  /// FileUnwritable, before anything is begun; Cancelled.
+  /// Runs the experiment. FileUnwritable, before the computation starts; Cancelled.
   Status (*run)(const ExperimentOptions& options);
-  std::string_view report = "report.html"; ///< in the folder
+  std::string_view report = "report.html"; ///< file in the folder
   bool takesRecordings = false;
   bool takesClothes = false;
   ExperimentGroup group = ExperimentGroup::Barrera;
@@ -32,7 +32,8 @@ struct FigureExperiment {
 
 /// Figures of the papers.
 std::span<const FigureExperiment> figureExperiments();
-/// These and studyExperiments(), in the order of menus: by group, and within a group figures first.
+/// All experiments, including studyExperiments(), in the order of menus: by group, and within a
+/// group figures first.
 std::vector<const FigureExperiment*> listedExperiments();
 
 } // namespace dewpoint::experiment

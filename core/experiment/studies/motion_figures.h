@@ -8,21 +8,21 @@
 
 namespace dewpoint::experiment {
 
-/// How well a motion mask covers the people in an image.
+/// Agreement of a motion mask with the people in an image.
 struct MaskQuality {
   int regions = 0;        ///< connected regions (8 neighbors) of at least kSmallestRegion pixels
-  double recall = 0.0;    ///< share of the people's pixels that the mask has; 1 without people
-  double precision = 0.0; ///< share of the mask's pixels that are people's; 1 of an empty mask
+  double recall = 0.0;    ///< share of the people's pixels in the mask; 1 without people
+  double precision = 0.0; ///< share of the mask's pixels on people; 1 for an empty mask
 };
 
-/// Pixels; smaller regions are noise; chosen.
+/// Least area of a region in pixels; smaller regions are noise; chosen.
 inline constexpr int kSmallestRegion = 20;
 
-/// Of a mask (CV_8UC1, 0 or 255) against the people that are there (CV_8UC1, not 0 where one is).
+/// Compares a mask (CV_8UC1, 0 or 255) with the pixels of people (CV_8UC1, nonzero on a person).
 MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people);
 
-/// Mohedano et al. 2009, figures 1 (image, motion mask and motion likelihood image D) and 3 (motion
-/// masks over some frames), in the simulated office, as FigureExperiment::run.
+/// Figures 1 (image, motion mask and motion likelihood image D) and 3 (motion masks over some
+/// frames) of Mohedano et al. 2009, in the simulated office, as FigureExperiment::run.
 Status mohedanoMotionFigures(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

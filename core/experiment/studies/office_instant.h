@@ -13,29 +13,29 @@
 
 namespace dewpoint::experiment {
 
-/// Pixels of a person in a camera that sees it (a whole adult: 600 and more);
-/// chosen: a quarter of one.
+/// Least number of pixels of a person in a camera that sees the person (a whole adult has 600 or
+/// more); chosen: a quarter of an adult.
 inline constexpr int kVisiblePixels = 150;
-/// Frames from one instant at which silhouettes are compared to the next; chosen: a
-/// third of a second.
+/// Frames between two comparisons of silhouettes; chosen: a third of a second.
 inline constexpr std::int64_t kSilhouetteEvery = 5;
 
-/// One instant of a scene with people: its images, and who is seen by the true cameras at that
-/// time, however late the images are.
+/// One instant of a scene with people: its images, and the people whom the true cameras see at that
+/// time, regardless of delays.
 struct OfficeInstant {
-  FrameSetPtr frames;             ///< as they come, see PeopleRecording
-  std::vector<int> camerasSeeing; ///< per person: how many see at least kVisiblePixels
-  std::vector<cv::Mat> who;       ///< per camera: see paintPeople()
-  /// Per camera, then per person: whole silhouettes; empty between the instants that are compared.
+  FrameSetPtr frames; ///< as they arrive, see PeopleRecording
+  /// Per person: number of cameras that see at least kVisiblePixels.
+  std::vector<int> camerasSeeing;
+  std::vector<cv::Mat> who; ///< per camera: see paintPeople()
+  /// Whole silhouettes per camera, then per person; empty between the compared instants.
   std::vector<std::vector<cv::Mat>> silhouettes;
 
-  /// CV_8UC1: not 0 where a person is seen in a camera.
+  /// Visible pixels of a person in a camera (CV_8UC1, nonzero where visible).
   cv::Mat visible(std::size_t camera, std::size_t person) const {
     return who[camera] == static_cast<int>(person + 1);
   }
 };
 
-/// `renderer`: of the recording's scene and views.
+/// Renders an instant; `renderer` must be made from the recording's scene and views.
 OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRenderer& renderer,
                             std::int64_t frame);
 

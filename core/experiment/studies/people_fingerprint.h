@@ -9,11 +9,12 @@
 
 namespace dewpoint::experiment {
 
-/// As suiteFingerprints(), of methods that find people: what comes out of two people in similar
-/// clothes who cross (the first tuning seed). All methods for none.
+/// Fingerprints like suiteFingerprints(), for methods that find people. They cover the results for
+/// two people in similar clothes who cross (the first tuning seed). An empty list means all
+/// methods.
 ///
-/// Rounded: CLEAR MOT, HOTA, times, and shares of those found and of silhouettes to 0.001, meters
-/// to 0.1 mm, volumes to 0.0001 m³. NotFound for a method that does not exist.
+/// CLEAR MOT, HOTA, times, and shares of found people and of silhouettes are rounded to 0.001,
+/// lengths to 0.1 mm, volumes to 0.0001 m³. NotFound for an unknown method.
 Result<std::map<std::string, std::string>>
 peopleFingerprints(const std::vector<std::string>& methods);
 

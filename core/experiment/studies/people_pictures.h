@@ -15,19 +15,20 @@
 
 namespace dewpoint::experiment {
 
-/// An instant of a scenario that shows what a method can do.
+/// Instant of a scenario that shows the abilities of a method.
 struct PeopleInstant {
   std::int64_t frame = 0;
   std::string words; ///< "nearest to each other, 3.4 s"
 };
 
-/// Before people meet, when most of them are there and they are nearest to each other, and when
-/// identities are assessed; of a scenario that assesses none between two instants, only the second.
+/// Instants for pictures: before people meet; when most of them are present and they are nearest to
+/// each other; and when identities are assessed. A scenario that does not assess identities between
+/// two instants has only the second one.
 std::vector<PeopleInstant> tellingInstants(const PeopleScenario& scenario);
 
-/// As Mohedano et al. 2009, figure 2: the images of all cameras with the outlines of the 95 %
-/// volumes, two beside each other, and the floor from above with the level curves of each person's
-/// density and its identity; white crosses and rings: where people (`truth`) and cameras are.
+/// Draws a picture like figure 2 of Mohedano et al. 2009. It has the images of all cameras with the
+/// outlines of the 95 % volumes, two per row, and the floor from above with the level curves of
+/// each person's density and its identity. White crosses mark people (`truth`), rings mark cameras.
 /// CV_8UC3.
 cv::Mat peoplePicture(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       std::span<const TrackPoint> truth);

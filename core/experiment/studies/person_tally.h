@@ -5,12 +5,12 @@
 
 namespace dewpoint::experiment {
 
-/// A mean of numbers that come one after the other.
+/// Mean of a sequence of numbers.
 class RunningMean {
 public:
-  /// NaN is left out.
+  /// Adds a number; NaN is ignored.
   void add(double value);
-  /// NaN without numbers.
+  /// Mean of the numbers; NaN if there are none.
   double mean() const;
 
 private:
@@ -18,28 +18,28 @@ private:
   int count_ = 0;
 };
 
-/// How a method did on one person of a scene.
+/// Results of a method for one person of a scene.
 struct PersonResult {
-  double height = 0.0; ///< true, meters
-  /// Of the frames in which at least two cameras see the person, the share in which the method has
-  /// an estimate within reach; NaN when there were none.
+  double height = 0.0; ///< true height, meters
+  /// Share of the frames with an estimate within reach, among those in which at least two cameras
+  /// see the person; NaN without such frames.
   double found = std::numeric_limits<double>::quiet_NaN();
   SilhouetteScores silhouette; ///< of the 95 % volume, over cameras and instants with an estimate
-  /// Mean absolute error of the height, meters; NaN of a method that estimates none.
+  /// Mean absolute error of the height, meters; NaN if the method does not estimate it.
   double heightError = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Sums up what a method does on one person, or on all.
+/// Accumulates the results of a method for one person, or for all.
 class PersonTally {
 public:
-  /// A frame in which at least two cameras see the person.
+  /// Adds a frame in which at least two cameras see the person.
   void addFrame(bool found) { found_.add(found ? 1.0 : 0.0); }
-  /// The outline of the estimated volume in a camera that sees the person.
+  /// Adds the outline of the estimated volume in a camera that sees the person.
   void addSilhouette(const SilhouetteOverlap& overlap);
-  /// An estimated height minus the true one, meters.
+  /// Adds an estimated height minus the true one, meters.
   void addHeightError(double error);
 
-  /// `height`: true, meters; 0 for a tally of several people.
+  /// Returns the results. `height` is the true one in meters; 0 for a tally of several people.
   PersonResult result(double height) const;
 
 private:

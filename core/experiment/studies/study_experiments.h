@@ -7,8 +7,8 @@
 
 namespace dewpoint::experiment {
 
-/// The studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse
-/// and people-<scenario> of every scene of people. The command line has all their options.
+/// Studies of boxes and of people, as experiments with defaults that take minutes: sugandi-rmse,
+/// and people-<scenario> for every scene of people. The command line has all their options.
 std::span<const FigureExperiment> studyExperiments();
 
 } // namespace dewpoint::experiment

@@ -11,22 +11,22 @@
 
 namespace dewpoint::experiment {
 
-/// As Sugandi et al. 2009, figures 2 and 3: five frames of a clip, four evenly picked and the one
-/// at which 100 particles are farthest off, with the box and its center as found with 100 particles
-/// (upper row) and with 300 (lower row), red, and the true box, white. CV_8UC3.
+/// Draws a picture like figures 2 and 3 of Sugandi et al. 2009: five frames of a clip, four evenly
+/// spaced and the one with the largest error of 100 particles. The boxes and centers found with 100
+/// particles (upper row) and with 300 (lower row) are red, the true box is white. CV_8UC3.
 cv::Mat boxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
                   const BoxRow& few, const BoxRow& many);
 
-/// Of a clip: x, y and error of the centers over the frames, as plots in HTML, and its frames.
+/// Plots of a clip as HTML: x, y and error of the centers over the frames, and its frames.
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
-/// How the picture of a clip's frames is called.
+/// File name of the picture of a clip's frames.
 std::string boxFramesFile(std::size_t clip);
-/// Of a clip, as Sugandi et al. 2009, figure 1: the color histogram of the given box and that of
-/// the box found in the middle of the clip, as plots in HTML.
+/// Plots of a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of the given
+/// box and of the box found halfway through the clip.
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip);
-/// A row per clip and bin that is not empty in both histograms.
+/// CSV with one row per clip and bin that is not empty in both histograms.
 std::string boxHistogramsCsv(const BoxStudy& study);
-/// A row per clip, method and frame of the first run; the truth as a method of its own.
+/// CSV with one row per clip, method and frame of the first run; the truth is listed as a method.
 std::string boxTracksCsv(const BoxStudy& study);
 
 } // namespace dewpoint::experiment

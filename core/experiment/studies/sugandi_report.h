@@ -15,12 +15,12 @@ std::string boxStudyText(const BoxStudy& study);
 std::string boxStudyCsv(const BoxStudy& study);
 std::string boxStudyHtml(const BoxStudy& study);
 
-/// What sloppy first boxes led to, as CSV; without numbers in the last three columns where a method
-/// does not say how sure it is.
+/// Results of inexact first boxes as CSV. The last three columns are empty if a method does not
+/// report its confidence.
 std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows);
 
-/// Writes sugandi-rmse.txt, .csv and .html with its pictures, tracks.csv, and sloppy-boxes.csv
-/// where that was studied, into a folder that exists.
+/// Writes sugandi-rmse.txt, .csv and .html with its pictures, tracks.csv, and sloppy-boxes.csv if
+/// that was studied, into an existing folder.
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder);
 
 } // namespace dewpoint::experiment

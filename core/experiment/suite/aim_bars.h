@@ -7,8 +7,8 @@
 
 namespace dewpoint::experiment {
 
-/// What the next version aims at: figures of belief in every grade, by the median and by the worst
-/// of the scenarios, and accuracy outside grade `ideal`. The items follow those of the present
+/// Aims of the next version: metrics of belief in every grade, by the median and by the worst of
+/// the scenarios, and accuracy outside grade `ideal`. The item numbers follow those of the current
 /// requirements.
 std::vector<SuiteBar> aimBars();
 

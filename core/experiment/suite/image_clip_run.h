@@ -14,14 +14,14 @@
 
 namespace dewpoint::experiment {
 
-/// The methods that follow a box through the images of one camera, in the order of the tables:
+/// Methods that follow a box through the images of one camera, in the order of the tables:
 /// boxFollowerNames(), ours with 300 particles.
 const std::vector<std::string>& imageMethods();
 
-/// Follows a clip, whose images these are, from its first true box with the method and the seed of
-/// `key`; nothing when `stop` says so. Measured over all frames after the first: RMS distance of
-/// the centers in pixels, frames to converge and lost frames by the clip's radius, and success.
-/// NotFound for a method that imageMethods() does not have.
+/// Follows a clip with the given images from its first true box, with the method and the seed of
+/// `key`. Returns nothing if `stop` returns true. Over all frames after the first, it measures the
+/// RMS distance of the centers in pixels, frames to converge and lost frames by the clip's radius,
+/// and success. NotFound for a method that imageMethods() does not have.
 Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
                                               const std::vector<cv::Mat>& images, const RunKey& key,
                                               const std::function<bool()>& stop);

@@ -16,25 +16,25 @@
 
 namespace dewpoint::experiment {
 
-/// Measures the estimates of one method in the images of a run that has marks: its estimates are
-/// projected into the cameras of the run's rig. A target is on its marks when it is declared
-/// present and every one of its projections is within the run's gate. Estimates go by the order of
-/// the targets, so these must not be alike.
+/// Evaluates one method in the images of a run that has marks. Its estimates are projected into the
+/// cameras of the run's rig. A target is on its marks when it is declared present and each of its
+/// projections is within the run's gate. Estimates are assigned in the order of the targets, so no
+/// two targets may be identical.
 class PixelRecorder {
 public:
-  /// Runs without marks record nothing.
+  /// A run without marks records nothing.
   explicit PixelRecorder(const ScenarioRun& run);
 
-  /// What is believed at a frame of the run; frames without marks are passed over.
+  /// Adds the estimates of a frame of the run; frames without marks are skipped.
   void add(std::int64_t frame, const std::vector<SphereEstimate>& estimates);
 
-  /// RMS distance of the projections from the marks, pixels, over all marks of frames in which the
-  /// target is declared present, from each target's convergence on (from the start where it never
-  /// converges); nothing without any.
+  /// RMS distance of the projections from the marks, pixels. It covers all marks of frames in which
+  /// the target is declared present, from each target's convergence on (from the start if it never
+  /// converges). Nothing without such marks.
   SuiteRow::Figure rmsePx() const;
 
-  /// The result of a run that has marks alone: no lengths, but convergence, loss and the
-  /// reliability of P(exists), all by the marks.
+  /// Result of a run that has only marks: no lengths, but convergence, loss and the reliability of
+  /// P(exists), all measured by the marks.
   SuiteResult result(RunKey key, double usPerFrame) const;
 
 private:
@@ -42,7 +42,7 @@ private:
   struct Sample {
     bool declared = false;
     double existence = 0.0;
-    double worst = 0.0; ///< px; infinite where a projection is not in front of the camera
+    double worst = 0.0;            ///< px; infinite if a projection is not in front of the camera
     std::vector<double> distances; ///< px, per mark
   };
 

@@ -12,41 +12,43 @@
 
 namespace dewpoint::experiment {
 
-/// A run that no method has, because its scenario could not make it: chance has drawn no position
-/// at which everything is seen that must be. It is a function of scenario, grade and seed.
+/// Run that no method has, because its scenario could not make it: the random draws found no
+/// position at which all that must be visible is visible. This depends only on scenario, grade and
+/// seed.
 struct SkippedRun {
   std::string scenario;
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
-  std::string reason; ///< words without a line break
+  std::string reason; ///< text without a line break
 
-  // clang-tidy 14 takes the 0 that a defaulted <=> compares with for a pointer.
+  // clang-tidy 14 mistakes the 0 that a defaulted <=> compares with for a pointer.
   auto operator<=>(const SkippedRun&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
-/// In the order of scenario, grade and seed.
+/// Skipped runs in the order of scenario, grade and seed.
 using SkippedRuns = std::set<SkippedRun>;
 
+/// Whether the run is among the skipped ones.
 bool isSkipped(const SkippedRuns& skipped, const std::string& scenario, Grade grade,
                std::uint64_t seed);
 
 /// One sentence for the user.
 std::string skippedSentence(const SkippedRun& run);
 
-/// Lines of skipped.csv, without the end of the line; the reason is quoted.
+/// Lines of skipped.csv, without the line end; the reason is quoted.
 std::string skippedHeader();
 std::string skippedText(const SkippedRun& run);
-/// The line's run; nothing if it is not a whole one.
+/// Parses a line; nothing if it is incomplete.
 std::optional<SkippedRun> parseSkipped(const std::string& line);
 
-/// A scenario in one grade.
+/// Scenario in one grade.
 struct ScenarioGrade {
   std::string scenario;
   Grade grade = Grade::Ideal;
 };
 
-/// The scenarios and grades that have skipped runs and none beside: nothing is known of them.
-/// `done` are the keys of the runs that there are.
+/// Scenarios and grades with skipped runs and no others, so they have no results. `done` are the
+/// keys of the existing runs.
 std::vector<ScenarioGrade> withoutAnyRun(const SkippedRuns& skipped, const std::set<RunKey>& done);
 
 } // namespace dewpoint::experiment

@@ -10,45 +10,49 @@
 
 namespace dewpoint::experiment {
 
-/// A figure by which it is judged whether a method knows how sure it may be.
+/// Metric that shows whether a method's confidence is justified.
 struct BeliefFigure {
-  const char* name;     ///< in files: "coverage95_percent"
-  const char* head;     ///< of a table's column, HTML
-  const char* sentence; ///< what it is
-  /// Of the runs of one method in one scenario; NaN where they have none.
+  const char* name;     ///< name in files: "coverage95_percent"
+  const char* head;     ///< head of a table column, HTML
+  const char* sentence; ///< description
+  /// Computes the metric from the runs of one method in one scenario; NaN if they have none.
   double (*of)(std::span<const SuiteResult* const> runs);
-  /// The worst scenario is the one with the greatest value; else the one with the least.
+  /// Whether the worst scenario is the one with the largest value; otherwise it is the one with the
+  /// smallest.
   bool lessIsBetter;
 };
 
-/// All of them, in the order of the tables.
+/// All metrics of belief in the order of the tables.
 std::span<const BeliefFigure> beliefFigures();
-/// The one of this name (asserted).
+/// Metric of this name, which must exist (asserted).
 const BeliefFigure& beliefFigure(const std::string& name);
 
-/// One value per scenario, by which a method is judged twice: by the median, and by the worst.
+/// One value per scenario, summarized by the median and by the worst.
 struct OverScenarios {
   double median = 0.0; ///< NaN without a value
   double worst = 0.0;
-  std::string worstScenario; ///< the first of equally bad ones; empty without a value
+  std::string worstScenario; ///< first of ties; empty without a value
 };
 
+/// Value of a metric in one scenario.
 struct ScenarioValue {
   std::string scenario;
-  double value = 0.0; ///< NaN: left out
+  double value = 0.0; ///< NaN: ignored
 };
+/// Computes the median and the worst of the values.
 OverScenarios overScenarios(std::span<const ScenarioValue> values, bool lessIsBetter);
 
-/// A method's figures of belief over all scenarios of one grade.
+/// Metrics of belief of a method over all scenarios of one grade.
 struct BeliefSummary {
   Grade grade = Grade::Ideal;
   std::string method;
   std::size_t scenarios = 0;
   std::size_t runs = 0;
-  std::vector<OverScenarios> figures; ///< as beliefFigures()
+  std::vector<OverScenarios> figures; ///< in the order of beliefFigures()
 };
 
-/// One for each grade and method among the cells: grades in their order, methods as they come.
+/// Summaries, one per grade and method among the cells: grades in their order, methods in the order
+/// of the cells.
 std::vector<BeliefSummary> summarizeBelief(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

@@ -9,17 +9,16 @@
 
 namespace dewpoint::experiment {
 
-/// CSS class of a method's color, the same in all plots: "m0" to "m7"; "m8" for one that is not
-/// known.
+/// CSS class of a method's color, the same in all plots: "m0" to "m7"; "m8" for an unknown method.
 std::string methodStyle(const std::string& method);
 
-/// The three plots of a scenario; `cells` are its methods.
-/// Median error and the band from the 10th to the 90th percentile over runs and targets, by frame.
+/// Plot of the error by frame: the median, and the band from the 10th to the 90th percentile, over
+/// runs and targets. `cells` are the methods of one scenario, here and in the next two plots.
 Plot errorOverTime(std::span<const SuiteCell> cells);
-/// Share of all frames from the start in which the target is declared with an error of at most x:
-/// the curve ends below 100 % where a method declares nothing.
+/// Plot of the share of all frames from the start in which the target is declared with an error of
+/// at most x. The curve ends below 100 % if a method does not declare the target in some frames.
 Plot errorDistribution(std::span<const SuiteCell> cells);
-/// How often the target was where the estimate stated, over the stated P(exists).
+/// Plot of the share of estimates whose target was at the estimate, over the reported P(exists).
 Plot reliabilityDiagram(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

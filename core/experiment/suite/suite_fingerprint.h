@@ -9,13 +9,13 @@
 
 namespace dewpoint::experiment {
 
-/// By method, the fingerprint of what it computes: its errors, its NEES and its P(exists) on a few
-/// short fixed runs of the suite, of tuning seeds. It stays when sources are rearranged and changes
-/// when results do, be it by the method, by the scenarios or by how errors are measured. It knows
-/// nothing of what only longer runs show.
+/// Fingerprint of the results of each method: its errors, NEES and P(exists) on a few short fixed
+/// runs of the suite, with tuning seeds. It stays the same when sources are rearranged. It changes
+/// when results change, because of the method, the scenarios or the measurement of errors. It does
+/// not cover effects that only longer runs show.
 ///
-/// Rounded: errors to 0.01 mm, NEES to three digits, sums of P(exists) to 0.001. Only what a method
-/// declares counts. NotFound for a method or a scenario that does not exist.
+/// Errors are rounded to 0.01 mm, NEES to three digits, sums of P(exists) to 0.001. Only targets
+/// that a method declares present count. NotFound for an unknown method or scenario.
 Result<std::map<std::string, std::string>>
 suiteFingerprints(const std::vector<std::string>& methods);
 

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// One page that needs nothing else: light and dark, plots inline.
+/// The report as a single self-contained page: light and dark mode, inline plots.
 std::string reportHtml(const SuiteReport& report);
 
 } // namespace dewpoint::experiment

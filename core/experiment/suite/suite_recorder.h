@@ -10,34 +10,35 @@
 
 namespace dewpoint::experiment {
 
-/// What a run gives: its figures and what the plots need of it.
+/// Result of a run: its metrics and the data for the plots.
 struct SuiteResult {
   SuiteRow row;
   SuiteTrace trace;
 };
 
-/// Collects the estimates of one method over the frames of one run and measures it against the
+/// Collects the estimates of one method over the frames of one run and compares them with the
 /// truth.
 ///
-/// A target is declared present when its estimate is valid or existence is above one half. With
-/// several targets of one color a method may name them as it likes: over the whole run, estimates
-/// are given to targets of their color so that most frames are followed; what it mixes up later,
-/// counts as an error.
+/// A target is declared present if its estimate is valid or its existence probability is above one
+/// half. If several targets have the same color, a method may name them in any order. Over the
+/// whole run, estimates are assigned to targets of their color so that most frames are followed.
+/// Later confusions count as errors.
 class SuiteRecorder {
 public:
-  /// `run` outlives this.
+  /// `run` must outlive the recorder.
   SuiteRecorder(const ScenarioRun& run, std::string method);
 
-  /// The next frame, from 0 on.
+  /// Adds the next frame, from 0 on.
   void add(const std::vector<SphereEstimate>& estimates);
+  /// Result of the frames added so far. `usPerFrame` is the measured time in microseconds.
   SuiteResult result(double usPerFrame) const;
 
 private:
   struct Samples;
-  /// Adds what is measured of one target, which is followed by the method's estimate `estimate`.
+  /// Adds the measurements of one target, which the method's estimate `estimate` follows.
   void addTarget(std::size_t target, std::size_t estimate, Samples& samples,
                  SuiteResult& result) const;
-  /// How large the target is at a frame; nothing where the run does not tell.
+  /// Size of the target at a frame; null if the run does not contain it.
   const TargetExtent* extentOf(std::size_t frame, std::size_t target) const;
   std::vector<std::size_t> estimateOfTruth() const;
   std::vector<TargetFrame> framesOf(std::size_t truth, std::size_t estimate) const;
@@ -47,9 +48,9 @@ private:
 
   const ScenarioRun& run_;
   std::string method_;
-  /// truth_[frame][target]: where it is, nothing while it is not there.
+  /// truth_[frame][target]: its position; nothing while it is absent.
   std::vector<std::vector<std::optional<Eigen::Vector3d>>> truth_;
-  /// extents_[frame][target]; empty where the run tells none.
+  /// extents_[frame][target]; empty if the run does not contain sizes.
   std::vector<std::vector<TargetExtent>> extents_;
   std::vector<std::vector<SphereEstimate>> estimates_; ///< [frame][target]
 };

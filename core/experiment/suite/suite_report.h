@@ -13,24 +13,25 @@
 
 namespace dewpoint::experiment {
 
-/// What the files of a report are made from.
+/// Data for the files of a report.
 struct SuiteReport {
   std::vector<SuiteCell> cells;
   std::vector<BeliefSummary> belief;
   std::vector<BarResult> bars;
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, each once
-  std::vector<std::string> notes;   ///< sentences about what is missing
+  std::vector<std::string> notes;   ///< sentences about missing data
   SkippedRuns skipped;              ///< runs that their scenarios could not make
 };
 
+/// CSV with one line per cell: scenario, grade and method.
 std::string summaryCsv(const SuiteReport& report);
-/// One line per grade, method and figure of belief: its median over the scenarios, and the worst of
-/// them by name.
+/// CSV with one line per grade, method and metric of belief: the median over the scenarios, and the
+/// worst scenario with its name.
 std::string beliefCsv(const SuiteReport& report);
 std::string reportJson(const SuiteReport& report);
-/// Writes report.html, summary.csv, belief.csv and report.json into the folder. `notes`: sentences
-/// about what is missing, such as clips whose recordings are not there.
+/// Writes report.html, summary.csv, belief.csv and report.json into the folder. `notes` are
+/// sentences about missing data, such as clips whose recordings are missing.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
                         std::span<const ScenarioDeclaration> catalog,

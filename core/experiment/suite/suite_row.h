@@ -13,33 +13,33 @@
 
 namespace dewpoint::experiment {
 
-/// A target counts as followed when it is declared present nearer to the truth than this, meters:
-/// what the suite requires.
+/// Largest error in meters at which a target that is declared present counts as followed: the
+/// requirement of the suite.
 inline constexpr double kFollowGate = 0.03;
-/// Gate of the metrics of several targets (GOSPA's cutoff, CLEAR MOT, HOTA), meters.
+/// Gate of the metrics of several targets (cutoff of GOSPA, CLEAR MOT, HOTA), meters.
 inline constexpr double kMatchGate = 0.1;
-/// A start counts as quick when it takes no more frames than this.
+/// Largest number of frames of a quick start.
 inline constexpr double kQuickFrames = 5.0;
 /// Bins of the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// The grades of a list of names, each once, the easiest first; "both" stands for ideal and room.
-/// Nothing if a name is unknown or the list is empty.
+/// Grades of a list of names, each once, the easiest first; "both" means ideal and room. Nothing if
+/// a name is unknown or the list is empty.
 std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
 
-/// Which run of the suite.
+/// Identifies a run of the suite.
 struct RunKey {
   std::string scenario;
   Grade grade = Grade::Ideal;
   std::string method;
   std::uint64_t seed = 0;
 
-  // clang-tidy 14 takes the 0 that a defaulted <=> compares with for a pointer.
+  // clang-tidy 14 mistakes the 0 that a defaulted <=> compares with for a pointer.
   auto operator<=>(const RunKey&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
-/// What one run measured: one row of runs.csv. Empty where a figure makes no sense; infinite where
-/// something that should have happened never did.
+/// Measurements of one run: one row of runs.csv. A value that does not apply is empty. It is
+/// infinite if something that should have happened never did.
 struct SuiteRow {
   using Figure = std::optional<double>;
   RunKey key;
@@ -81,38 +81,39 @@ struct SuiteRow {
   Figure frames;
 };
 
-/// A column of runs.csv behind the four of the key.
+/// Column of runs.csv after the four of the key.
 struct SuiteColumn {
   const char* name;
   SuiteRow::Figure SuiteRow::*figure;
-  const char* sentence; ///< what it means, for the report
+  const char* sentence; ///< its meaning, for the report
 };
+/// Columns in the order of runs.csv.
 std::span<const SuiteColumn> suiteColumns();
 
-/// How often P(exists) within one tenth was stated, and what came of it.
+/// How often P(exists) within one tenth was reported, and the outcomes.
 struct ReliabilityCount {
   std::int64_t count = 0;
   double probabilitySum = 0.0;
   std::int64_t happened = 0;
 };
 
-/// What the plots need of one run: one line of traces.csv.
+/// Data of one run for the plots: one line of traces.csv.
 struct SuiteTrace {
   RunKey key;
-  /// Per target and frame: distance of the estimate to the truth in millimeters; NaN where the
-  /// method does not declare the target present, or where it is not there.
+  /// Distance of the estimate to the truth in millimeters, per target and frame. NaN if the method
+  /// does not declare the target present, or if the target is absent.
   std::vector<std::vector<double>> errorsMm;
-  std::vector<ReliabilityCount> reliability; ///< kReliabilityBins
+  std::vector<ReliabilityCount> reliability; ///< kReliabilityBins entries
 };
 
-/// Lines of the two files, without the end of the line. Numbers have six (errors four) significant
-/// digits: what is read back gives the same line again.
+/// Lines of the two files, without the line end. Numbers have six (errors four) significant digits;
+/// a line that is parsed and written again is identical.
 std::string rowHeader();
 std::string rowText(const SuiteRow& row);
 std::string traceHeader();
 std::string traceText(const SuiteTrace& trace);
 
-/// The line's row; nothing if it is not a whole one.
+/// Parses a line; nothing if it is incomplete.
 std::optional<SuiteRow> parseRow(const std::string& line);
 std::optional<SuiteTrace> parseTrace(const std::string& line);
 

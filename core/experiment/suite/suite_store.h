@@ -12,36 +12,38 @@
 
 namespace dewpoint::experiment {
 
+/// Results by the key of their run.
 using SuiteResults = std::map<RunKey, SuiteResult>;
 
-/// The files of a suite's folder: runs.csv and traces.csv, and skipped.csv with the runs that could
-/// not be made. Results are appended and flushed as they
-/// come, so a killed suite loses only what was under way; opening the folder again gives what is
-/// there. A last line that was cut is dropped.
+/// Files in a suite's folder: runs.csv, traces.csv, and skipped.csv with the runs that could not be
+/// made. Results are appended and flushed as they finish, so a killed suite loses only unfinished
+/// runs. Opening the folder again restores the results; an incomplete last line is dropped.
 class SuiteStore {
 public:
-  /// Opens or makes the folder. FileUnwritable; Mismatch when its files have other columns (they
-  /// are of another version); NotParsed when a line in the middle is broken.
+  /// Opens or creates the folder. FileUnwritable; Mismatch if its files have other columns (they
+  /// are from another version); NotParsed if a line other than the last is broken.
   static Result<SuiteStore> open(const std::filesystem::path& folder);
 
-  /// The results of a folder, which stays as it is. FileMissing when it has no runs.csv; Mismatch
-  /// and NotParsed as of open().
+  /// Reads the results of a folder without changing it. FileMissing if it has no runs.csv; Mismatch
+  /// and NotParsed as for open().
   static Result<SuiteResults> read(const std::filesystem::path& folder);
 
-  /// The skipped runs of a folder; none without a skipped.csv. Mismatch and NotParsed as of open().
+  /// Reads the skipped runs of a folder; none without a skipped.csv. Mismatch and NotParsed as for
+  /// open().
   static Result<SkippedRuns> readSkipped(const std::filesystem::path& folder);
 
   const SuiteResults& results() const { return results_; }
   const SkippedRuns& skipped() const { return skipped_; }
-  /// Adds results to results() alone; rewrite() writes them. Those of the same run replace others.
+  /// Adds results to results() only; rewrite() writes them. They replace existing results of the
+  /// same runs.
   void take(const SuiteResults& results);
-  /// The same for skipped().
+  /// Adds skipped runs to skipped() only.
   void take(const SkippedRuns& skipped);
   /// Appends one result to both files and to results().
   Status append(const SuiteResult& result);
-  /// Adds one to skipped.csv and to skipped().
+  /// Adds one skipped run to skipped.csv and to skipped().
   Status append(const SkippedRun& run);
-  /// Writes all files again, in this order of the runs' keys.
+  /// Writes all files again, with the runs in the order of these keys.
   Status rewrite(const std::vector<RunKey>& order);
 
 private:

@@ -9,20 +9,21 @@
 
 namespace dewpoint::experiment {
 
-/// Three significant digits as people read them: "1.41", "23.4", "630", "never", "-" for nothing.
+/// Formats a number with three significant digits: "1.41", "23.4", "630", "never", "-" for no
+/// value.
 std::string figureText(double value);
 
-/// The bars of one grade, and whether each is reached, as an HTML table.
+/// HTML table of the bars of one grade, and whether each is reached.
 std::string barTable(std::span<const BarResult> bars);
-/// What the methods believe in one grade: a row per method; each figure's median over the
-/// scenarios, and below it the worst scenario by name.
+/// HTML table of the belief metrics of one grade, with one row per method: each metric's median
+/// over the scenarios, and below it the worst scenario by name.
 std::string beliefTable(std::span<const BeliefSummary> methods);
-/// Median RMSE and lost frames, scenario by method.
+/// HTML table of median RMSE and lost frames, scenario by method.
 std::string overviewTable(std::span<const SuiteCell> cells);
-/// The same, relative to the size of the targets: the share of frames near the centroid, and the
-/// error of the radius where the methods are not told it.
+/// The same table with errors relative to the size of the targets: the share of frames near the
+/// centroid, and the error of the radius if the methods do not know it.
 std::string extentTable(std::span<const SuiteCell> cells);
-/// One scenario in one grade: a row per method.
+/// HTML table of one scenario in one grade, with one row per method.
 std::string scenarioTable(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

@@ -10,42 +10,50 @@
 
 namespace dewpoint::observation {
 
-/// How the moving regions of an image are found.
+/// Algorithm that finds the moving regions of an image.
 enum class BackgroundMethod {
   Running, ///< one Gaussian per pixel: RunningBackground, fast
   Mog2,    ///< OpenCV's mixture of Gaussians (Zivkovic 2004)
   Knn,     ///< OpenCV's K nearest neighbors (Zivkovic & van der Heijden 2006)
 };
 
+/// Parameters of a foreground model.
 struct ForegroundSettings {
   BackgroundMethod method = BackgroundMethod::Running;
-  /// Frames that are only learned from, at first.
+  /// Number of frames at the start that are only learned from.
   int learningFrames = 15;
-  /// Frames after which something new that stays is half way to being background.
+  /// Number of frames after which a new object that stays is halfway to becoming background.
   double memoryFrames = 600.0;
-  /// Of its least brightness (share of what is usual) a pixel still counts as a shadow.
+  /// Lowest brightness, as a share of the usual brightness, at which a pixel still counts as a
+  /// shadow.
   double darkestShadow = 0.5;
 };
 
-/// What one camera shows that is not its background: the binary motion mask M of Mohedano et al.
-/// 2009, equation 5.
+/// Finds the pixels of one camera that differ from its background: the binary motion mask M of
+/// Mohedano et al. 2009, equation 5.
 class ForegroundModel {
 public:
   virtual ~ForegroundModel() = default;
-  /// Learns an image (CV_8UC3) of the scene without people; the same size every time.
+  /// Learns from an image (CV_8UC3) of the scene without people. All images must have the same
+  /// size.
   virtual void learn(const cv::Mat& image) = 0;
-  /// The mask of an image (CV_8UC1: 255 where something moved in, else 0; shadows are 0), and
-  /// learns slowly from it: not where `keep` (CV_8UC1, or empty) is nonzero.
+  /// Computes the mask of an image (CV_8UC1: 255 where something has moved in, otherwise 0; shadows
+  /// are 0). Then it learns slowly from the image, except where `keep` (CV_8UC1, or empty) is
+  /// nonzero.
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
+  /// Returns a new model with the same settings that has learned nothing.
   virtual std::unique_ptr<ForegroundModel> fresh() const = 0;
-  /// A copy that goes on from here with the same bits, and shares nothing that either writes; null
-  /// when the model cannot be copied (OpenCV keeps its own to itself).
+  /// Returns a copy that continues from here with bit-identical results and shares no writable
+  /// data. Returns null if the model cannot be copied, because OpenCV does not give access to its
+  /// state.
   virtual std::unique_ptr<ForegroundModel> clone() const { return nullptr; }
+  /// Whether clone() returns a copy.
   virtual bool canBeCopied() const { return false; }
-  /// About how many bytes a copy takes.
+  /// Approximate size of a copy, bytes.
   virtual std::size_t memoryBytes() const { return 0; }
 };
 
+/// Makes the model that `settings` names.
 std::unique_ptr<ForegroundModel> makeForegroundModel(const ForegroundSettings& settings);
 
 } // namespace dewpoint::observation

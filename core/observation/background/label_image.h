@@ -12,52 +12,53 @@
 
 namespace dewpoint::observation {
 
-/// The evidence of a pixel for a target. `Unknown` neither matches nor agrees with the background:
-/// something may hide the target, so it is no evidence either way, like a pixel outside the image
-/// or one that is explained by another target.
+/// Evidence of a pixel for a target. `Unknown` neither matches nor agrees with the background:
+/// something may hide the target there. It is no evidence either way, like a pixel outside the
+/// image or one that another target explains.
 enum class PixelLabel : std::uint8_t {
-  Unlearned,  ///< does not match; the background is not known yet
-  Background, ///< does not match and agrees with the background
-  Unknown,    ///< does not match and shows something new
-  Explained,  ///< matches, but belongs to another target or to the empty room
+  Unlearned,  ///< no match; the background is not known yet
+  Background, ///< no match; agrees with the background
+  Unknown,    ///< no match; shows something new
+  Explained,  ///< matches, but belongs to another target or to the background
   Target,     ///< matches the target's color
 };
 inline constexpr std::size_t kPixelLabelCount = 5;
 
-/// One camera's image with its labels, which are made where they are required.
+/// Image of one camera with a label for each pixel. Labels are computed only where they are
+/// required.
 class LabelImage {
 public:
-  /// Starts with a new image (CV_8UC3); image, background and classifiers must outlive the labels.
-  /// `usual` is the color in the reference light.
+  /// Starts with a new image (CV_8UC3). Image, background and classifiers must outlive the labels.
+  /// `usual` classifies the color in the reference light.
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier, const ColorClassifier& usual);
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier) {
     begin(image, background, classifier, classifier);
   }
-  /// Removes the image: the camera has none.
+  /// Removes the image, for a camera without one.
   void clear();
 
   bool empty() const { return image_.empty(); }
   cv::Size size() const { return image_.size(); }
 
-  /// Makes the labels of this part of the image (cut to the image); does nothing where they are.
+  /// Computes the labels of this part of the image, clipped to the image. Does nothing where they
+  /// exist already.
   void require(const cv::Rect& area);
   void requireAll() { require({0, 0, image_.cols, image_.rows}); }
-  /// The part whose labels are made.
+  /// Part of the image whose labels have been computed, pixels.
   const cv::Rect& covered() const { return covered_; }
 
-  /// A part of the image, in pixels.
+  /// Circle in the image, pixels.
   struct Circle {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;
   };
-  /// Marks matching pixels within a circle as explained by another target, but for those within
-  /// `except`; holds for labels made later as well.
+  /// Marks matching pixels within the circle `other` as explained by another target, except those
+  /// within `except`. This also applies to labels computed later.
   void explain(const Circle& other, const Circle& except);
 
-  /// Label of a covered pixel; Explained, which is no evidence for anything, outside the covered
-  /// part.
+  /// Label of a covered pixel. Outside the covered part it is Explained, which is no evidence.
   PixelLabel at(int column, int row) const noexcept {
     if (column < covered_.x || row < covered_.y || column >= covered_.x + covered_.width ||
         row >= covered_.y + covered_.height) {
@@ -65,7 +66,7 @@ public:
     }
     return static_cast<PixelLabel>(labels_.ptr<std::uint8_t>(row)[column]);
   }
-  /// CV_8UC1 of the image's size, valid in the covered part only; values of PixelLabel.
+  /// All labels: CV_8UC1 of the image's size, valid in the covered part only; values of PixelLabel.
   const cv::Mat& labels() const { return labels_; }
 
 private:
@@ -83,7 +84,8 @@ private:
   cv::Rect covered_;
   cv::Mat labels_;
   std::vector<Explanation> explained_;
-  /// Marks what matches in `row` converted to the reference light, where matched_ is 0.
+  /// Marks the pixels of `row` that match after conversion to the reference light, where matched_
+  /// is 0.
   void matchInUsualLight(const std::uint8_t* row, int count);
 
   std::vector<std::uint8_t> matched_; ///< scratch, one row

@@ -10,14 +10,15 @@
 
 namespace dewpoint::observation {
 
-/// Estimates the factor per channel (blue, green, red) by which a whole image has become brighter,
-/// darker or of another tint than a learned background: the median ratio over a grid of pixels.
+/// Estimates the factor per channel (blue, green, red) by which a whole image is brighter, darker
+/// or differently tinted than a learned background. The factor is the median ratio over a grid of
+/// pixels.
 ///
-/// `image` and `mean` are CV_8UC3 of one size; `confidence` (CV_8UC1) says where the mean is known,
-/// from BackgroundModel::kLearned on. `light` is the light of the mean, relative to a reference.
-/// Nothing when the light is about the same, when no such factor explains most of the image
-/// (something covers it, the camera was moved), or when the factor, or its product with `light`, is
-/// too large for a change of light.
+/// `image` and `mean` are CV_8UC3 of one size. `confidence` (CV_8UC1) marks where the mean is
+/// known: from BackgroundModel::kLearned on. `light` is the light of the mean, relative to a
+/// reference. Returns nothing if the light is about the same; if no such factor explains most of
+/// the image (something covers it, or the camera moved); or if the factor, or its product with
+/// `light`, is too large for a change of light.
 std::optional<Eigen::Array3d> estimateLightChange(const cv::Mat& image, const cv::Mat& mean,
                                                   const cv::Mat& confidence,
                                                   const Eigen::Array3d& light);

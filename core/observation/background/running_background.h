@@ -9,10 +9,10 @@
 
 namespace dewpoint::observation {
 
-/// One Gaussian per pixel (Wren et al. 1997, "Pfinder"), with a mean per channel and a deviation
-/// for the three of them together, and shadows recognized by their color (as Horprasert et al.
-/// 1999: all channels darker by about the same factor). Simple on purpose: it costs a small part of
-/// a mixture.
+/// Background model with one Gaussian per pixel (Wren et al. 1997, "Pfinder"): a mean per channel
+/// and one deviation for all three. Shadows are recognized by their color (as in Horprasert et al.
+/// 1999: all channels are darker by about the same factor). It is simple on purpose and costs a
+/// small part of a mixture model.
 class RunningBackground final : public ForegroundModel {
 public:
   explicit RunningBackground(const ForegroundSettings& settings) : settings_(settings) {}
@@ -24,7 +24,7 @@ public:
   }
   std::unique_ptr<ForegroundModel> clone() const override {
     auto copy = std::make_unique<RunningBackground>(*this);
-    copy->planes_ = {}; // written again with every image
+    copy->planes_ = {}; // rewritten with every image
     return copy;
   }
   bool canBeCopied() const override { return true; }
@@ -40,9 +40,9 @@ private:
   cv::Size size_;
   int learned_ = 0;
   std::array<std::vector<float>, 3> means_; ///< per channel (BGR), gray levels
-  std::vector<float> deviation_;            ///< mean absolute difference, all channels together
-  std::array<cv::Mat, 3> planes_;           ///< of the image at hand, CV_8UC1, continuous
-  std::vector<std::uint8_t> nothing_;       ///< stands for an empty `keep`
+  std::vector<float> deviation_;      ///< mean absolute difference over all channels, gray levels
+  std::array<cv::Mat, 3> planes_;     ///< channels of the current image, CV_8UC1, continuous
+  std::vector<std::uint8_t> nothing_; ///< used instead of an empty `keep`
 };
 
 } // namespace dewpoint::observation

@@ -9,9 +9,10 @@
 
 namespace dewpoint::observation {
 
-/// The weighted color histogram of a box in an image (CV_8UC3): equations 7 and 8 of Sugandi et al.
-/// 2009, RGB with 8 x 8 x 8 bins, numbered as by rgbBin(). The box is laid on whole pixels, as the
-/// method's own; the shares sum to 1 over its pixels within the image. Empty where there are none.
+/// Weighted color histogram of a box in an image (CV_8UC3): equations 7 and 8 of Sugandi et al.
+/// 2009. It has 8 x 8 x 8 RGB bins, numbered as by rgbBin(). The box is rounded to whole pixels, as
+/// in the method itself. The shares sum to 1 over the pixels of the box within the image. Empty if
+/// there are none.
 std::vector<double> boxHistogram(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

@@ -9,23 +9,26 @@
 
 namespace dewpoint::observation {
 
-/// g(r) = 1 - r² for r < 1, else 0 (Sugandi et al. 2009, equation 6).
+/// Kernel profile g(r) = 1 - r² for r < 1, otherwise 0 (Sugandi et al. 2009, equation 6). The
+/// argument is r².
 inline double profile(double rSquared) {
   return rSquared < 1.0 ? 1.0 - rSquared : 0.0;
 }
 
-/// The weights g(|y - x_j| / a) of the pixels of a rectangle whose center is y, as whole numbers of
-/// a common scale: their sums are exact and do not depend on the order. `a` is half the rectangle's
-/// diagonal (the paper only calls it the normalization factor), so that no pixel weighs nothing.
+/// Weights g(|y - x_j| / a) of the pixels x_j of a rectangle with center y. They are whole numbers
+/// of a common scale, so their sums are exact and do not depend on the order. `a` is half the
+/// diagonal of the rectangle, so every pixel has a positive weight; the paper only calls it the
+/// normalization factor.
 class BoxKernel {
 public:
-  /// At least 1 x 1 pixels.
+  /// Makes a kernel of this size in pixels, at least 1 x 1.
   BoxKernel(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Of all weights.
+  /// Sum of all weights.
   double sum() const { return sum_; }
+  /// Weights of one row, width() of them.
   const std::uint32_t* row(int row) const {
     return weights_.data() + std::size_t(row) * std::size_t(width_);
   }
@@ -37,20 +40,20 @@ private:
   double sum_ = 0.0;
 };
 
-/// The part of a kernel, laid over an image, that lies within the image.
+/// The part of a kernel, placed over an image, that lies within the image. Pixels.
 struct KernelPlacement {
-  int left = 0; ///< of the whole kernel, in the image
-  int top = 0;
-  int firstColumn = 0; ///< of the kernel, within the image
-  int endColumn = 0;
+  int left = 0;        ///< left edge of the whole kernel, in the image
+  int top = 0;         ///< top edge of the whole kernel, in the image
+  int firstColumn = 0; ///< first column of the kernel in the image, counted within the kernel
+  int endColumn = 0;   ///< one past the last such column
   int firstRow = 0;
   int endRow = 0;
 
   bool isEmpty() const { return endColumn <= firstColumn || endRow <= firstRow; }
 };
 
-/// The placement at which the kernel's center is nearest to (x, y), pixels from the image's corner:
-/// whole pixels.
+/// Places a kernel with its center as near as possible to (x, y), in whole pixels. (x, y) is in
+/// pixels from the image's corner.
 KernelPlacement placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows);
 
 } // namespace dewpoint::observation

@@ -9,21 +9,23 @@
 
 namespace dewpoint::observation {
 
-/// The bounding box of the object that was clicked in an image (CV_8UC3). The pixel must lie in it.
+/// Returns the bounding box of the object that was clicked in an image (CV_8UC3). `pixel` must lie
+/// in the image.
 ///
-/// The size of the object is not known: boxes of all sizes from 7 pixels to 0.7 of the image's
-/// smaller side, from three times as high as wide to three times as wide, are tried around the
-/// click, each in the image made so much smaller that it has about 20 pixels (so that highlights,
-/// seams and noise average out). Taken is the one that differs most from its surroundings
-/// (FigureContrast), less the farther the click is from its center; then the figure in it
-/// (figureBox()), or the box of the color region at the click (growRegion()) where it is about the
-/// same: its outline is the more exact one, where it is right.
+/// The size of the object is not known. The function therefore tries boxes around the click: from 7
+/// pixels to 0.7 of the image's smaller side, and from three times as high as wide to three times
+/// as wide as high. Each is tried in an image reduced so that the box has about 20 pixels;
+/// highlights, seams and noise then average out. The function takes the box that differs most from
+/// its surroundings (FigureContrast), with a penalty that grows with the distance of the click from
+/// the center of the box. The result is then the figure in it (figureBox()), or the box of the
+/// color region at the click (growRegion()) if that is about the same, because its outline is more
+/// exact when it is right.
 ///
-/// Where it is not, the box may hold more than what can be followed. Of the figures of all sizes up
-/// to it, the largest is taken whose colors, as TargetColors would learn them, tell it from its
-/// surroundings nearly as well as those of the best; it holds the region, where that is part of the
-/// object, or is the region. An object of several colors may give the part of it that was clicked.
-/// Nothing where no box differs from what is around it.
+/// If it is not, the box may hold more than can be followed. Of the figures of all sizes up to it,
+/// the function takes the largest whose colors, as TargetColors would learn them, distinguish it
+/// from its surroundings nearly as well as those of the best figure. It contains the region if that
+/// is part of the object, or is the region. For an object of several colors, the result may be only
+/// the part that was clicked. Returns nothing if no box differs from its surroundings.
 std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::observation

@@ -7,14 +7,14 @@
 
 namespace dewpoint::observation {
 
-/// The part of a drawn box that is more figure than ground: boxes are drawn with a margin, and what
-/// is in the margin is not the target. Figure colors f come from the center of the box: its
-/// center-weighted histogram n is taken as half figure, half ground b (the box's surroundings), so
-/// that f = max(0, n - b / 2), normalized. With P = f / (f + b) for the color of a pixel, the
-/// result is the box of whole pixels within the drawn one, of at least half its width and height,
-/// with the greatest sum of P - 1/2 (the maximum subwindow). Where colors do not tell figure from
-/// ground (no box has a positive sum) it is the drawn box. `drawn` must have its center in the
-/// image (CV_8UC3).
+/// Returns the part of a drawn box that is more figure than ground. Boxes are drawn with a margin,
+/// and the margin does not show the target. The center-weighted histogram n of the box is taken as
+/// half figure, half ground b (the surroundings of the box). The figure colors are therefore f =
+/// max(0, n - b / 2), normalized. With P = f / (f + b) for the color of a pixel, the result is the
+/// box of whole pixels within the drawn one that has the greatest sum of P - 1/2 (the maximum
+/// subwindow). It has at least half the width and height of the drawn box. If colors do not
+/// separate figure from ground (no box has a positive sum), the result is the drawn box. `drawn`
+/// must have its center in the image (CV_8UC3).
 ImageBox figureBox(const cv::Mat& bgr, const ImageBox& drawn);
 
 } // namespace dewpoint::observation

@@ -8,18 +8,19 @@
 
 namespace dewpoint::observation {
 
-/// How much what fills a box differs in color from what is around it, for many boxes of one
-/// picture: center against surround, by color histograms (as Liu et al., Learning to detect a
-/// salient object, CVPR 2007, compare a rectangle with its ring).
+/// Color contrast between a box and its surroundings, for many boxes of one image: center against
+/// surround, by color histograms (Liu et al., Learning to detect a salient object, CVPR 2007,
+/// compare a rectangle with its ring in the same way).
 class FigureContrast {
 public:
-  /// Of a picture, CV_8UC3, and the pixel of it that is known to be of the figure.
+  /// Prepares an image, CV_8UC3. `pixel` is known to belong to the figure.
   FigureContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
-  /// At most 1. With f(c) and b(c) the softened shares of a color in the oval that touches the
-  /// box's sides and in the ring around it that is 1.6 times as large, it is the mean of
-  /// (f - b) / (f + b) over the pixels in the oval, times the mean at the known pixel. 0 where the
-  /// pixel has rather a color of the ring, or where there is no ring in the picture.
+  /// Contrast of a box, at most 1. f(c) and b(c) are the softened shares of a color in the oval
+  /// that touches the box's sides and in the ring around it that is 1.6 times as large. The
+  /// contrast is the mean of (f - b) / (f + b) over the pixels in the oval, times the mean at the
+  /// known pixel. It is 0 if the known pixel's color is more typical of the ring, or if no part of
+  /// the ring is in the image.
   double at(const ImageBox& box) const;
 
 private:
@@ -28,7 +29,7 @@ private:
     Shares counts{};
     double pixels = 0.0;
   };
-  /// Those in a rectangle that is rounded to pixels.
+  /// Adds the colors in a rectangle that is rounded to pixels.
   void add(double left, double top, double right, double bottom, Colors& colors) const;
   Colors inOval(const ImageBox& box) const;
   const int* upTo(int x, int y) const {
@@ -40,7 +41,7 @@ private:
   cv::Size size_;
   ColorPalette palette_;
   std::vector<int> sums_; ///< integral images: (rows + 1) x (columns + 1) x colors
-  Colors known_;          ///< at the pixel
+  Colors known_;          ///< colors at the known pixel
 };
 
 } // namespace dewpoint::observation

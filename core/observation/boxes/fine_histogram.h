@@ -9,27 +9,27 @@
 
 namespace dewpoint::observation {
 
-/// A color histogram of fine bins (fineRgbBin()), smoothed over neighboring bins; it sums to 1, or
-/// to 0 where there are no pixels.
+/// Color histogram with fine bins (fineRgbBin()), smoothed over neighboring bins. It sums to 1, or
+/// to 0 if there are no pixels.
 using FineHistogram = std::vector<double>;
 
-/// Share below which a color cannot be told from chance: one pixel of a thousand. Origin not
-/// recorded.
+/// Share below which a color cannot be distinguished from chance: one pixel in a thousand. Origin
+/// not recorded.
 inline constexpr double kChanceShare = 1e-3;
 
-/// The pixels of a box that lie in the image.
+/// Pixels of a box that lie in the image.
 cv::Rect pixelsOf(const ImageBox& box, const cv::Mat& image);
 
-/// The histogram of a part of an image (CV_8UC3).
+/// Histogram of a part of an image (CV_8UC3).
 FineHistogram fineHistogramOf(const cv::Mat& bgr, const cv::Rect& part);
 
-/// The histogram of the pixels of a box; they count by 1 - r² (Epanechnikov's kernel, equation 6 of
-/// Sugandi et al. 2009), where r is 1 on the ellipse that touches the sides: what a box is drawn
-/// around lies in its center.
+/// Histogram of the pixels of a box, weighted by 1 - r² (Epanechnikov's kernel, equation 6 of
+/// Sugandi et al. 2009). r is 1 on the ellipse that touches the sides. The object for which a box
+/// is drawn lies in its center.
 FineHistogram centralHistogramOf(const cv::Mat& bgr, const ImageBox& box);
 
-/// The histogram of the surroundings of a box: of a ring (70 %) and of all else (30 %), what the
-/// target may come to.
+/// Histogram of the surroundings of a box: a ring (70 %) and the rest of the image (30 %), through
+/// which the target may move.
 FineHistogram surroundingsOf(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

@@ -8,29 +8,30 @@
 
 namespace dewpoint::observation {
 
-/// D = max(g * M, p_B): the motion likelihood image of Mohedano et al. 2009, equation 8, CV_32FC1,
-/// of a mask M (CV_8UC1, 0 or 255). g is a Gaussian of `sigma` pixels, cut off at three of them;
-/// nothing moves outside the image.
+/// Computes the motion likelihood image D = max(g * M, p_B) of a mask M (CV_8UC1, 0 or 255), as
+/// CV_32FC1 (Mohedano et al. 2009, equation 8). g is a Gaussian with a standard deviation of
+/// `sigma` pixels, cut off at three of them. Pixels outside the image count as not moving.
 void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& likelihood);
 
-/// The color cue of the same paper, equations 10 to 13.
+/// Color cue of the same paper, equations 10 to 13.
 struct ColorCue {
-  double hueSigma = 0.04;        ///< sigma_h, of a hue in [0, 1]
+  double hueSigma = 0.04;        ///< sigma_h, for a hue in [0, 1]
   double saturationSigma = 0.08; ///< sigma_s
   double hueFloor = 0.3;         ///< h_B
   double saturationFloor = 0.3;  ///< s_B
 
-  /// log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue: its p(H) is the mean over all
-  /// hues, h_B + (1 - h_B), which is 1.
+  /// Log likelihood log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue. Its p(H) is
+  /// the mean over all hues, h_B + (1 - h_B), which is 1.
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
-  /// log(h_B s_B): the least that logLikelihood() gives, for a color that does not match at all.
+  /// Smallest value of logLikelihood(), log(h_B s_B), for a color that does not match at all.
   double logFloor() const;
 };
 
-/// Hue and saturation of a pixel in [0, 1] (HSI); the hue is NaN for gray.
+/// Hue and saturation (HSI) of a pixel, in [0, 1]. The hue is NaN for gray.
 Eigen::Vector2d hueAndSaturation(const unsigned char* bgr);
 
-/// The nearest pixel to a projection; false when that is outside, or the projection is NaN.
+/// Finds the pixel nearest to a projection. Returns false if the projection is outside the image or
+/// NaN.
 bool nearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel);
 
 } // namespace dewpoint::observation

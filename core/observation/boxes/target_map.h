@@ -11,18 +11,19 @@
 
 namespace dewpoint::observation {
 
-/// A map of the target's colors in a part of an image: for each part of the target an integral
-/// image (Crow 1984) of P(target | color), so that a box of any size costs a few look-ups. Whole
-/// numbers: sums are exact, up to 16 million pixels.
+/// Map of the target's colors in a part of an image. Each part of the target has an integral image
+/// (Crow 1984) of P(target | color), so a box of any size costs only a few look-ups. Values are
+/// whole numbers: sums are exact up to 16 million pixels.
 class TargetMap {
 public:
-  /// Computes the map for `region` of an image (CV_8UC3); pixels outside it are not the target's.
+  /// Computes the map for `region` of an image (CV_8UC3). Pixels outside it count as not the
+  /// target.
   void build(const cv::Mat& bgr, const cv::Rect& region, const TargetColors& colors);
-  /// Sum over the parts of a box of P(target | color of a pixel), px². Fractions of pixels count by
+  /// Sum of P(target | color of a pixel) over the parts of a box, px². Fractions of pixels count by
   /// their area (bilinear in the integral image).
   double sum(const ImageBox& box) const;
   const cv::Rect& region() const { return region_; }
-  /// About how many bytes a copy takes.
+  /// Approximate size of a copy, bytes.
   std::size_t memoryBytes() const {
     return sizeof(std::uint32_t) * integrals_.front().capacity() * integrals_.size();
   }

@@ -14,29 +14,30 @@
 
 namespace dewpoint::observation {
 
-/// Pieces a standing body is cut into, from the feet up.
+/// Number of pieces into which a standing body is divided, from the feet up.
 inline constexpr int kBodyPieces = 6;
 
-/// The silhouette of a standing person in a camera: one upright rectangle of pixels per piece of
-/// the body, also outside the image, half open as OpenCV has it. `visible` is false when the camera
-/// cannot show it (behind, or past its lens).
+/// Silhouette of a standing person in a camera: one upright rectangle of pixels per piece of the
+/// body, half open as in OpenCV. Rectangles may lie outside the image. `visible` is false if the
+/// camera cannot show the person (behind it, or beyond the valid range of its lens).
 struct BodySilhouette {
   std::array<cv::Rect, kBodyPieces> pieces;
   bool visible = false;
 };
 
-/// Half the width of a piece of a body of `height`, meters: legs, hips, trunk, shoulders, head.
+/// Half the width of a piece of a body of this `height`, meters. Pieces are legs, hips, trunk,
+/// shoulders and head.
 double bodyHalfWidth(int piece, double height);
 
-/// Draws bodies for one camera; prepared once, cheap per body.
+/// Computes silhouettes in one camera. Prepared once, cheap per body.
 class SilhouetteMaker {
 public:
   explicit SilhouetteMaker(const Camera& camera);
 
-  /// The silhouette of a person of `height` meters who stands at `position` (world x and y, meters)
-  /// on a floor at z = `floor` (m).
+  /// Silhouette of a person of `height` meters who stands at `position` (world x and y, meters) on
+  /// a floor at z = `floor` (m).
   BodySilhouette of(const Eigen::Vector2d& position, double floor, double height) const;
-  /// Meters in front of the camera.
+  /// Distance in front of the camera along its optical axis, meters.
   double depth(const Eigen::Vector3d& point) const { return axis_.dot(point - center_); }
 
 private:
@@ -46,17 +47,18 @@ private:
   double focal_ = 0.0;
 };
 
-/// How much better or worse pixels fit to a person than to nobody, summed up so that the sum over
-/// any rectangle takes four reads (Crow 1984): CV_32SC1, one row and column more than the image.
+/// Integral image of scores: the sum over any rectangle takes four reads (Crow 1984). A score says
+/// how much better or worse a pixel fits a person than no person. CV_32SC1, with one more row and
+/// column than the image.
 struct ScoreSums {
-  static constexpr int kUnit = 40;     ///< of a score of 1, as a byte
-  static constexpr int kNothing = 100; ///< the byte of a score of 0
+  static constexpr int kUnit = 40;     ///< byte value of a score of 1
+  static constexpr int kNothing = 100; ///< byte value of a score of 0
   cv::Mat sums;
 
-  /// From scores as bytes (CV_8UC1): kNothing + kUnit * score.
+  /// Builds the sums from scores stored as bytes (CV_8UC1): kNothing + kUnit * score.
   void build(const cv::Mat& bytes);
-  /// Mean over the pixels of a rectangle; what lies outside the image counts as nothing. NaN-free:
-  /// 0 for an empty rectangle.
+  /// Mean score over a rectangle. Pixels outside the image count as a score of 0. An empty
+  /// rectangle gives 0, never NaN.
   double mean(const cv::Rect& area) const {
     const int left = std::max(0, area.x);
     const int top = std::max(0, area.y);
@@ -73,12 +75,12 @@ struct ScoreSums {
   }
 };
 
-/// What a camera says about a person with this silhouette, in units of a fully visible one (1: all
-/// of it is foreground). A piece says at least `floor` (not more than 0): it may be hidden by
-/// furniture, or look like the room.
+/// Score of a camera for a person with this silhouette, in units of a fully visible person (1: all
+/// of it is foreground). The score of a piece is limited to at least `floor` (not more than 0),
+/// because furniture may hide it or it may look like the background.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
-/// The same of the upper half of the body alone: legs are hidden more often than heads.
+/// The same score for the upper half of the body only: legs are hidden more often than heads.
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
 } // namespace dewpoint::observation

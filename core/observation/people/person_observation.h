@@ -15,23 +15,24 @@
 
 namespace dewpoint::observation {
 
-/// What one camera shows, as the methods of Mohedano et al. 2009 use it.
+/// Data of one camera that the methods of Mohedano et al. 2009 use.
 struct PersonCamera {
   const Projector* projector = nullptr;
-  cv::Mat likelihood; ///< D, CV_32FC1; empty: the camera has no image
+  cv::Mat likelihood; ///< D, CV_32FC1; empty if the camera has no image
   cv::Mat image;      ///< CV_8UC3 of the same size; used by the color cue only
 };
 
-/// The observation model of Mohedano et al. 2009: the product over cameras of D at the particle's
-/// projection (MS), and of the color there (MS+C). States are x y z vx vy vz (meters, m/s) and,
-/// with a color cue, h s in [0, 1]. A particle outside a camera's image has the floor of each cue
-/// there, D = `floor` = p_B and h_B s_B: the paper is silent, and with no color factor leaving a
-/// view would be worth more than a wrong color within it.
+/// Observation model of Mohedano et al. 2009: the product over cameras of D at the particle's
+/// projection (MS), and of the color likelihood there (MS+C). States are x y z vx vy vz (meters,
+/// m/s) and, with a color cue, h s in [0, 1]. A particle outside a camera's image gets the floor of
+/// each cue: D = `floor` = p_B, and h_B s_B. The paper does not specify this case. Without a color
+/// factor there, leaving a view would score higher than a wrong color inside it.
 class PersonObservation {
 public:
   PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)
       : cameras_(std::move(cameras)), floor_(floor), color_(color) {}
 
+  /// Adds the log likelihood of each state.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
     constexpr Eigen::Index kBlock = 128;
     std::array<double, kBlock> column;

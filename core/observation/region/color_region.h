@@ -10,27 +10,26 @@
 
 namespace dewpoint::observation {
 
-/// A region of an image in the target's color, by its moments. Pixels.
+/// Region of an image in the target's color. Pixels.
 struct ColorRegion {
   double area = 0.0;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< second central moments, px²
-  cv::Rect box;                                         ///< the pixels it lies in
-  int rim = 0;       ///< pixels of it that have a neighbor (of four) which is not its color
-  int cutRim = 0;    ///< of these, at the border of the image
-  int hiddenRim = 0; ///< of these, beside something that may hide the target
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of its pixels, px²
+  cv::Rect box;                                         ///< bounding box
+  int rim = 0;       ///< pixels with a neighbor (of four) of another color
+  int cutRim = 0;    ///< of these, pixels at the border of the image
+  int hiddenRim = 0; ///< of these, pixels beside something that may hide the target
 
-  /// Share of the rim, 0 to 1, where the image or something else may end the region before the
-  /// target does.
+  /// Share of the rim, 0 to 1, where the image border or another object may cut the region off.
   double openShare() const { return rim > 0 ? static_cast<double>(cutRim + hiddenRim) / rim : 0.0; }
 };
 
-/// The regions of the target's color within `window`, largest first. Pieces that are at most four
-/// pixels apart are one; those of fewer than `leastArea` pixels are noise. Makes the labels of the
-/// window. A region that the window cuts is counted as far as it lies inside.
+/// Finds the regions of the target's color within `window`, largest first. Pieces at most four
+/// pixels apart form one region; regions of fewer than `leastArea` pixels are noise. The function
+/// computes the labels of the window. If the window cuts a region, only the part inside counts.
 std::vector<ColorRegion> findRegions(LabelImage& labels, const cv::Rect& window, double leastArea);
 
-/// The moments of two regions together.
+/// Joins two regions to one.
 ColorRegion joined(const ColorRegion& one, const ColorRegion& other);
 
 } // namespace dewpoint::observation

@@ -10,38 +10,38 @@
 
 namespace dewpoint::observation {
 
-/// What one image shows where the outline of a target of any shape is expected. Pixels.
+/// Measurement of a target of any shape in one image, near its expected outline. Pixels.
 struct RegionMeasurement {
-  bool inView = false;               ///< there is an image, and the outline's center lies in it
-  EllipseImage expected;             ///< the outline
-  std::optional<ColorRegion> region; ///< what is taken for the target; nothing: not seen
-  /// Share of the expected outline's area, 0 to 1, in which the target's color could be seen: not
-  /// outside the image, and nothing there that may hide it.
+  bool inView = false;               ///< the camera has an image that contains the outline's center
+  EllipseImage expected;             ///< expected outline
+  std::optional<ColorRegion> region; ///< region assigned to the target; nothing if it is not seen
+  /// Share of the expected outline's area, 0 to 1, in which the target's color could be seen:
+  /// inside the image, and not behind something that may hide it.
   double visible = 0.0;
-  double matched = 0.0; ///< share of that part that has the color
-  double ring = 0.0;    ///< share of a ring around the outline that has the color
-  /// From the centroid of that part to the outline's center.
+  double matched = 0.0; ///< share of that part that has the color, 0 to 1
+  double ring = 0.0;    ///< share of a ring around the outline that has the color, 0 to 1
+  /// Vector from the centroid of that part to the outline's center, pixels.
   Eigen::Vector2d centerFromVisible = Eigen::Vector2d::Zero();
 
-  /// Where the outline's center is by the region: its centroid, if what is hidden and outside the
-  /// image is as expected. There must be a region.
+  /// Center of the outline as measured by the region: its centroid, corrected for the expected
+  /// hidden part. There must be a region.
   Eigen::Vector2d center() const { return region->centroid + centerFromVisible; }
-  /// Share of the target that the region lacks, 0 to 1: of what is hidden or outside the image.
+  /// Share of the target, 0 to 1, that is hidden or outside the image.
   double missing() const { return 1.0 - visible; }
 };
 
-/// Measures the image of a target around its expected outline, whose center is uncertain by
-/// `centerCovariance` (px²). All pieces of the color that overlap with it belong to the target, as
-/// far as they go. Makes the labels that are needed.
+/// Measures a target in an image near its expected outline, whose center has the covariance
+/// `centerCovariance` (px²). All pieces of the color that overlap with it belong to the target, in
+/// full. Labels are computed as needed.
 RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected,
                                 const Eigen::Matrix2d& centerCovariance);
 
-/// The evidence of one image for a target of any shape, as a log likelihood ratio against "not
-/// there": its color inside the expected outline, of which it fills the share `fill` when it is
-/// seen, against its color in a ring around. At most SphereEvidence's: what an image shows is worth
-/// as much of a ball as of anything else.
+/// Log likelihood ratio of one image for a target of any shape, against "not there". It compares
+/// the target's color inside the expected outline, of which a visible target fills the share
+/// `fill`, with its color in a ring around it. The largest value is that of SphereEvidence: one
+/// image counts as much for any shape as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
-/// The evidence of an image that shows all of the target.
+/// Log likelihood ratio of an image that shows the whole target.
 double fullRegionEvidence();
 
 } // namespace dewpoint::observation

@@ -10,14 +10,15 @@
 
 namespace dewpoint::observation {
 
-/// The images of all cameras as a target of any shape is measured in them.
+/// Images of all cameras in which a target of any shape is measured.
 class RegionObservation {
 public:
+  /// One camera and its image.
   struct View {
     EllipsoidProjector projector;
     Unprojector unprojector;
-    LabelImage labels;       ///< empty: the camera has no image
-    double timeOffset = 0.0; ///< seconds after the frame's time
+    LabelImage labels;       ///< empty if the camera has no image
+    double timeOffset = 0.0; ///< time of the image after the frame's time, seconds
   };
 
   explicit RegionObservation(const CameraRig& rig) {
@@ -31,7 +32,7 @@ public:
   std::vector<View>& views() { return views_; }
   const std::vector<View>& views() const { return views_; }
 
-  /// As SphereObservation::setImage().
+  /// Sets the image of a camera, like SphereObservation::setImage().
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual) {

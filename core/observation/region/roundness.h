@@ -8,24 +8,25 @@
 
 namespace dewpoint::observation {
 
-/// How one image of a target compares with that of a ball.
+/// Difference between the image of a target and the image of a ball.
 struct Roundness {
-  double elongation = 0.0; ///< logarithm of the ratio of the axes by the second moments, at least 0
-  /// Area that the region lacks to fill the ellipse of its second moments, as a share of it: 0 of a
-  /// disc and of any other ellipse, 0.05 of a square, 0.17 of a triangle.
+  double elongation = 0.0; ///< log ratio of the axes of the pixel covariance, at least 0
+  /// Area by which the region falls short of the ellipse with the same pixel covariance, as a share
+  /// of that ellipse: 0 for any ellipse, 0.05 for a square, 0.17 for a triangle.
   double hollowness = 0.0;
-  /// Logarithm of the factor by which the region is larger than the outlines of two such balls that
-  /// touch (square root of the areas), 0 where it is not: a ball is all that there is of its color.
+  /// Logarithm of the factor (square root of the areas) by which the region is larger than the
+  /// outlines of two such balls that touch. 0 if it is not larger: the ball is then all there is of
+  /// its color.
   double excess = 0.0;
 };
 
-/// The roundness of a region relative to the outline of a ball at its place, which is an ellipse at
-/// the edge of a wide image.
+/// Roundness of a region relative to the outline of a ball at its position. At the edge of a wide
+/// image this outline is an ellipse.
 Roundness roundnessOf(const ColorRegion& region, const EllipseImage& ball);
 
-/// Logarithm of the ratio of the likelihoods of a region under "anything" and under "a ball";
-/// nothing when the region is too small. Where much of its rim ends at the image's border or beside
-/// what may hide it, only that it is larger than the ball says something, and it does then.
+/// Log likelihood ratio of a region under "any shape" against "a ball"; nothing if the region is
+/// too small. If much of the rim ends at the image border or beside something that may hide the
+/// target, only an excess in size counts as evidence.
 std::optional<double> shapeEvidence(const ColorRegion& region, const EllipseImage& ball);
 
 } // namespace dewpoint::observation

@@ -15,44 +15,45 @@
 
 namespace dewpoint::observation {
 
-/// A target's colors as each camera sees them while the light changes slowly. The bounds of the
-/// learned ranges follow the quantiles of the colors on the target: by as much as hue
-/// and saturation differ from those at first, and by the factor by which the intensity does. Where
-/// the background comes to have the target's color in the light of now (noise in the dark has any
-/// hue) a bound moves closer to its quantile, as long as that raises the F1 score of the pixels.
-/// Only frames in which the target is certain and not covered may be learned from.
+/// Colors of a target as each camera sees them while the light changes slowly. The bounds of the
+/// learned ranges follow the quantiles of the colors on the target: hue and saturation shift by
+/// their differences from the first quantiles, and intensity is scaled by its ratio to them. In the
+/// current light the background may have the target's color (in the dark, noise has any hue). A
+/// bound then moves closer to its quantile, as long as this raises the F1 score of the pixels. Only
+/// frames in which the target is certain and not covered may be used for learning.
 class AdaptiveColor {
 public:
-  /// At least one range; all have passed checkColorRange().
+  /// Starts from at least one range; all must have passed checkColorRange().
   AdaptiveColor(const ColorRanges& learned, std::size_t cameras);
 
-  /// The color as it was learned. Labels keep the addresses of this and of inUse(): both stay where
-  /// they are when the color is moved.
+  /// Color as first learned. Labels keep pointers to this and to inUse(), so neither changes its
+  /// address when the object is moved.
   const ColorClassifier& learned() const { return *learnedClassifier_; }
-  /// The color in use in one camera.
+  /// Color in use in one camera.
   const ColorClassifier& inUse(std::size_t camera) const { return cameras_.at(camera).classifier; }
   ColorRanges rangesInUse(std::size_t camera) const;
-  /// Of all cameras; empty while every one uses the ranges as they were learned.
+  /// Ranges in use in all cameras; empty while every camera uses the ranges as first learned.
   std::vector<ColorRanges> rangesInUse() const;
 
-  /// Back to what was learned, in all cameras.
+  /// Restores the learned ranges in all cameras.
   void forget();
-  /// Back to the first light of each camera: what follow() has changed is undone, reach() is not.
+  /// Restores the ranges of each camera's first light: undoes follow(), but not reach().
   void undoFollowing();
-  /// Takes the ranges for what they mean in the light of a camera's image, see reachInLight(). For
-  /// a target that is not tracked: what follow() has found out about this camera is lost.
+  /// Adjusts the ranges to the light of a camera's image, see reachInLight(). For a target that is
+  /// not tracked: if a range changes, all changes by follow() in this camera are lost.
   void reach(std::size_t camera, const cv::Mat& image);
-  /// Updates the color in one camera by an image (CV_8UC3) that shows the target whole and alone:
-  /// moves `share` (0 to 1) of the way to the colors there; a range of which too little is seen
-  /// stays. The first kReferenceUpdates updates of a range only measure its colors in the first
-  /// light. `others` are outlines of other objects of
-  /// its color. Does nothing where too few pixels inside the outline have about the color in use,
-  /// and takes no step that would let in more of the ring around the target, or of the rest of the
-  /// image, than is allowed. Returns whether a step was taken.
+  /// Updates the color in one camera from an image (CV_8UC3) that shows the target whole and alone.
+  /// The ranges move by `share` (0 to 1) of the way to the colors there; a range with too few
+  /// visible pixels stays unchanged. The first kReferenceUpdates updates of a range only measure
+  /// its colors in the first light. `others` are outlines of other objects of its color. Does
+  /// nothing if too few pixels inside the outline have approximately the color in use. A step that
+  /// would match too much of the ring around the target, or of the rest of the image, is not taken.
+  /// Returns whether a step was taken.
   bool follow(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
               const std::vector<SphereImage>& others, double share);
 
-  /// A third of a second; a judgment (docs/method-dewpoint.md, section 8).
+  /// Number of updates that only measure; a third of a second. A judgment (docs/method-dewpoint.md,
+  /// section 8).
   static constexpr int kReferenceUpdates = 10;
 
 private:
@@ -60,18 +61,19 @@ private:
     std::vector<FollowedRange> ranges;
     ColorClassifier classifier;
     int updateCount = 0;
-    double restShare = 0.0; ///< of the rest of the image that matched in the first light
+    double restShare = 0.0; ///< share of the rest of the image that matched in the first light
   };
   struct TargetImage;
   using Quantiles = FollowedRange::Quantiles;
-  /// Of each range; nothing where too few pixels have about its color.
+  /// Quantiles of each range; nothing if too few pixels have approximately its color.
   using Measured = std::vector<std::optional<Quantiles>>;
 
   static PerCamera startOf(const ColorRanges& base);
   static ColorRanges rangesOf(const PerCamera& camera);
-  /// Whether enough pixels of the target have about one of its colors.
+  /// Measures the quantiles. Returns whether enough pixels of the target have approximately one of
+  /// its colors.
   static bool measure(const PerCamera& camera, const TargetImage& target, Measured& measured);
-  /// The F1 score after the step; nothing when it was not taken.
+  /// Takes a step and returns the F1 score after it; nothing if the step was not taken.
   static std::optional<double> step(PerCamera& camera, const TargetImage& target,
                                     const Measured& next);
   static void tighten(PerCamera& camera, const TargetImage& target, double f1);

@@ -7,16 +7,15 @@
 
 namespace dewpoint::observation {
 
-/// The evidence of one camera alone for a target at one position.
+/// Evidence of one camera alone for a target at one position.
 struct CameraEvidence {
-  bool inView = false;               ///< there is an image, and the position projects into it
-  double logLikelihood = 0.0;        ///< by the method's own observation model; 0 if not in view
-  double existenceProbability = 0.5; ///< probability that the target is there, from even odds
+  bool inView = false;               ///< the camera has an image into which the position projects
+  double logLikelihood = 0.0;        ///< by the method's observation model; 0 if not in view
+  double existenceProbability = 0.5; ///< posterior from even odds
   double visible = 0.0; ///< share of the target's outline (or window) in its color, 0 to 1
 };
 
-/// Posterior probability of a hypothesis whose odds were even before:
-/// 1 / (1 + exp(-logLikelihoodRatio)).
+/// Posterior probability of a hypothesis with even prior odds: 1 / (1 + exp(-logLikelihoodRatio)).
 inline double probabilityFrom(double logLikelihoodRatio) {
   return 1.0 / (1.0 + std::exp(-logLikelihoodRatio));
 }

@@ -7,11 +7,12 @@
 
 namespace dewpoint::observation {
 
-/// How far a target's color reaches in the light of one image. A range is made in one light; in
-/// another its target is darker, paler or of a shifted hue, and a part of it lies outside. Each
-/// bound of `learned` is moved outward as long as what matches anew is joined to what matched
-/// before (the shaded side of the same thing) and not scattered over the rest of the image. `image`
-/// is CV_8UC3. Returns `learned` itself where nothing matches, or nothing is gained.
+/// Extends a target's color range to the light of one image. A range is learned in one light. In
+/// another light the target is darker, paler or shifted in hue, and part of it is outside the
+/// range. Each bound of `learned` is moved outward as long as the newly matching pixels are
+/// connected to those that matched before (the shaded side of the same object) and are not
+/// scattered over the rest of the image. `image` is CV_8UC3. Returns `learned` itself if nothing
+/// matches or nothing is gained.
 ColorRange reachInLight(const ColorRange& learned, const cv::Mat& image);
 
 } // namespace dewpoint::observation

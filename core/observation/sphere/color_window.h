@@ -17,12 +17,12 @@
 
 namespace dewpoint::observation {
 
-/// The color window of Barrera et al. 2005, equations 5 to 7. For camera c and the pixel u to which
-/// particle X projects (rounded to the nearest pixel), with m the number of pixels in the 5x5
-/// window around u whose color matches the target:
-///   p_c = 1/25 when u is outside the image or X behind the camera; else p_c = max(m, 1) / 25.
-/// A window cut by the border counts the pixels it has, the divisor stays 25. The likelihood is the
-/// product over the cameras; a camera without an image contributes nothing.
+/// Color window of Barrera et al. 2005, equations 5 to 7. A particle X projects to the pixel u
+/// (rounded) of camera c; m is the number of pixels in the 5x5 window around u whose color matches
+/// the target:
+/// p_c = 1/25 if u is outside the image or X is behind the camera; otherwise p_c = max(m, 1) / 25.
+/// If the border cuts a window, only the pixels inside count, and the divisor remains 25. The
+/// likelihood is the product over the cameras; a camera without an image contributes nothing.
 /// States: columns 0 to 2 are x, y, z in meters, world frame.
 class ColorWindow {
 public:
@@ -30,17 +30,19 @@ public:
 
   std::size_t cameraCount() const { return views_.size(); }
   void setClassifier(const ColorClassifier& classifier);
-  /// The image (CV_8UC3, blue green red) that a camera shows from now on; empty for none.
+  /// Sets the current image (CV_8UC3, blue green red) of a camera; empty for none.
   void setImage(std::size_t camera, const cv::Mat& image);
-  /// Chooses how windows are counted, given how many will be needed on these images (the particles
-  /// of all iterations): one by one, or from counts over the whole image where that takes less
-  /// time. The result is the same. Not to be called while other threads use the model.
+  /// Chooses how windows are counted: one by one, or from counts over the whole image if that is
+  /// faster. `windowCount` is the expected number of windows on these images (particles of all
+  /// iterations). The result is the same. Must not be called while other threads use the model.
   void prepare(std::int64_t windowCount);
 
+  /// Adds the log likelihood of each state.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
 
-  /// Matching pixels in the window around the projection of a point, 0 to 25; nothing when the
-  /// point is outside the image or behind the camera, or the camera has no image.
+  /// Number of matching pixels in the window around the projection of a world point (meters), 0 to
+  /// 25. Returns nothing if the point is outside the image or behind the camera, or the camera has
+  /// no image.
   std::optional<int> matchCount(std::size_t camera, const Eigen::Vector3d& pointWorld) const;
 
 private:

@@ -9,42 +9,45 @@
 
 namespace dewpoint::observation {
 
-/// One range of a target's color in one camera while the light changes slowly (AdaptiveColor): its
+/// One range of a target's color in one camera while the light changes slowly (AdaptiveColor). Its
 /// bounds follow the quantiles of the colors on the target.
 class FollowedRange {
 public:
-  /// Low and high quantiles: of hue (degrees from the center of the range), saturation, and the
-  /// logarithm of the intensity.
+  /// Number of bounds: low and high quantiles of hue (degrees from the center of the range),
+  /// saturation, and the logarithm of the intensity.
   static constexpr std::size_t kBounds = 6;
   using Quantiles = std::array<double, kBounds>;
 
-  /// `base` is the range in the first light.
+  /// Starts with `base`, the range in the first light.
   explicit FollowedRange(const ColorRange& base) : base_(base), inUse_(base) {}
 
   const ColorRange& base() const { return base_; }
   const ColorRange& inUse() const { return inUse_; }
-  /// The range in use with all bounds farther out: what lies within is about its color.
+  /// Range in use with all bounds moved outward. Colors inside are approximately the target's
+  /// color.
   ColorRange widened() const;
-  /// Where a color lies: hue in degrees from the center of the base, 0 for gray; saturation; the
+  /// Coordinates of a color: hue in degrees from the center of the base, 0 for gray; saturation;
   /// logarithm of the intensity, which must not be 0.
   std::array<double, 3> placeOf(const Hsi& color) const;
 
-  /// Takes quantiles of the first light into their mean. True as long as that is all that was done:
-  /// for the first `updates` calls.
+  /// Adds quantiles of the first light to their mean. Returns true for the first `updates` calls,
+  /// which do nothing else.
   bool takeReference(const Quantiles& measured, int updates);
-  /// `share` (0 to 1) of the way from the quantiles now to those measured.
+  /// Quantiles `share` (0 to 1) of the way from the current ones to the measured ones.
   Quantiles toward(const Quantiles& measured, double share) const;
-  /// The range of these quantiles.
+  /// Range that corresponds to these quantiles.
   ColorRange at(const Quantiles& quantiles) const { return rangeOf(quantiles, slack_); }
+  /// Makes these the current quantiles and updates the range in use.
   void moveTo(const Quantiles& quantiles);
 
-  /// How far a bound lies beyond its quantile, as a share of what was learned.
+  /// Distance of a bound beyond its quantile, as a share of the learned distance.
   double slack(std::size_t bound) const { return slack_[bound]; }
-  /// The range with another one; that in use where there is none.
+  /// Range in use with another slack of one bound; the current range if that is not usable.
   ColorRange withSlack(std::size_t bound, double slack) const;
+  /// Sets the slack of one bound and updates the range in use.
   void setSlack(std::size_t bound, double slack);
 
-  /// Whether colors can lie in a range that was computed.
+  /// Whether a computed range can contain colors.
   static bool isUsable(const ColorRange& range);
 
 private:
@@ -55,7 +58,7 @@ private:
   ColorRange base_;
   ColorRange inUse_;
   int updateCount_ = 0;
-  Quantiles reference_{}; ///< in the first light
+  Quantiles reference_{}; ///< quantiles in the first light
   Quantiles now_{};
   Quantiles slack_{1, 1, 1, 1, 1, 1};
 };

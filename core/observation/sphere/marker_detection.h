@@ -10,23 +10,23 @@
 
 namespace dewpoint::observation {
 
-/// Finds a ball by its color alone, for calibration, to a fraction of a pixel. Returns nothing
-/// rather than something wrong.
+/// Finds a ball by its color alone, for calibration, to a fraction of a pixel. When in doubt, it
+/// returns nothing.
 class MarkerDetector {
 public:
   explicit MarkerDetector(const ColorClassifier& classifier) : classifier_(classifier) {}
 
-  /// The ball in an image (CV_8UC3): the largest patch of its color, its outline fitted to the
-  /// colors (fitBallEdge()). Nothing if the patch is not round like a whole ball, touches the
-  /// border, has a radius below kLeastRadius, or has less than twice the area of all other patches
-  /// together.
+  /// Finds the ball in an image (CV_8UC3): the largest patch of its color, with the outline fitted
+  /// to the colors (fitBallEdge()). Returns nothing if the patch is not as round as a whole ball,
+  /// touches the border, has a radius below kLeastRadius, or has less than twice the area of all
+  /// other patches together.
   std::optional<MarkerImage> find(const cv::Mat& bgr);
 
   static constexpr double kLeastRadius = 2.0; ///< pixels; origin not recorded
 
 private:
   ColorClassifier classifier_;
-  cv::Mat match_, labels_, stats_, middles_; ///< kept from frame to frame
+  cv::Mat match_, labels_, stats_, middles_; ///< buffers, reused for each frame
 };
 
 } // namespace dewpoint::observation

@@ -15,22 +15,22 @@
 
 namespace dewpoint::observation {
 
-/// A sphere whose outlines cover pixels.
+/// Sphere whose outlines cover pixels.
 struct OutlineSphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
   double radius = 0.0;                              ///< meters
 };
 
-/// Share of a target's outline in its color at which a camera confirms it. A judgment
+/// Share of a target's outline in its color from which on a camera confirms it. A judgment
 /// (docs/method-dewpoint.md, section 4).
 inline constexpr double kSeenShare = 1.0 / 3.0;
-/// Share of a target's outline in its color at which nothing covers it. A judgment
+/// Share of a target's outline in its color from which on it counts as not covered. A judgment
 /// (docs/method-dewpoint.md, section 8).
 inline constexpr double kWholeShare = 0.85;
 
-/// All cameras' evidence for one target, a sphere of one color: the observation model of method
-/// `dewpoint`. States: columns 0 to 2 are x, y, z (meters, world frame), 3 to 5 the velocity (m/s),
-/// by which a position is moved to the time of a camera's exposure.
+/// Evidence of all cameras for one target, a sphere of one color: the observation model of method
+/// `dewpoint`. States: columns 0 to 2 are x, y, z (meters, world frame), 3 to 5 the velocity (m/s).
+/// The velocity moves a position to the time of a camera's exposure.
 class SphereObservation {
 public:
   explicit SphereObservation(const CameraRig& rig);
@@ -40,9 +40,9 @@ public:
   LabelImage& labels(std::size_t camera) { return views_[camera].labels; }
   const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
 
-  /// The image a camera shows from now on, taken `timeOffset` seconds after the frame's time.
-  /// Image, background and classifiers must outlive their use; `usual` is the color in the
-  /// reference light. An empty image: the camera is left out.
+  /// Sets the current image of a camera, taken `timeOffset` seconds after the frame's time. Image,
+  /// background and classifiers must outlive their use. `usual` classifies the color in the
+  /// reference light. With an empty image, the camera is left out.
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual);
@@ -50,38 +50,40 @@ public:
                 const BackgroundModel& background, const ColorClassifier& classifier) {
     setImage(camera, image, timeOffset, background, classifier, classifier);
   }
-  /// Radius of the sphere in meters, from now on.
+  /// Sets the radius of the sphere, meters.
   void setRadius(double radius) { radius_ = radius; }
   double radius() const { return radius_; }
 
-  /// Makes the labels that addLogLikelihood() will read for these states. Not to be called while
-  /// other threads use the model.
+  /// Computes the labels that addLogLikelihood() will read for these states. Must not be called
+  /// while other threads use the model.
   void cover(ConstStateRows rows);
-  /// Adds each state's log likelihood ratio (SphereEvidence), summed over the cameras.
+  /// Adds the log likelihood ratio (SphereEvidence) of each state, summed over the cameras.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
-  /// Both in one, with each state projected only once; the work is shared by the team.
+  /// Combines cover() and addLogLikelihood() and projects each state only once. The team shares the
+  /// work.
   Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
 
-  /// The log likelihood ratio of one position; labels are made as needed.
+  /// Log likelihood ratio of one position. Labels are computed as needed.
   double logLikelihoodRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
-  /// The increase of that ratio when samples in the ring that other spheres cover are not counted,
-  /// in each camera in which their center lies outside this outline: one inside it is the same
-  /// object, placed by wrongly crossed rays. The labels of the position must have been made.
+  /// Increase of that ratio if samples in the ring that other spheres cover are not counted. This
+  /// applies in each camera in which their center lies outside this outline. A center inside it is
+  /// the same object, positioned by wrongly paired rays. The labels of the position must exist.
   double explainedRingGain(const Eigen::Vector3d& center,
                            const std::vector<OutlineSphere>& others) const;
-  /// The ratio if every camera into whose image the position projects saw the target fully.
+  /// Log likelihood ratio if every camera into whose image the position projects saw the target
+  /// fully.
   double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
                                         const Eigen::Vector3d& velocity) const;
-  /// Whether a camera shows the target's rim, as far as nothing hides it: its color ends there.
-  /// What is only a part of something larger of its color has none.
+  /// Whether a camera shows the target's rim, where the color ends, as far as nothing hides it. A
+  /// part of a larger object of the same color has no rim.
   bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
-  /// Cameras with an image into which the position projects.
+  /// Number of cameras with an image into which the position projects.
   int camerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
-  /// The evidence of each camera for one position: SphereEvidence and the share of the outline
-  /// filled.
+  /// Evidence of each camera for one position: SphereEvidence and the share of the outline in the
+  /// target's color.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,
                                        const Eigen::Vector3d& velocity);
-  /// Cameras that see at least a third of the sphere's outline filled.
+  /// Number of cameras in which at least a third of the sphere's outline has its color.
   static int camerasSeeing(const std::vector<CameraEvidence>& cameras);
   int camerasSeeing(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
     return camerasSeeing(evidence(center, velocity));
@@ -95,10 +97,10 @@ private:
     SphereProjector projector;
     LabelImage labels;
     double timeOffset = 0.0;
-    std::vector<SphereImage> outlines; ///< scratch; radius 0: not to be seen
+    std::vector<SphereImage> outlines; ///< scratch; radius 0: not visible
   };
 
-  /// The outline of a state; radius 0 when this camera has no evidence.
+  /// Outline of a state; radius 0 if this camera has no evidence.
   SphereImage outlineOf(const View& view, ConstStateRows rows, Eigen::Index row) const;
 
   std::vector<View> views_;

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// All rendered scenarios, in the order of the report.
+/// All rendered scenarios in the order of the report.
 const std::vector<ScenarioDeclaration>& scenarioCatalog();
 
 } // namespace dewpoint::experiment

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment::scenarios {
 
-// The scenarios of each family, in the order of the report.
+// Scenarios of each family in the order of the report.
 std::vector<ScenarioRecipe> cleanScenarios();       ///< S0
 std::vector<ScenarioRecipe> distractorScenarios();  ///< S1
 std::vector<ScenarioRecipe> occlusionScenarios();   ///< S2

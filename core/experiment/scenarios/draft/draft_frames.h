@@ -8,8 +8,9 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Set `frame` of a finished draft as methods get it: stamped by its number, each image as late and
-/// with such a stamp as its camera's timing says, null where none comes. A pure function.
+/// Frame set `frame` of a finished draft as methods receive it. The set is stamped by its number.
+/// The delay and the time stamp of each image follow its camera's timing; an image that does not
+/// arrive is null. A pure function.
 FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame);
 
 } // namespace dewpoint::experiment::scenarios

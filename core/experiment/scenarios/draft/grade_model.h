@@ -9,46 +9,47 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// A number is drawn uniformly between these.
+/// Bounds of a number that is drawn uniformly.
 struct Range {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// How rough a grade is: what is drawn per camera and run, except where a line says otherwise.
-/// A camera's automatics, lens and clock are its own; lamps and shadow are the room's.
+/// Severity of the faults of a grade. Values are drawn per camera and run unless a line says
+/// otherwise. Automatic exposure, lens and clock belong to one camera; lamps and shadow belong to
+/// the room.
 struct GradeModel {
   const char* name = "";
 
   // Lens and sensor.
   Range psfSigmaPx;      ///< blur, pixels
-  Range fullWell;        ///< electrons at full scale with the gain that the light needs
+  Range fullWell;        ///< electrons at full scale, with the gain that the light requires
   Range readElectrons;   ///< standard deviation
-  Range contrast;        ///< exponent upon the tone curve
+  Range contrast;        ///< exponent applied to the tone curve
   Range sharpening;      ///< amount of the unsharp mask
   Range sharpeningSigma; ///< pixels
   Range jpegQuality;
-  Range vignette;           ///< light lost in the corners
-  double sideFalloff = 0.0; ///< light gained or lost towards a border, at most
+  Range vignette;           ///< share of light lost in the corners
+  double sideFalloff = 0.0; ///< largest share of light gained or lost toward a border
 
   // Exposure and white balance.
   Range exposureSeconds;
-  Range levelStops;        ///< where the exposure settles
-  Range firstStops;        ///< its error at frame 0
-  Range whiteBalanceStops; ///< lasting error of blue and of red
-  Range huntingStops;      ///< amplitude of what misleads the meter
+  Range levelStops;        ///< level at which the exposure settles
+  Range firstStops;        ///< error of the exposure at frame 0
+  Range whiteBalanceStops; ///< constant error of blue and red
+  Range huntingStops;      ///< amplitude of the disturbance of the meter
   Range huntingPeriod;     ///< seconds
   Range loopSpeed;         ///< share of the error corrected per frame
-  Range loopLag;           ///< frames
+  Range loopLag;           ///< delay of the correction, frames
 
   // Light; drawn once per run.
-  Range sideLamp;        ///< white, low, from the side; of full light, at the target
-  Range coloredLamp;     ///< of full light in green, at the target
+  Range sideLamp;        ///< white, low, from the side; as a share of full light, at the target
+  Range coloredLamp;     ///< as a share of full light in green, at the target
   Range coloredKelvin;   ///< its color temperature
-  Range shadowDepth;     ///< share of the room's lamp that the moving shadow takes
+  Range shadowDepth;     ///< share of the room lamp's light that the moving shadow takes
   Range shadowHalfWidth; ///< meters
   Range shadowSpeed;     ///< m/s
-  Range flickerDepth;    ///< amplitude, of the mean light; 100 or 120 Hz
+  Range flickerDepth;    ///< amplitude as a share of the mean light; 100 or 120 Hz
 
   // Time.
   Range readoutSeconds; ///< rolling shutter
@@ -59,37 +60,39 @@ struct GradeModel {
 
   // Calibration.
   CalibrationError calibration; ///< standard deviations
-  Range driftRadians;           ///< that the camera rotates by in the end, after the calibration
+  Range driftRadians;           ///< final rotation of the camera after calibration
   Range driftSettleSeconds;
 };
 
-/// Horizontal distance of lamps besides the room's own from the target's first position, meters:
-/// chosen, so that they stand inside the walls of the room with the desk (kDeskRoomHalf) and behind
-/// the cameras.
+/// Horizontal distance of additional lamps from the target's first position, meters. Chosen so that
+/// they are inside the walls of the room with the desk (kDeskRoomHalf) and behind the cameras.
 inline constexpr double kLampDistance = 1.5;
 
-/// The table of a grade; `Ideal` has none of it: all zeros.
+/// Returns the values of a grade. `Ideal` has no faults: all zeros.
 const GradeModel& gradeModel(Grade grade);
 
-/// What a run looks like, as far as faults depend on it.
+/// Properties of a run on which its faults depend.
 struct FaultContext {
   std::size_t cameras = 0;
   double seconds = 6.0; ///< length of the run
   double framesPerSecond = simulation::kUsualFrameRate;
-  double exposureSeconds = simulation::kUsualExposure; ///< the least
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();    ///< where the first target begins, world, m
-  double lampDistance = kLampDistance; ///< of further lamps from there, horizontally, meters
+  double exposureSeconds = simulation::kUsualExposure; ///< shortest exposure, seconds
+  /// First position of the first target, world, m.
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  /// Horizontal distance of additional lamps from there, meters.
+  double lampDistance = kLampDistance;
 };
 
-/// Faults of a run in a grade.
+/// Draws the faults of a run.
 SensingFaults drawFaults(const GradeModel& model, const FaultContext& context, Draws& draws);
 
-/// One camera of a grade from its lens to its stream, without flicker and automatics.
+/// Draws the image pipeline of one camera, from lens to video stream, without flicker and automatic
+/// exposure.
 simulation::SensorModel drawSensor(const GradeModel& model, const FaultContext& context,
                                    Draws& draws);
 
-/// Gives each camera one of the lenses of consumer cameras; `Ideal` leaves pinholes. There are only
-/// few, so that runs can share backgrounds.
+/// Gives each camera one of the lenses of consumer cameras; `Ideal` keeps pinholes. There are only
+/// a few lenses, so that runs can share backgrounds.
 void drawLenses(Grade grade, CameraRig& rig, Draws& draws);
 
 } // namespace dewpoint::experiment::scenarios

@@ -5,26 +5,26 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// How often a position is drawn again before a scenario gives up; chosen: a second or so.
+/// Number of attempts to draw a position before a scenario gives up; chosen: about a second.
 inline constexpr int kMostDraws = 4000;
-/// How often a whole layout is drawn again before a scenario gives up; chosen, as each costs many
-/// positions.
+/// Number of attempts to draw a whole layout before a scenario gives up; chosen, because each
+/// layout costs many positions.
 inline constexpr int kMostLayouts = 50;
 
-/// Frames of a run: 6 s at simulation::kUsualFrameRate, once round the smooth path; chosen.
+/// Frames of a run: 6 s at simulation::kUsualFrameRate, one round of the smooth path; chosen.
 inline constexpr std::int64_t kUsualFrames = 180;
 
-/// Where the middle of a ball's path on the desk is drawn, world, meters: chosen so that both
-/// cameras of the demo rig see all of most paths.
+/// Bounds of the center of a ball's path on the desk, world, meters. Chosen so that both cameras of
+/// the demo rig see most paths completely.
 inline const Eigen::Vector3d kPathLow{0.46, 0.46, 0.12};
 inline const Eigen::Vector3d kPathHigh{0.56, 0.58, 0.18};
 
-/// Seconds once round the smooth path, and the fast one: 0.1 to 0.3 m/s, and five times that.
+/// Seconds per round of the smooth path and of the fast one: 0.1 to 0.3 m/s, and five times that.
 inline constexpr double kSlowRound = 6.0;
 inline constexpr double kFastRound = 1.2;
 
-/// A closed path: center + extent .* (sin a, sin 2a, sin 3a), each with a phase of its own, once
-/// round in `period` seconds.
+/// Closed path: center + extent .* (sin a, sin 2a, sin 3a), with a separate phase per axis. One
+/// round takes `period` seconds.
 struct RoundPath {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
   Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< meters
@@ -33,24 +33,26 @@ struct RoundPath {
   Eigen::Vector3d operator()(double time) const;
 };
 
-/// True if the sphere's whole outline lies in the camera's image and nothing at rest hides it.
+/// Whether the sphere's whole outline is in the camera's image and nothing at rest hides it. World
+/// frame, meters.
 bool fullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
-/// True if the sphere's whole outline lies in the camera's image, hidden or not.
+/// Whether the sphere's whole outline is in the camera's image, hidden or not.
 bool withinImage(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
-/// As fullyVisible(), in every camera.
+/// Whether the sphere is fully visible in every camera.
 bool fullyVisible(const simulation::Stage& stage, const Eigen::Vector3d& center, double radius);
-/// The same at every frame of the draft.
+/// Whether the sphere is fully visible at every frame of the draft.
 bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, double radius);
 
-/// True if the outlines of two spheres are apart in the camera's image, by `gap` radians.
+/// Whether the outlines of two spheres are separated in the camera's image by more than `gap`
+/// radians.
 bool apart(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
            const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
 
-/// A path on the desk that stays in all images; `fast`: a round in kFastRound.
+/// Draws a path on the desk that stays in all images; `fast`: a round in kFastRound.
 std::optional<RoundPath> drawDeskPath(ScenarioDraft& draft, bool fast, double radius = kBallRadius);
 
-/// One ball to be tracked on a desk path for `frames` frames, and a search that starts near it;
-/// false when no path was found.
+/// Adds one ball to be tracked on a desk path for `frames` frames, and starts the search near it.
+/// Returns false if no path was found.
 bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast = false);
 
 } // namespace dewpoint::experiment::scenarios

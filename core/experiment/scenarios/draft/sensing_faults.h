@@ -13,36 +13,36 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// How wrong the calibration is that methods get: standard deviations.
+/// Errors of the calibration that methods receive: standard deviations.
 struct CalibrationError {
   double focal = 0.0;    ///< of the focal length, relative
   double position = 0.0; ///< per axis, meters
   double rotation = 0.0; ///< about a random axis, radians
-  double radial = 0.0;   ///< of the first coefficient of the radial distortion
+  double radial = 0.0;   ///< of the first radial distortion coefficient
   bool operator==(const CalibrationError&) const = default;
 };
 
-/// The camera as it is believed: the true one with errors drawn.
+/// Returns the calibration of a camera that methods receive: the true one with random errors.
 Camera miscalibrated(Camera camera, const CalibrationError& error, Draws& draws);
 
-/// Light that is not even over an image: shares of the light in its middle.
+/// Uneven light over an image, as shares of the light in the center.
 struct UnevenLight {
-  double vignette = 0.0; ///< lost in the corners
-  double right = 0.0;    ///< gained from the middle to the right border
-  double down = 0.0;
+  double vignette = 0.0; ///< share lost in the corners
+  double right = 0.0;    ///< share gained from the center to the right border
+  double down = 0.0;     ///< share gained from the center to the lower border
 };
 
-/// What is wrong with one camera.
+/// Faults of one camera.
 struct CameraFaults {
   simulation::SensorModel sensor;
-  /// Sets the gains of `sensor` unless it has some.
+  /// Sets the gains of `sensor` unless it already has some.
   std::optional<simulation::AutomaticGain> automatic;
   UnevenLight unevenLight;
   CameraTiming timing;
   CalibrationError calibration;
 };
 
-/// All that keeps images, time stamps and calibration of a run from being ideal.
+/// All faults of the images, time stamps and calibration of a run.
 struct SensingFaults {
   std::vector<CameraFaults> cameras;
   simulation::Illumination illumination;
@@ -50,11 +50,11 @@ struct SensingFaults {
 
 struct ScenarioDraft;
 
-/// Ideal cameras in the room's own light.
+/// Returns ideal cameras in the room's own light.
 SensingFaults noFaults(const ScenarioDraft& draft);
 
-/// Makes the draft's stage and time stamps those of the faults, and returns the calibration that
-/// methods get, with errors drawn from `draws`.
+/// Applies the faults to the draft's stage and time stamps. Returns the calibration that methods
+/// receive, with errors drawn from `draws`.
 CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, Draws& draws);
 
 } // namespace dewpoint::experiment::scenarios

@@ -6,14 +6,15 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Where a target is and how large it is at one time.
+/// Position and size of a target at one time.
 struct TargetTruth {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< world, meters
   TargetExtent extent;
 };
 
-/// Of a body of parts of which some are marked as target: the centroid and the extent of the space
-/// that those fill together, hidden or not. Of any other body: its path and its radius.
+/// Truth of a body. If some parts of the body are marked as target, it is the centroid and the
+/// extent of the space that these fill together, hidden or not. Otherwise it is the body's path and
+/// radius.
 TargetTruth targetTruth(const simulation::StageBody& body, double time);
 
 } // namespace dewpoint::experiment::scenarios

@@ -15,21 +15,21 @@
 
 namespace dewpoint::experiment {
 
-/// A scene of people as the cameras of a grade record it: what methods may know, and the truth.
+/// Scene of people as the cameras of a grade record it: what methods may know, and the truth.
 struct PeopleRecording {
   Grade grade = Grade::Ideal;
-  OfficeScene scene; ///< its cameras are the true ones
-  CameraRig rig;     ///< the cameras as methods believe them
-  std::vector<std::shared_ptr<const simulation::RoomView>> views; ///< of the true cameras
-  /// The images of frame k as they come: late, with time stamps that are off, null where a frame is
-  /// dropped. A pure function.
+  OfficeScene scene; ///< has the true cameras
+  CameraRig rig;     ///< calibration that methods receive
+  std::vector<std::shared_ptr<const simulation::RoomView>> views; ///< views of the true cameras
+  /// Images of frame k as they arrive: delayed, with errors in the time stamps, null where a frame
+  /// is dropped. A pure function.
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
 
-/// Grade `Ideal` leaves the scene as it is; `Room` and `Wild` draw what is wrong with its images,
-/// time stamps and calibration from the scene's seed and the scenario's `name`, as GradeModel says;
-/// `Wild` also puts the cameras up elsewhere and changes the room, see wildOffice(). The empty room
-/// that methods learn from comes from the same cameras as all else. Not for `Real`.
+/// Records a scene. Grade `Ideal` leaves the scene unchanged. `Room` and `Wild` draw the faults of
+/// images, time stamps and calibration from the scene's seed and the scenario's `name`, as defined
+/// by GradeModel. `Wild` also moves the cameras and changes the room, see wildOffice(). The
+/// background image that methods learn from comes from the same cameras. Not for `Real`.
 PeopleRecording recordPeople(const std::string& name, OfficeScene scene, Grade grade,
                              simulation::ViewCache& views);
 

@@ -16,20 +16,22 @@ enum class PeopleClothes { Different, Similar };
 /// People in the simulated office, drawn from a seed.
 struct PeopleScenario {
   OfficeScene scene;
-  /// Instants between which identities are to be kept, seconds: before and after people meet.
+  /// Times between which identities must be kept, seconds: before and after people meet.
   double before = 0.0;
   double after = 0.0;
 };
 
-/// Those of Mohedano et al. 2009: "crossing", "meet-and-turn", "side-by-side", "enter-leave", and
-/// "apart", the easy case; then what people also do: "heights", "sitting", "carrying", "crowd",
-/// "two-cameras", "contact", "furniture-moved", "room-clothes" and "patterned-clothes".
+/// Names of all scenarios. Those of Mohedano et al. 2009 come first: "crossing", "meet-and-turn",
+/// "side-by-side", "enter-leave", and the easy case "apart". Then come everyday scenes: "heights",
+/// "sitting", "carrying", "crowd", "two-cameras", "contact", "furniture-moved", "room-clothes" and
+/// "patterned-clothes".
 const std::vector<std::string>& peopleScenarioNames();
-/// What happens in it, one sentence.
+/// Describes what happens in a scenario, in one sentence.
 std::string peopleScenarioSentence(const std::string& name);
-/// Whether it is a scene of Mohedano et al. 2009.
+/// Whether a scenario is from Mohedano et al. 2009.
 bool isPeopleScenarioOfPaper(const std::string& name);
-/// NotFound for an unknown name; Undetermined when the seed draws no ways that are possible.
+/// Makes a scenario. NotFound for an unknown name; Undetermined if the seed yields no possible
+/// paths.
 Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes clothes,
                                           std::uint64_t seed);
 

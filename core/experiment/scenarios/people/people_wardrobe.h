@@ -8,10 +8,10 @@
 
 namespace dewpoint::experiment {
 
-/// Draws heights of 1.62 to 1.88 m and plain clothes for all.
+/// Draws heights of 1.62 to 1.88 m and plain clothes for all people.
 void dress(std::vector<simulation::Walker>& people, PeopleClothes clothes, Draws& draws);
 
-/// Draws clothes of the colors of the office instead: of its walls, floor, wood and partition. With
+/// Draws clothes in the colors of the office (walls, floor, wood and partition) instead. With
 /// PeopleClothes::Similar all wear the same.
 void dressLikeTheRoom(PeopleScenario& scenario, PeopleClothes clothes, Draws& draws);
 

@@ -8,15 +8,16 @@
 
 namespace dewpoint::experiment {
 
-/// The office of a run of grade `Wild`, and the cameras in it.
+/// Office of a run of grade `Wild`, and its cameras.
 struct WildOffice {
   CameraRig rig;
   simulation::RoomDesign design;
 };
 
-/// Cameras put up by somebody else (along the walls, lower or higher, with other lenses and another
-/// aim), walls of another color, posters on them, some of the color of somebody's shirt, and the
-/// lamp elsewhere. Who walks where stays.
+/// Makes an office of grade `Wild`: cameras mounted differently (along the walls, lower or higher,
+/// with other lenses and aimed elsewhere), walls of another color, posters, some of them in the
+/// color of a person's shirt, and the lamp at another position. The paths of the people do not
+/// change.
 WildOffice wildOffice(const OfficeScene& scene, Draws& draws);
 
 } // namespace dewpoint::experiment

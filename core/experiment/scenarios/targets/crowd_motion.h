@@ -12,22 +12,23 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Balls at the start of their motion. Meters, m/s.
+/// Positions and velocities of balls at the start. Meters, m/s.
 struct CrowdStart {
   std::vector<Eigen::Vector3d> positions;
-  std::vector<Eigen::Vector3d> velocities; ///< as many
+  std::vector<Eigen::Vector3d> velocities; ///< one per position
 };
 
-/// Equal balls without weight that fly in a box and rebound elastically from its walls and from
-/// each other, where their centers are two radii apart. Computed once, 240 times a second; between
-/// two of these instants they move straight.
+/// Motion of equal, weightless balls that fly in a box and rebound elastically from its walls and
+/// from each other, when their centers are two radii apart. It is computed once, 240 times per
+/// second; between these instants the balls move straight.
 class CrowdMotion {
 public:
-  /// `region` holds the balls' centers; `start` has them in it and no nearer than two radii.
+  /// `region` bounds the centers of the balls; in `start` they are inside it and at least two radii
+  /// apart.
   CrowdMotion(const CrowdStart& start, const Eigen::AlignedBox3d& region, double radius,
               double seconds);
 
-  /// Where a ball is; before the start as at the start, after the end as at the end.
+  /// Position of a ball. Before the start it is the first position, after the end the last.
   Eigen::Vector3d position(std::size_t ball, double time) const;
 
 private:
@@ -35,7 +36,7 @@ private:
   std::vector<Eigen::Vector3d> positions_; ///< [instant * count_ + ball]
 };
 
-/// The path of one ball, which keeps the motion alive.
+/// Path of one ball; it shares ownership of the motion.
 simulation::Path pathOf(std::shared_ptr<const CrowdMotion> motion, std::size_t ball);
 
 } // namespace dewpoint::experiment::scenarios

@@ -9,12 +9,12 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// A round path that is left for a while: from second `begin` on the ball moves aside within
-/// `reach` seconds, stays aside for `hold` seconds, and comes back within `reach` seconds.
+/// Round path with a temporary detour. From second `begin` on, the ball moves aside within `reach`
+/// seconds, stays aside for `hold` seconds, and returns within `reach` seconds.
 struct Excursion {
   RoundPath base;
-  Eigen::Vector3d out = Eigen::Vector3d::Zero(); ///< how far aside it is when it gets there, meters
-  Eigen::Vector3d back = Eigen::Vector3d::Zero(); ///< and when it sets out to come back
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();  ///< offset when it has moved aside, meters
+  Eigen::Vector3d back = Eigen::Vector3d::Zero(); ///< offset when it starts to return, meters
   double begin = 1.5;
   double reach = 0.7;
   double hold = 1.2;
@@ -25,12 +25,13 @@ struct Excursion {
   Eigen::Vector3d operator()(double time) const;
 };
 
-/// How much of a ball an image shows, as far as its borders and what is at rest in the room go.
+/// How much of a ball an image shows, considering the image border and objects at rest in the room.
 enum class Showing { Nothing, Part, Whole };
+/// How much of the ball (world frame, meters) the image shows.
 Showing showingOf(const simulation::RoomView& view, const Eigen::Vector3d& center, double radius);
 
-/// Adds the events UnseenBegin and UnseenEnd of each camera with `isSeen(camera, frame)`, and those
-/// of all cameras together (camera -1) where none sees the target.
+/// Adds the events UnseenBegin and UnseenEnd of each camera, according to `isSeen(camera, frame)`.
+/// Adds those of all cameras together (camera -1) where no camera sees the target.
 void addUnseenEvents(ScenarioDraft& draft,
                      const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen);
 

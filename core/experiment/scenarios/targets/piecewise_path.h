@@ -7,28 +7,28 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Free fall, m/s² (standard gravity to two places).
+/// Acceleration of free fall, m/s² (standard gravity to two decimals).
 inline const Eigen::Vector3d kGravity{0.0, 0.0, -9.81};
 
-/// A path of pieces with a constant acceleration each, appended one after the other from time 0 on:
-/// what rests, falls, is thrown or bounces. World frame; meters, seconds.
+/// Path of pieces with constant acceleration, appended from time 0 on: for a body that rests,
+/// falls, is thrown or bounces. World frame; meters, seconds.
 class PiecewisePath {
 public:
   explicit PiecewisePath(const Eigen::Vector3d& start) : position_(start) {}
 
-  /// Goes on with this acceleration, m/s².
+  /// Continues with this acceleration, m/s².
   void accelerate(const Eigen::Vector3d& acceleration, double seconds);
-  /// Stops at once.
+  /// Stops immediately and stays at rest.
   void rest(double seconds);
-  /// Goes on with another velocity, m/s: a push or a bounce.
+  /// Continues with another velocity, m/s: a push or a bounce.
   void setVelocity(const Eigen::Vector3d& velocity) { velocity_ = velocity; }
 
-  /// Where and how fast it is at its end so far, and when that is.
+  /// Position, velocity and time at the current end of the path.
   const Eigen::Vector3d& position() const { return position_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
   double end() const { return end_; }
 
-  /// The position at a time; before the start that of the start, after the end that of the end.
+  /// Position at a time. Before the start it is the first position, after the end the last.
   Eigen::Vector3d operator()(double time) const;
 
 private:
@@ -45,21 +45,23 @@ private:
   double end_ = 0.0;
 };
 
-/// From rest to rest at `to`: a hand speeds the ball up, it flies freely for `flight` seconds, and
-/// a hand slows it down.
+/// Adds a throw from rest to rest at `to`: a hand accelerates the ball, it flies freely for
+/// `flight` seconds, and a hand slows it down.
 void addThrow(PiecewisePath& path, const Eigen::Vector3d& to, double flight);
 
-/// From rest to rest at `to` along a straight line: speeds up for half of the time.
+/// Adds a movement from rest to rest at `to` along a straight line; it accelerates for half of the
+/// time.
 void addCarry(PiecewisePath& path, const Eigen::Vector3d& to, double seconds);
 
-/// How a ball bounces on a level floor.
+/// Properties of a ball that bounces on a level floor.
 struct Bounce {
   double floor = 0.0;       ///< height of the ball's center in contact, meters
-  double restitution = 0.7; ///< of the speed across the floor, 0 to 1
+  double restitution = 0.7; ///< of the speed perpendicular to the floor, 0 to 1
   double slide = 0.9;       ///< of the speed along the floor
 };
 
-/// Falls and bounces until it would rise by less than a millimeter; then it lies still.
+/// Adds a fall with bounces until the ball would rise by less than a millimeter; then it lies
+/// still.
 void addBounces(PiecewisePath& path, const Bounce& bounce);
 
 } // namespace dewpoint::experiment::scenarios

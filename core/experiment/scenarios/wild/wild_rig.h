@@ -7,21 +7,22 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Cameras of grade `wild`, and what they make of the scene.
+/// Cameras of grade `wild`, and the scales of the scene that they require.
 struct WildRig {
   CameraRig rig;
-  double radiusScale = 1.0; ///< of the balls, so that they can be small in the images
-  double pathScale = 1.0;   ///< of the smooth paths, so that they stay in the images
+  double radiusScale = 1.0; ///< factor of the balls' radius, so that they can be small in images
+  double pathScale = 1.0;   ///< factor of smooth paths, so that they stay in the images
 };
 
-/// How often another rig is drawn when a scenario finds no position in one; chosen: few, as
-/// each needs a room to be rendered.
+/// Number of rigs that are drawn before a scenario finds no position; chosen: few, because each
+/// requires rendering a room.
 inline constexpr int kMostRigs = 6;
 
-/// Another rig than a scenario's own: each camera elsewhere by up to 0.3 radians around the middle
-/// of the volume and 15 % in distance, tilted, and with a focal length and a resolution for which a
-/// target in the middle measures from 4 pixels to half of the image, evenly in the logarithm. From
-/// attempt to attempt (0 to kMostRigs - 1) the largest targets come nearer to their usual size.
+/// Draws another rig than a scenario's own. Each camera is moved by up to 0.3 radians around the
+/// center of the volume and by 15 % in distance, and is tilted. Its focal length and resolution are
+/// such that a target in the center measures from 4 pixels to half of the image, uniformly in the
+/// logarithm. With each attempt (0 to kMostRigs - 1) the largest targets come closer to their usual
+/// size.
 WildRig drawRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt, Draws& draws);
 
 } // namespace dewpoint::experiment::scenarios

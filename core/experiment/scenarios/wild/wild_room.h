@@ -11,16 +11,16 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Furniture of grade `wild`: clutter of any shape, size and color that stands clear of the middle
-/// of the volume and of the cameras, posters, walls of another color and a lamp that hangs
-/// elsewhere. Some of it has about the target's color (BGR in full light).
+/// Draws furniture of grade `wild`: clutter of any shape, size and color that stays clear of the
+/// center of the volume and of the cameras, posters, walls of another color and a lamp at another
+/// position. Some of it has approximately the target's color (BGR in full light).
 simulation::RoomDesign drawRoom(simulation::Furnishing furnishing, const CameraRig& rig,
                                 Draws& draws,
                                 const Eigen::Vector3d& targetColor = simulation::kUsualBallColor);
 
-/// None to three people who walk along two walls of a room with a desk, behind the cameras' volume,
-/// while a run of `seconds` lasts; some wear the target's color. Nobody in the hall, whose volume
-/// reaches its walls.
+/// Draws up to three people who walk along two walls of a room with a desk, behind the cameras'
+/// volume, for a run of `seconds`. Some wear the target's color. The hall has no people, because
+/// its volume reaches its walls.
 std::vector<simulation::Walker>
 drawPeople(simulation::Furnishing furnishing, double seconds, Draws& draws,
            const Eigen::Vector3d& targetColor = simulation::kUsualBallColor);
