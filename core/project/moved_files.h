@@ -8,7 +8,7 @@
 
 namespace dewpoint::project {
 
-/// Where files are that a project names elsewhere, by the absolute path that it names.
+/// Present location of each file that moved, by the absolute path that the project names.
 using MovedFiles = std::map<std::filesystem::path, std::filesystem::path>;
 
 } // namespace dewpoint::project

@@ -17,34 +17,36 @@
 
 namespace dewpoint::project {
 
+/// Kind of source that a camera takes its images from.
 enum class SourceKind { Simulation, Video, Images, Device, Stream };
 
-/// A camera of a project: where its images come from, and its calibration.
+/// One camera of a project: the source of its images, and its calibration.
 struct ProjectCamera {
   Camera camera;
   SourceKind source = SourceKind::Simulation;
-  std::string location;  ///< absolute path of the video or image folder, device, or address
-  int rotateDegrees = 0; ///< images are rotated clockwise by 0, 90, 180 or 270 before use
-  bool mirrored = false; ///< and then mirrored left to right
-  /// Of a simulated camera: its calibration is the project's own, not what the scene says.
+  std::string location;  ///< absolute path of a video or image folder, device, or address
+  int rotateDegrees = 0; ///< images are rotated clockwise by 0, 90, 180 or 270 degrees before use
+  bool mirrored = false; ///< images are mirrored left to right after the rotation
+  /// True if the calibration of a simulated camera is the project's own instead of the scene's.
   bool adjusted = false;
-  /// Absolute path of an image, a video or a folder of images that show the scene without any
-  /// target, not yet rotated; empty: there is none.
+  /// Absolute path of the background image: an image, a video or a folder of images that show the
+  /// scene without any target, not yet rotated. Empty if there is none.
   std::string emptyRoom = {};
-  /// Absolute path of a table that says when each of its images was taken (recordings); empty:
-  /// they were taken evenly.
+  /// Absolute path of a table with the time of each image (recordings only). Empty if the images
+  /// have equal intervals.
   std::string times = {};
-  /// Seconds by which its images are late: what they show was so much before their time. Of
-  /// recordings the image nearest in time is taken; methods that know of times use the rest.
+  /// Delay of the images in seconds: they show what happened this long before their time. In a
+  /// recording, the image nearest in time is used; methods that can use times correct for the rest.
   double delay = 0.0;
 
-  /// Its calibration is the project's own from now on.
+  /// Marks the calibration of a simulated camera as the project's own. Does nothing for other
+  /// cameras.
   void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
 
   bool operator==(const ProjectCamera&) const = default;
 };
 
-/// A marker: a frame of the recording with a name that the user gave it.
+/// A marker: a frame of the recording with a name given by the user.
 struct ProjectMarker {
   std::int64_t frame = 0;
   std::string name;
@@ -52,77 +54,80 @@ struct ProjectMarker {
   bool operator==(const ProjectMarker&) const = default;
 };
 
-/// A correction of the people in a recording, made in the window, for methods that find people by
-/// themselves: a person stands at a position, is seen at a pixel, or is not there.
+/// Correction made by the user for methods that find people automatically. It states that a person
+/// stands at a position, that a person is seen at a pixel, or that no person is there.
 struct PersonCorrection {
-  /// A click on somebody in the image of a camera.
+  /// Click on a person in the image of one camera.
   struct Click {
+    /// Index of the camera in Project::cameras.
     int camera = 0;
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 
     bool operator==(const Click&) const = default;
   };
 
-  std::int64_t frame = 0; ///< it holds from the end of this frame on
-  /// On the floor, world x and y in meters. Either this or `click` is there.
+  std::int64_t frame = 0; ///< the correction holds from the end of this frame on
+  /// Position on the floor: world x and y in meters. Either this or `click` is set.
   std::optional<Eigen::Vector2d> position = {};
   std::optional<Click> click = {};
-  /// False, only with a position: the person whom the method tracks there does not exist.
+  /// False if the person tracked at `position` does not exist. Requires `position`.
   bool present = true;
 
   bool operator==(const PersonCorrection&) const = default;
 };
 
-/// A correction of where a target is, made at one frame of a recording. World frame, meters.
+/// Correction of a target's position in one frame of a recording. World frame, meters.
 struct PositionCorrection {
-  std::int64_t frame = 0; ///< it holds from the end of this frame on
+  std::int64_t frame = 0; ///< the correction holds from the end of this frame on
   int target = 0;         ///< index in Project::targets
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity(); ///< of the position, m²
-  /// The clicks on the target that it was made of, in images of this frame; at most one per camera.
+  /// Clicks on the target from which the position was computed, in images of this frame; at most
+  /// one per camera.
   std::vector<PointClick> clicks = {};
-  /// The frame of the correction by a person from which this one was found, by tracking back in
-  /// time; nothing: a person made it.
+  /// Frame of the user's correction from which this one was found by tracking backward in time.
+  /// Empty if the user made this correction.
   std::optional<std::int64_t> trackedFrom = std::nullopt;
 
   bool operator==(const PositionCorrection&) const = default;
 };
 
-/// The document: everything a run needs, and nothing of its results.
+/// A project: everything that a run needs, and none of its results.
 struct Project {
-  std::filesystem::path file; ///< where it was loaded from; empty for the built-in demo
+  std::filesystem::path file; ///< file it was loaded from; empty for the built-in demo
   std::string name;
   std::string method = "dewpoint";
   std::uint64_t seed = 1;
-  double framesPerSecond = 0.0; ///< for image folders; 0: what the source says, or 30
+  double framesPerSecond = 0.0; ///< frame rate of image folders; 0: rate of the source, or 30
   ParameterValues parameters;
   std::vector<Target> targets;
   std::vector<ProjectCamera> cameras;
-  std::optional<std::filesystem::path> truth;  ///< truth.csv, absolute
-  std::string scene;                           ///< name or file of the simulated scene, or empty
-  std::vector<ProjectMarker> markers;          ///< in the order of their frames
-  std::optional<ReferenceGrid> grid;           ///< laid over the images to adjust cameras by hand
-  std::vector<MeasuredPoint> points;           ///< measured with a tape, clicked in the images
-  std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for in it alone
-  std::vector<PersonCorrection> people;        ///< in the order of their frames
-  std::vector<PositionCorrection> corrections; ///< in the order of their frames
-  std::string layout; ///< of the window's views, as the window wrote it; empty: its own arrangement
+  std::optional<std::filesystem::path> truth; ///< absolute path of truth.csv
+  std::string scene; ///< name or file of the simulated scene; empty if there is none
+  std::vector<ProjectMarker> markers;          ///< ordered by frame
+  std::optional<ReferenceGrid> grid;           ///< drawn over the images to adjust cameras by hand
+  std::vector<MeasuredPoint> points;           ///< measured in the room and clicked in the images
+  std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for only inside it
+  std::vector<PersonCorrection> people;        ///< corrections of people, ordered by frame
+  std::vector<PositionCorrection> corrections; ///< corrections of targets, ordered by frame
+  std::string layout; ///< layout of the views as the window saved it; empty: default layout
 
   bool operator==(const Project&) const = default;
 };
 
-/// The parameters with which a project is tracked: see tracking::parametersInUse().
+/// Returns the parameters with which a project is tracked; see tracking::parametersInUse().
 ParameterValues parametersInUse(const Project& project);
 
-/// Puts a correction behind those of its frame.
+/// Inserts a correction after the others of its frame.
 void addPerson(Project& project, const PersonCorrection& person);
-/// Puts a correction in place of that of the same target and frame, else behind those of its frame.
-/// With one by a person, those go that were tracked back from the one it replaces, and those before
-/// it that were tracked back across its frame: they were elsewhere.
+/// Inserts a correction after the others of its frame, or replaces the one of the same target and
+/// frame. A correction made by the user also removes tracked-back corrections that no longer hold:
+/// those that started from the replaced correction, and earlier ones that were tracked back across
+/// its frame.
 void addCorrection(Project& project, const PositionCorrection& correction);
-/// Removes the correction of a target at a frame, and those that were tracked back from it.
+/// Removes the correction of a target in a frame, and those that were tracked back from it.
 void removeCorrection(Project& project, std::int64_t frame, int target);
-/// Removes a target and its corrections.
+/// Removes the target with this index, and its corrections.
 void removeTarget(Project& project, std::size_t index);
 
 } // namespace dewpoint::project

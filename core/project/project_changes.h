@@ -5,31 +5,33 @@
 
 namespace dewpoint::project {
 
-/// What differs between two states of a project, as far as someone has to act on it.
+/// Differences between two states of a project that require an action.
 struct ProjectChanges {
   bool name = false;
   bool method = false;
   bool seed = false;
-  bool parameters = false;  ///< values under the same method
-  bool targets = false;     ///< their number, order, names, colors or radii
-  bool boxes = false;       ///< of them, those that are followed by methods that follow boxes
-  bool calibration = false; ///< of cameras that are otherwise the same
+  bool parameters = false;  ///< values of parameters, with the same method
+  bool targets = false;     ///< number, order, names, colors or radii of targets
+  bool boxes = false;       ///< image targets, for methods that track bounding boxes
+  bool calibration = false; ///< calibration of cameras with the same sources
   bool markers = false;
-  bool grid = false;        ///< the reference grid
-  bool volume = false;      ///< the volume of interest
+  bool grid = false;        ///< reference grid
+  bool volume = false;      ///< volume of interest
   bool points = false;      ///< measured points and their clicks
-  bool people = false;      ///< corrections of who is there
-  bool corrections = false; ///< of where targets are
-  bool emptyRooms = false;  ///< of cameras with the same sources
-  bool sources = false;     ///< which cameras there are, and where images and truth come from
+  bool people = false;      ///< corrections of people
+  bool corrections = false; ///< corrections of targets' positions
+  bool emptyRooms = false;  ///< background images of cameras with the same sources
+  bool sources = false;     ///< set of cameras, or the sources of images and truth
 
+  /// Returns whether any edit was made; `boxes` implies `targets`.
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || markers ||
            grid || points || people || corrections || emptyRooms || volume;
   }
 };
 
-/// Neither the file nor the layout of the window counts: they are no edits.
+/// Returns what differs between two states. Differences in the project's file path or the window
+/// layout do not count as edits.
 ProjectChanges changesBetween(const Project& before, const Project& after);
 
 } // namespace dewpoint::project

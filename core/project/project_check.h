@@ -6,12 +6,12 @@
 
 namespace dewpoint::project {
 
-/// Whether a run can be made of it: names that are there and differ, usable color ranges and radii,
-/// positive image sizes. The error names the field as the project file does.
+/// Checks that a project can be run: names are present and unique, color ranges and radii are
+/// usable, and image sizes are positive. The error names the field as the project file does.
 Status checkProject(const Project& project);
 
-/// Whether a project names what its method is to follow; MissingKey names "target" and says what is
-/// missing.
+/// Checks that a project names the targets its method needs. Otherwise returns MissingKey, which
+/// names "target" and says what is missing.
 Status checkMethodTargets(const Project& project);
 
 } // namespace dewpoint::project

@@ -7,11 +7,11 @@
 
 namespace dewpoint::project {
 
-/// The TOML text `fresh` with the comments that the user wrote into `former`, an earlier version of
-/// it: those directly above a table or key that still exists, those behind its value, and the ones
-/// at the beginning and the end of the file. Entries of arrays of tables are matched by their
-/// `name`, else by their index. A second call changes nothing. Comments inside of values that go
-/// over several lines are lost.
+/// Returns the TOML text `fresh` with the user's comments from `former`, an earlier version of it.
+/// It keeps comments directly above a table or key that still exists, comments after its value, and
+/// those at the beginning and end of the file. Entries of arrays of tables are matched by `name`,
+/// or by index if they have none. Applying the function again changes nothing. Comments inside
+/// values that span several lines are lost.
 std::string withComments(const std::string& fresh, const std::string& former);
 
 } // namespace dewpoint::project

@@ -10,9 +10,10 @@ namespace dewpoint::project {
 
 /// Reads the corrections of positions, [[correction]], in the order of their frames.
 void readCorrections(TableReader& reader, const std::string& file, Project& project);
+/// Returns the corrections of positions as TOML.
 std::string correctionsText(const Project& project);
-/// BadValue names the one that cannot be: of a target or camera that is not there, of a negative
-/// frame, not finite, or with a covariance that is none.
+/// Checks the corrections of positions. BadValue names an invalid one: unknown target or camera,
+/// negative frame, number that is not finite, or invalid covariance.
 Status checkCorrections(const Project& project);
 
 } // namespace dewpoint::project

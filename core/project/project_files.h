@@ -11,23 +11,24 @@ namespace dewpoint::project {
 
 /// A file or folder that a run of a project reads.
 struct ProjectFile {
-  std::string name; ///< as the project file would call it: relative to its folder where it is below
+  std::string name; ///< as in the project file: relative to its folder if the file is below it
   std::filesystem::path path; ///< absolute
 };
 
-/// What a run reads beside the project file: recordings, their times, pictures of the empty room, a
-/// scene's file. Not the truth, which no result depends on.
+/// Returns the files that a run reads besides the project file: recordings, their times, background
+/// images, and the file of a scene. The truth is not included because no result depends on it.
 std::vector<ProjectFile> filesOfRun(const Project& project);
 
-/// Whether another run sees the same images: false with live cameras.
+/// Returns whether another run would see the same images. False with live cameras.
 bool isRepeatable(const Project& project);
 
-/// The project as text, without what no run depends on: markers, grid, measured points, truth and
-/// the layout of the window.
+/// Returns the project as text, without parts that do not affect a run: markers, grid, measured
+/// points, truth and window layout.
 std::string textOfRun(const Project& project);
 
-/// What was chosen otherwise than the method's defaults, in the order of their declarations, and
-/// the volume of interest: "particles=200 kld_error=0". Empty: nothing.
+/// Returns the parameters that differ from the method's defaults, in the order of their
+/// declarations, and the volume of interest, for example "particles=200 kld_error=0". Empty if
+/// there are none.
 std::string settingsOfRun(const Project& project);
 
 } // namespace dewpoint::project

@@ -9,10 +9,10 @@
 
 namespace dewpoint::project {
 
-/// The version of the project file that this program writes.
+/// Version of the project file that this program writes.
 inline constexpr std::int64_t kProjectFormat = 2;
 
-/// The key of a camera's source in the project file.
+/// Key of each kind of camera source in the project file.
 inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
     {"video", SourceKind::Video},
     {"images", SourceKind::Images},
@@ -20,7 +20,7 @@ inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
     {"stream", SourceKind::Stream},
 }};
 
-/// The largest delay of a camera, seconds.
+/// Largest allowed delay of a camera, in seconds.
 inline constexpr double kLatest = 3600.0;
 
 } // namespace dewpoint::project

@@ -9,13 +9,13 @@
 
 namespace dewpoint::project {
 
-/// Turns the tables of an older project file into those of the present format, step by step, so
-/// that only one format has to be read. Formats:
-/// 1: head, [parameters], [[target]], [[camera]];
-/// 2: the same, and [[target.sample]], [[mark]] and [window], which nothing of format 1 has to
-///    change for.
-/// A step that renames or restates something belongs here, with a file of the old format in the
-/// tests. The format itself is changed to the present one.
+/// Converts the tables of an older project file to the present format, step by step, so that
+/// only one format has to be read. Formats:
+/// 1: general keys, [parameters], [[target]], [[camera]];
+/// 2: as format 1, plus [[target.sample]], [[mark]] and [window]. Files of format 1 need no
+///    conversion for these.
+/// Each step that renames or converts an entry belongs here, with a file of the old format in the
+/// tests. The format number in the table is also updated.
 void migrateProject(toml::table& project, std::int64_t format);
 
 } // namespace dewpoint::project

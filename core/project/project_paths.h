@@ -9,16 +9,16 @@
 
 namespace dewpoint::project {
 
-/// The text with `${NAME}` replaced by the environment variable of that name, which is not expanded
-/// again. BadValue with its name when a variable is not set.
+/// Returns the text with `${NAME}` replaced by the environment variable of that name. The value of
+/// the variable is not expanded again. Returns BadValue with the name if a variable is not set.
 Result<std::string> withVariables(std::string text);
 
-/// The folder that relative paths of a project file count from, and what has moved.
+/// Folder to which the relative paths of a project file refer, and the files that have moved.
 struct ProjectPlace {
   std::filesystem::path folder;
   MovedFiles moved;
 
-  /// The absolute path of a file that the project names so; where it is now if it was moved.
+  /// Returns the absolute path of a file named in the project, or its present path if it moved.
   std::filesystem::path pathOf(const std::string& name) const;
 };
 

@@ -10,8 +10,9 @@ namespace dewpoint::project {
 
 /// Reads the corrections of people, [[person]], in the order of their frames.
 void readPeople(TableReader& reader, const std::string& file, Project& project);
+/// Returns the corrections of people as TOML.
 std::string peopleText(const Project& project);
-/// BadValue names the one that cannot be.
+/// Checks the corrections of people. BadValue names an invalid one.
 Status checkPeople(const Project& project);
 
 } // namespace dewpoint::project

@@ -5,11 +5,11 @@
 
 namespace dewpoint::project {
 
-/// The cameras of a project, in its order.
+/// Returns the cameras of a project, in its order.
 CameraRig rigOf(const Project& project);
 
-/// Whether both rigs have the same number of cameras with the same image sizes: then one can
-/// replace the other while the same images come in.
+/// Returns whether both rigs have the same number of cameras with the same image sizes. One rig can
+/// then replace the other without changing the image sources.
 bool haveSameImages(const CameraRig& a, const CameraRig& b);
 
 } // namespace dewpoint::project

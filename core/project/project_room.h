@@ -6,12 +6,12 @@
 
 namespace dewpoint::project {
 
-/// What a project knows of the room, as its file states it: [volume_of_interest], [grid] and
-/// [[point]].
+/// Reads what the project file states about the room: [volume_of_interest], [grid] and [[point]].
 void readRoom(TableReader& reader, const std::string& file, Project& project);
+/// Returns the same entries as TOML.
 std::string roomText(const Project& project);
-/// A volume of interest that is not empty; a grid that can be drawn; points with finite positions,
-/// clicked in cameras that are there, in each at most once.
+/// Checks that the volume of interest is not empty, that the grid can be drawn, and that points
+/// have finite positions and at most one click in each existing camera.
 Status checkRoom(const Project& project);
 
 } // namespace dewpoint::project

@@ -9,11 +9,13 @@
 
 namespace dewpoint::project {
 
-/// The project file: paths below `folder` relative to it, all others absolute.
+/// Returns the text of the project file. Paths below `folder` are relative to it; all others are
+/// absolute.
 std::string projectText(const Project& project, const std::filesystem::path& folder);
-/// Writes beside, flushes, renames: the old file is never broken. Paths below the file's folder
-/// are written relative to it. Comments in the file that the project was loaded from are kept where
-/// what they stand at still exists.
+/// Saves a project. The text goes to a temporary file next to `file`, is flushed, and then replaces
+/// `file`, so the old file is never damaged. Paths below the folder of `file` are written relative
+/// to it. Comments in the file that the project was loaded from are kept if the entry they belong
+/// to still exists.
 Status saveProject(const Project& project, const std::filesystem::path& file);
 
 } // namespace dewpoint::project

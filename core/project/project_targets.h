@@ -11,13 +11,14 @@
 
 namespace dewpoint::project {
 
-/// Reads a [[target]]; `index` counts from 0. The first thing that is wrong goes into `error`.
+/// Reads a [[target]] table; `index` counts from 0. The first error found is stored in `error`.
 Target readTarget(const toml::table& table, const std::string& file, std::size_t index,
                   std::optional<Error>& error);
+/// Returns a target as TOML.
 std::string targetText(const Target& target);
 
-/// Puts other targets in place of those of a project. Corrections go with the target of their name,
-/// and are removed where there is none any more.
+/// Replaces the targets of a project. Corrections are kept for targets with the same name, and
+/// removed for targets that no longer exist.
 void replaceTargets(Project& project, std::vector<Target> targets);
 
 } // namespace dewpoint::project

@@ -12,8 +12,9 @@
 
 namespace dewpoint::session {
 
-/// Index in `all` of the target that was number `index` of `count`: the same while there are as
-/// many (a target may have been renamed), else that of the same name; -1 if there is none.
+/// Returns the index in `all` of the target that was number `index` of `count`. If there are still
+/// `count` targets, the index is unchanged, since a target may have been renamed. Otherwise it is
+/// the index of the target with the same name, or -1 if there is none.
 template <class Targets, class NameOf>
 int counterpart(const Targets& all, const NameOf& nameOf, std::size_t count, std::size_t index,
                 const std::string& name) {
@@ -24,14 +25,15 @@ int counterpart(const Targets& all, const NameOf& nameOf, std::size_t count, std
   return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
 
-/// Where those of `before` are in `after`; -1 where they are not.
+/// Returns the index in `after` of each target of `before`; -1 if it no longer exists.
 std::vector<int> numbersOf(const std::vector<Target>& before, const std::vector<Target>& after);
 
-/// Whether all are where they were.
+/// Returns whether every target has kept its index.
 bool keepTheirNumbers(const std::vector<int>& numbers);
 
-/// The first frame that is otherwise with other boxes: of each box that is new or another one, and
-/// of each that a target has no more. Targets that are gone change nothing for the others.
+/// Returns the first frame whose result differs with the other boxes: the first frame of a box that
+/// was added, changed, or removed from a target that still exists. A removed target does not affect
+/// the others.
 std::optional<std::int64_t> firstChange(const std::vector<Target>& before,
                                         const std::vector<Target>& after);
 

@@ -10,7 +10,7 @@
 
 namespace dewpoint::session {
 
-/// An ellipse in an image, pixels; `angle` in radians from +column towards +row.
+/// Ellipse in an image, in pixels; `angle` in radians, from the direction of columns toward rows.
 struct ImageEllipse {
   Eigen::Vector2d center;
   double semiMajor = 0.0;
@@ -18,36 +18,38 @@ struct ImageEllipse {
   double angle = 0.0;
 };
 
-/// One target as one camera would see it, in pixels of that camera's image.
+/// Projection of one target into the image of one camera, in pixels.
 struct CameraOverlay {
-  /// Those in front of the camera; of very many, evenly some.
+  /// Particles in front of the camera; an even selection if there are very many.
   std::vector<Eigen::Vector2f> particles;
-  std::vector<float> weights; ///< relative to the largest: 0..1
+  std::vector<float> weights; ///< relative to the largest: 0 to 1
   std::optional<Eigen::Vector2d> estimate;
   std::optional<ImageEllipse> ellipse; ///< 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.)
-  std::optional<ImageEllipse> outline; ///< of the target itself, of what is no ball
+  std::optional<ImageEllipse> outline; ///< outline of a target that is not a ball
   std::optional<Eigen::Vector2d> best; ///< particle of highest weight
   std::optional<Eigen::Vector2d> truth;
-  std::optional<ImageBox> box; ///< of methods that follow boxes, then without estimate and ellipse
-  bool boxHidden = false;      ///< it is where the target is thought to be
+  /// With methods that track boxes; then without estimate and ellipse.
+  std::optional<ImageBox> box;
+  bool boxHidden = false; ///< the target is hidden; the box is at its estimated position
 };
 
-/// The distance from the estimate, pixels, within which nine tenths of the weight of the particles
-/// lie: the size of what one sees as a cloud, however few light particles are far from it. 0
-/// without an estimate or particles.
+/// Returns the radius of the visible cloud in pixels: the distance from the estimate that contains
+/// nine tenths of the particles' weight. Distant particles with little weight have no effect.
+/// Returns 0 without an estimate or particles.
 double cloudRadius(const CameraOverlay& overlay);
 
-/// A position that was considered for a target, as a circle in an image.
+/// Candidate position of a target, as a circle in an image.
 struct ProposedOutline {
   Eigen::Vector2d center;
   double radius = 0.0; ///< pixels
   CandidatePosition::Kind kind = CandidatePosition::Kind::Existing;
   double probability = 0.0;
 };
+/// Returns the candidate positions of a target, projected into camera `camera`.
 std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,
                                               const TargetSnapshot& target);
 
-/// Projects a target of a snapshot into camera `camera` of its rig.
+/// Projects a target of a snapshot into camera `camera` of the snapshot's rig.
 CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                             const TargetSnapshot& target);
 

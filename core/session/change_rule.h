@@ -8,38 +8,42 @@
 
 namespace dewpoint::session {
 
-/// The rule by which what is shown belongs to the settings shown: when the settings of a recording
-/// are changed while its run waits, what was tracked with other settings is tracked again at once
-/// if that is expected to be quick; else the results are marked as old, and tracking again is
-/// offered. While a run plays, changes hold from there on, and what is before is marked.
+/// Rule that keeps the displayed results consistent with the current settings. If the settings of a
+/// recording change while its run is paused, frames tracked with other settings are tracked again
+/// at once if this is expected to be quick. Otherwise the results are marked as old, and tracking
+/// again is offered. While a run plays, changes apply to new frames, and earlier results are
+/// marked.
 class ChangeRule {
 public:
-  /// Tracking again that takes less is not worth a question, seconds.
+  /// Tracking again starts without a question if it takes less than this, in seconds.
   static constexpr double kQuick = 2.0;
 
-  /// What goes on when the rule is applied.
+  /// State of the session when the rule is applied.
   struct Situation {
-    bool isLive = false;      ///< live cameras: what they showed is over
-    bool isPlaying = false;   ///< new frames are tracked, or recorded ones shown, one after another
-    bool isRerunning = false; ///< frames of the past are tracked again
-    bool isEdited = false;    ///< settings were changed, and the rule was not applied since
+    bool isLive = false; ///< live cameras, whose earlier images cannot be tracked again
+    /// Frames are being tracked, or recorded frames are being shown, one after another.
+    bool isPlaying = false;
+    bool isRerunning = false; ///< past frames are being tracked again
+    bool isEdited = false;    ///< settings have changed since the rule was last applied
     OldResults old;
     double quick = kQuick; ///< seconds
   };
   enum class Action {
-    Nothing,    ///< all results are of the settings of now, or there is nothing to do about it
-    Mark,       ///< they are marked; a run that goes on needs no question
-    Offer,      ///< they are marked, and tracking again is offered
-    TrackAgain, ///< at once, from `from` on
+    Nothing,    ///< all results match the current settings, or there is nothing to do
+    Mark,       ///< mark old results without a question, because the run continues
+    Offer,      ///< mark old results and offer to track again
+    TrackAgain, ///< track again at once, starting at `from`
   };
   struct Decision {
     Action action = Action::Nothing;
-    std::int64_t from = 0; ///< the first frame to be tracked again; of TrackAgain and Offer
+    std::int64_t from = 0; ///< first frame to be tracked again, with TrackAgain and Offer
     bool operator==(const Decision&) const = default;
   };
 
+  /// Returns what to do in a situation.
   static Decision decide(const Situation& situation);
-  /// Seconds that it takes to track all again from the first old result on; 0 when unknown.
+  /// Returns the expected time in seconds for tracking again from the first old result; 0 if
+  /// unknown.
   static double expectedSeconds(const OldResults& old);
 };
 

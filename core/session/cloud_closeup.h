@@ -11,23 +11,24 @@
 
 namespace dewpoint::session {
 
-/// The particles of a target enlarged, in parallel projection, for a square picture: pixels right
-/// of and below its center, which is the mean.
+/// Close-up of a target's particles in parallel projection, for a square picture. Positions are in
+/// pixels to the right of and below the center, which is the mean.
 struct CloudCloseup {
   double metersPerPixel = 0.0;
-  std::vector<Eigen::Vector2f> particles; ///< those in the picture, the likeliest last
+  std::vector<Eigen::Vector2f> particles; ///< those in the picture, in order of ascending weight
   std::vector<float> weights;             ///< relative to the largest: 0 to 1
-  ImageEllipse outline;                   ///< of the ellipsoid that holds 95 % of the belief
-  double barMeters = 0.0;                 ///< a round length that fits below the cloud
+  ImageEllipse outline;   ///< of the ellipsoid that contains the target with a probability of 95 %
+  double barMeters = 0.0; ///< length of the scale bar: a round number that fits below the cloud
 };
 
-/// From the mean to the rim of the ellipsoid that holds 95 % of the belief, along its longest axis,
-/// meters; nothing where the position is not known or no particle tells of it.
+/// Returns the longest semi-axis of the 95 % ellipsoid of the position, in meters. Returns nothing
+/// if the position is unknown or there are no particles.
 std::optional<double> cloudReach(const TargetSnapshot& target);
 
-/// As seen by an eye with these axes (world, unit). The picture reaches `half` pixels from its
-/// center. Its scale takes steps, so that it does not breathe with the cloud. At most
-/// `most` particles, evenly chosen. Nothing where cloudReach() is nothing.
+/// Returns the close-up seen along the given image axes (unit vectors, world frame). The picture
+/// extends `half` pixels from its center. Its scale changes in steps, so that the picture does not
+/// zoom with every change of the cloud. It shows at most `most` particles, an even selection.
+/// Returns nothing where cloudReach() returns nothing.
 std::optional<CloudCloseup> cloudCloseup(const TargetSnapshot& target, const Eigen::Vector3d& right,
                                          const Eigen::Vector3d& up, double half,
                                          Eigen::Index most = 1500);

@@ -21,100 +21,106 @@ namespace dewpoint::session {
 
 /// Requests of the user, passed by value to the tracking thread.
 namespace command {
+/// Starts or resumes playing.
 struct Play {};
+/// Pauses; an unfinished rerun is abandoned.
 struct Pause {};
-/// The next frame with all its iterations, then pause.
+/// Tracks the next frame with all its iterations, then pauses.
 struct StepFrame {};
-/// One filter iteration on the frame that the run stands at, then pause.
+/// Runs one filter iteration on the current frame of the run, then pauses.
 struct StepIteration {};
-/// From the first frame, knowing nothing.
+/// Restarts the run at the first frame, without prior knowledge.
 struct Restart {
-  std::optional<std::uint64_t> seed; ///< the same as before unless given
+  std::optional<std::uint64_t> seed; ///< not set: the previous seed
 };
-/// Other parameters of the same method.
+/// Changes the parameters of the method.
 struct Configure {
   ParameterValues parameters;
 };
-/// Another method, with the same seed. When it begins at a frame, what was tracked before it stays.
+/// Changes the method; the seed is kept. If the method begins at frame `from`, earlier results are
+/// kept.
 struct SetMethod {
   std::string method;
   ParameterValues parameters;
-  std::optional<std::int64_t> from; ///< nothing: from the start
+  std::optional<std::int64_t> from; ///< not set: from the first frame
 };
-/// Pauses and shows an earlier frame as it was (or a later one of a recording, untracked); the run
-/// itself stays where it is. Playing goes on from the frame shown: through what was recorded up to
-/// where the run stands, then tracking.
+/// Pauses and shows another frame: an earlier one as it was tracked, or a later one of a recording
+/// without results. The run itself stays at its frame. Playing continues from the frame shown: it
+/// first replays recorded frames up to the frame of the run, then tracks.
 struct ShowFrame {
   std::int64_t frame = 0;
 };
-/// Shows where the run stands again.
+/// Shows the current frame of the run again.
 struct BackToHead {};
-/// Tracks again from this frame on, as fast as it goes, up to where the run stood: with the
-/// parameters, colors and empty rooms of now. What was recorded from there on is replaced. Pausing
-/// stops it.
+/// Tracks again from this frame up to the last tracked frame, at full speed, with the current
+/// parameters, colors and background images. The results from there on are replaced. A pause stops
+/// it.
 struct Rerun {
   std::int64_t from = 0;
-  /// The frame that is shown stays shown: of the frames that are tracked meanwhile none is
-  /// published, unless it takes longer than a moment.
+  /// If true, the displayed frame stays: frames tracked meanwhile are not published, unless the
+  /// rerun takes noticeably long.
   bool keepsView = false;
 };
-/// Likelihood maps (TargetSnapshot::maps).
+/// Turns likelihood maps on or off (TargetSnapshot::maps).
 struct ShowMaps {
   bool wanted = false;
 };
-/// Other colors or radii take effect at once; another number of targets means new beliefs.
+/// Changes the targets. Other colors or radii apply at once; with another number of targets, all
+/// tracks start from scratch.
 struct SetTargets {
   std::vector<Target> targets;
 };
-/// Another calibration of the same cameras, from the next iteration on; what is believed stays. A
-/// rig with other image sizes, or another number of cameras, is ignored: that is another run.
+/// Changes the calibration of the same cameras from the next iteration on; tracks continue. A rig
+/// with other image sizes or another number of cameras needs a new run and is ignored.
 struct SetCameras {
   CameraRig rig;
 };
-/// Other empty rooms of the same cameras (loadEmptyRooms); what is believed stays.
+/// Changes the background images of the same cameras (loadEmptyRooms); tracks continue.
 struct SetEmptyRooms {
-  std::vector<std::string> files; ///< as the project names them
+  std::vector<std::string> files; ///< names in the project
   std::vector<cv::Mat> rooms;
 };
-/// Another volume of interest, or none, from the next iteration on; tracks begin in it from the
-/// next restart on.
+/// Changes or removes the volume of interest from the next iteration on. It limits the creation of
+/// tracks from the next restart on.
 struct SetVolumeOfInterest {
   std::optional<WorldBox> volume;
 };
-/// Which pixels have a target's color, or move (TrackSnapshot::masks).
+/// Turns masks on or off: the pixels that have the color of a target, or that move
+/// (TrackSnapshot::masks).
 struct ShowMasks {
   bool wanted = false;
 };
-/// Hulls and level curves of persons (TargetSnapshot::shape).
+/// Turns hulls and level curves of people on or off (TargetSnapshot::shape).
 struct ShowShapes {
   bool wanted = false;
 };
-/// The number of threads that share the work of the filter from the next iteration on
-/// (filterThreads()); it never changes the result.
+/// Sets the number of filter threads from the next iteration on (filterThreads()). It never changes
+/// the result.
 struct SetThreads {
   int threads = 0;
 };
-/// How fast what plays goes on; it never changes the result.
+/// Sets the speed of playing. It never changes the result.
 struct SetPace {
   Pace pace;
 };
-/// A calibration board is shown to live cameras from now on, or no more: meanwhile no camera is
-/// taken for moved (CameraMotionWatch::setResting()).
+/// Reports that a calibration board is being shown to live cameras, or no longer is. Meanwhile no
+/// camera is reported as moved (CameraMotionWatch::setResting()).
 struct ShowBoard {
   bool shown = false;
 };
-/// The corrections of people, instead of all before; only methods for people listen. The run is
-/// tracked again from the first frame for which it is otherwise.
+/// Replaces all corrections of people; only methods for people use them. The run is tracked again
+/// from the first frame whose result differs.
 struct SetPeople {
-  std::vector<PersonCorrection> people; ///< in the order of their frames
+  std::vector<PersonCorrection> people; ///< ordered by frame
 };
-/// The corrections of positions, instead of all before; methods that cannot apply them go on
-/// without. The run is tracked again from the first frame for which it is otherwise.
+/// Replaces all corrections of positions; methods that cannot apply them ignore them. The run is
+/// tracked again from the first frame whose result differs.
 struct SetCorrections {
-  std::vector<PositionCorrection> corrections; ///< in the order of their frames
+  std::vector<PositionCorrection> corrections; ///< ordered by frame
 };
 } // namespace command
 
+/// Any request to the tracking thread.
 using Command =
     std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,

@@ -14,14 +14,14 @@
 
 namespace dewpoint::session {
 
-/// Commands on their way to the tracking thread, in order.
+/// Thread-safe queue of commands for the tracking thread, in order.
 class CommandQueue {
 public:
   void push(Command command) {
     {
       const std::lock_guard lock(mutex_);
-      // Of several frames to show, as scrubbing requests them, only the last is of use; so
-      // it is with poses of cameras that are dragged.
+      // Only the last of several frames to show is needed while the user scrubs. The same holds for
+      // poses of cameras that are being dragged.
       const bool replaces = std::holds_alternative<command::ShowFrame>(command) ||
                             std::holds_alternative<command::SetCameras>(command);
       if (replaces && !commands_.empty() && commands_.back().index() == command.index()) {
@@ -35,8 +35,8 @@ public:
     const std::lock_guard lock(mutex_);
     return commands_.empty();
   }
-  /// The next command; waits until `deadline` for one (for ever without a deadline), or until
-  /// stopped.
+  /// Removes and returns the next command. Waits for one until `deadline` (without a deadline,
+  /// indefinitely) or until a stop is requested; then returns nothing.
   std::optional<Command> pop(const std::stop_token& stop,
                              std::optional<std::chrono::steady_clock::time_point> deadline) {
     std::unique_lock lock(mutex_);

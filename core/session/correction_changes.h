@@ -10,9 +10,9 @@
 
 namespace dewpoint::session {
 
-// Corrections are in the order of their `frame`.
+// Corrections are ordered by `frame`.
 
-/// The first frame for which other corrections hold; nothing when they are the same.
+/// Returns the first frame in which the corrections differ; nothing if they are the same.
 template <class Correction>
 std::optional<std::int64_t> firstDifference(const std::vector<Correction>& before,
                                             const std::vector<Correction>& after) {
@@ -23,7 +23,8 @@ std::optional<std::int64_t> firstDifference(const std::vector<Correction>& befor
   return a == before.end() ? b->frame : b == after.end() ? a->frame : std::min(a->frame, b->frame);
 }
 
-/// What `after` adds to `before`, with which it begins; nothing when it does not.
+/// Returns the corrections that `after` adds at the end of `before`; nothing if `after` does not
+/// begin with `before`.
 template <class Correction>
 std::optional<std::vector<Correction>> additions(const std::vector<Correction>& before,
                                                  const std::vector<Correction>& after) {

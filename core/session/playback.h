@@ -9,12 +9,12 @@
 
 namespace dewpoint::session {
 
-/// Which frame is shown, what goes on by itself, and what comes next: the state machine of a
-/// session, without a thread, a clock or an image. The *head* is the last frame that the run has
-/// taken. At the head the run is Paused, Playing or Ended; Viewing and Replaying show another frame
-/// than the head's; Rerunning tracks frames of the past again, up to where the head had been, and
-/// Holding is a rerun that waits. Of every state (column) what an event (row) makes of it; a dash
-/// stands for itself:
+/// State machine of a session: which frame is shown, what runs without further commands, and what
+/// comes next. It has no thread, clock or image. The *head* is the last frame that the run has
+/// taken. At the head, the run is Paused, Playing or Ended. Viewing and Replaying show another
+/// frame than the head. Rerunning tracks past frames again, up to the former head, and Holding is a
+/// rerun that waits. The table gives the next state for each state (column) and event (row); a dash
+/// means no change:
 ///
 /// |                | Paused  | Playing | Ended   | Viewing   | Replaying | Rerunning | Holding   |
 /// | -------------- | ------- | ------- | ------- | --------- | --------- | --------- | --------- |
@@ -30,11 +30,11 @@ namespace dewpoint::session {
 /// | restart        | -       | -       | Paused  | Paused    | Playing   | Playing   | Paused    |
 /// | reach the goal | -       | -       | -       | -         | -         | before**  | before**  |
 ///
-/// rerun() leads from everywhere to Rerunning, trackOnFrom() to Playing, endInput() to Ended.
-/// *: Ended, if the input had ended before another frame than the head's was shown.
-/// **: Ended, if the input had ended before the rerun; Playing, if the run was Playing; else
-/// Paused. A rerun that begins during another one takes over its goal, if that is farther, and what
-/// follows.
+/// In every state, rerun() leads to Rerunning, trackOnFrom() to Playing, and endInput() to Ended.
+/// *: Ended if the input had ended before another frame than the head was shown.
+/// **: Ended if the input had ended before the rerun; Playing if the run was Playing; otherwise
+/// Paused. A rerun that begins during another one takes over its goal, if that is a later frame,
+/// and its following state.
 class Playback {
 public:
   struct Paused {};
@@ -42,7 +42,7 @@ public:
   struct Ended {};
   struct Viewing {
     std::int64_t frame = 0;
-    bool inputEnded = false; ///< before this frame was shown
+    bool inputEnded = false; ///< the input had ended before this frame was shown
   };
   struct Replaying {
     std::int64_t frame = 0;
@@ -51,7 +51,7 @@ public:
   struct Rerunning {
     RerunState range;
     PlayState afterwards = PlayState::Paused;
-    std::optional<std::int64_t> thenView; ///< a frame to show when it is done
+    std::optional<std::int64_t> thenView; ///< frame to show after the rerun
   };
   struct Holding {
     Rerunning rerun;
@@ -59,62 +59,72 @@ public:
   using State = std::variant<Paused, Playing, Ended, Viewing, Replaying, Rerunning, Holding>;
 
   const State& state() const { return state_; }
-  /// As a snapshot says it.
+  /// Returns the state as shown in a snapshot.
   PlayState playState() const;
-  /// The frame that is shown in place of the head's.
+  /// Returns the frame that is shown instead of the head; nothing if the head is shown.
   std::optional<std::int64_t> viewed() const;
-  /// Of the rerun under way, also of one that waits.
+  /// Returns the range of the current rerun, also of one that waits.
   std::optional<RerunState> rerunning() const;
-  /// Something goes on by itself.
+  /// Returns whether the session is playing, replaying or rerunning.
   bool goesOn() const { return playState() == PlayState::Playing; }
+  /// Returns whether the end of the input was reached.
   bool hasInputEnded() const;
 
+  /// Starts playing at the head, replaying elsewhere, or resumes a rerun.
   void play();
-  void pause(); ///< gives up what is left of a rerun
-  void hold();  ///< as pause(), but a rerun can go on
-  /// Shows this frame, or the head when there is none or it is the head's; what went on is over.
+  void pause(); ///< abandons the rest of a rerun
+  void hold();  ///< as pause(), but a rerun can be resumed
+  /// Shows this frame and stops other activity. Shows the head if `frame` is empty or equal to it.
   void show(std::optional<std::int64_t> frame, std::int64_t head);
+  /// Leaves Viewing or Replaying, and shows the head.
   void returnToHead();
-  /// The frame after the one shown; nothing: there is none.
+  /// Shows the next frame when replaying; `next` is empty if there is none.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
-  /// Frames `range` are tracked again, and those up to the goal of a rerun under way.
+  /// Starts tracking the frames in `range` again, and those up to the goal of a current rerun.
   void rerun(const RerunState& range, std::optional<std::int64_t> thenView);
-  /// Tracking begins at a frame that was not tracked yet.
+  /// Starts tracking at a frame that was not tracked before.
   void trackOnFrom(std::int64_t frame);
+  /// Notes that the end of the input was reached.
   void endInput();
+  /// Returns to the first frame; there is no head until it is taken.
   void restart();
 
-  /// What has become of the head's frame.
+  /// Progress of the head's frame.
   enum class Head {
-    None,    ///< there is none yet
-    Taken,   ///< it is shown, but no iteration was made on it
+    None,    ///< no frame yet
+    Taken,   ///< the frame is shown, but no iteration was made on it
     Tracked, ///< iterations were made
-    Recorded ///< its estimates are in the log
+    Recorded ///< the estimates are in the log
   };
   Head head() const { return head_; }
-  /// The next frame to take.
+  /// Returns the next frame to take.
   std::int64_t nextFrame() const { return nextFrame_; }
+  /// Makes this frame the head.
   void take(std::int64_t frame);
+  /// Notes that an iteration was made on the head.
   void track();
+  /// Notes that the estimates of the head are in the log.
   void record() { head_ = Head::Recorded; }
-  /// The head is there: a rerun that has reached its goal is over. Returns the frame that is to be
-  /// shown then, if there is one.
+  /// Reports that the head is at this frame: a rerun that has reached its goal ends. Returns the
+  /// frame to show next, if there is one.
   std::optional<std::int64_t> reach(std::int64_t head);
-  /// New beliefs on the same frame.
+  /// Notes that tracking restarts from scratch on the same frame.
   void forgetEstimates();
 
-  /// What the last snapshot still lacks.
+  /// Content that the last snapshot still lacks.
   enum class Missing {
     Nothing,
-    Images, ///< a preview was shown
-    Maps    ///< likelihood maps or motion masks of a frame of the past
+    Images, ///< images at full size, because a preview was shown
+    Maps    ///< likelihood maps or motion masks of a past frame
   };
   Missing missing() const { return missing_; }
+  /// Notes what a published snapshot lacks.
   void published(bool isPreview, bool lacksMaps);
+  /// Notes that the missing content was published.
   void complete() { missing_ = Missing::Nothing; }
 
 private:
-  /// Also one that waits; null: there is none.
+  /// Returns the current rerun, also one that waits; null if there is none.
   const Rerunning* rerunUnderWay() const;
   void leaveHead(std::int64_t nextFrame);
 

@@ -8,10 +8,11 @@
 
 namespace dewpoint::session {
 
-/// How fast a person wants a recording to be played.
+/// Playing speed of a recording, chosen by the user.
 struct Pace {
-  double speed = 1.0; ///< frames of the recording per frame in real time; see kSlowest, kFastest
-  /// Iteration by iteration until every target is held, so that one sees the particles converge.
+  double speed = 1.0; ///< factor on real time, between kSlowest and kFastest
+  /// If true, iterations are shown one by one until every target is held, to make convergence
+  /// visible.
   bool slowUntilHeld = false;
 
   static constexpr double kSlowest = 1.0 / 30.0;
@@ -20,42 +21,43 @@ struct Pace {
   bool operator==(const Pace&) const = default;
 };
 
-/// Decides when a session that plays does its next step, and how large that is. Never what is
-/// computed: a run gives the same bits at any pace.
+/// Decides when a playing session takes its next step, and how large the step is. The pace never
+/// changes what is computed: a run gives the same bits at any pace.
 class PlaybackPace {
 public:
   using Seconds = std::chrono::duration<double>;
 
-  // Judgments: what an eye can follow, and how long a person wants to wait for it.
+  // These values are judgments of what the eye can follow and how long a user is willing to wait.
 
-  /// Iterations per second while they are played one by one.
+  /// Iterations per second while they are shown one by one.
   static constexpr double kSlowIterations = 5.0;
-  /// How long the particles are shown as they are before the first iteration.
+  /// Time for which the particles are shown before the first iteration.
   static constexpr Seconds kBeforeFirst{1.5};
-  /// After so many iterations of a run (five seconds) it plays on even if a target is not held: it
-  /// may not be there yet.
+  /// Number of iterations (five seconds) after which a run plays at normal speed even if a target
+  /// is not held. The target may not be in the scene yet.
   static constexpr std::int64_t kMostSlowIterations = 25;
 
-  /// Where the session stands.
+  /// State of the session.
   struct Situation {
     double framesPerSecond = 30.0;
-    /// New images of live cameras are awaited, or past frames are tracked again: as fast as it
-    /// goes.
+    /// True at full speed: new images of live cameras are awaited, or past frames are tracked
+    /// again.
     bool isHurried = false;
-    bool isReplaying = false;    ///< shows what was tracked already
-    std::int64_t iterations = 0; ///< of this run
-    bool isHeld = false;         ///< every target is
+    bool isReplaying = false;    ///< shows frames that were already tracked
+    std::int64_t iterations = 0; ///< of the current run
+    bool isHeld = false;         ///< every target is held
   };
   struct Step {
-    Seconds period{};         ///< from the step before
-    bool isIteration = false; ///< one iteration; else a frame with all of its iterations
+    Seconds period{};         ///< time since the previous step
+    bool isIteration = false; ///< one iteration; otherwise a frame with all its iterations
 
     bool operator==(const Step&) const = default;
   };
 
-  /// Speeds beyond the slowest and fastest are cut to them; a speed that is no number is 1.
+  /// Sets the pace. A speed outside kSlowest to kFastest is limited to this range; NaN becomes 1.
   void set(const Pace& pace);
   const Pace& pace() const { return pace_; }
+  /// Returns the next step.
   Step next(const Situation& situation) const;
 
 private:

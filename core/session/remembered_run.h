@@ -11,20 +11,20 @@
 
 namespace dewpoint::session {
 
-/// A run, what it goes by, and what is remembered of it, kept in step: every frame that the run
-/// begins and every change that it is told are in its history too, so that it can go back to any
-/// frame and on from there with the same bits. Used by the tracking thread only.
+/// A run, its definition and its history, kept consistent. Every frame that the run begins and
+/// every change to it are also recorded in the history. The run can therefore return to any frame
+/// and continue from there with the same bits. Used by the tracking thread only.
 class RememberedRun {
 public:
-  /// `threads` share the work of the filter. There is no run before replace(), and no history
+  /// `threads` is the number of filter threads. There is no run before replace(), and no history
   /// before keepHistory().
   RememberedRun(RunDefinition definition, int threads);
 
-  /// Another run, of another definition, which knows nothing yet; it has made `iterations`.
-  /// If it cannot be made, all stays as it was. What was recorded stays.
+  /// Starts another run with another definition, from scratch; its iterations are counted from
+  /// `iterations`. If the run cannot be created, nothing changes. Recorded results are kept.
   Status replace(RunDefinition definition, std::int64_t iterations);
-  /// Remembers from now on what the run does over the frames of `source`, within `bytes`; 0: the
-  /// usual limit.
+  /// Starts recording the run's history over the frames of `source`, with up to `bytes` of memory;
+  /// 0: default limit.
   void keepHistory(FrameSetSource& source, std::size_t bytes);
 
   bool exists() const { return run_.has_value(); }
@@ -32,30 +32,32 @@ public:
   const TrackingRun& run() const { return *run_; }
   TimeTravel& travel() { return *travel_; }
   const TimeTravel& travel() const { return *travel_; }
-  /// Null before keepHistory().
+  /// Returns null before keepHistory().
   const History* history() const { return travel_ ? &travel_->history() : nullptr; }
-  /// What is tracked from now on; never null. The run goes by another one only while it is brought
-  /// back to a frame of the past.
+  /// Returns the definition for new frames; never null. The run uses another one only while it is
+  /// being brought back to a past frame.
   const RunDefinitionPtr& definition() const { return definition_; }
   int threads() const { return threads_; }
-  /// The frame the run stands at; -1 before the first.
+  /// Returns the frame that the run is at; -1 before the first.
   std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
 
+  /// Begins a frame.
   void begin(const FrameSetPtr& frames);
+  /// Records the current frame in the history.
   const TrackedFrame& record() { return travel_->record(*run_); }
-  /// Another definition, from the next iteration on; what is believed stays as far as it can. False
-  /// if the run does not take it: it needs a run of its own.
+  /// Applies another definition from the next iteration on; tracks continue as far as possible.
+  /// Returns false if the run does not accept it and a new run is needed.
   bool change(RunDefinition wanted);
-  /// A correction in the frame the run stands at, of its people or of a position.
+  /// Applies a correction of people or of a position in the current frame.
   void change(const RunChange& said);
-  /// Makes the run what it was right before it began a frame. Where it knew nothing yet, it is a
-  /// new one, of the definition of now: so tracking a recording again from its beginning gives what
-  /// a run that has just been opened gives. Nothing is forgotten of what was recorded.
+  /// Restores the state of the run right before it began a frame. If the run had no knowledge at
+  /// that time, a new run with the current definition is created: tracking a recording again from
+  /// its beginning then gives the same result as opening it again. Recorded results are kept.
   Status goBack(std::int64_t frame, bool isLive);
-  /// After going back: what has changed since then holds from the frame begun now.
+  /// Applies all later changes to the frame begun next, after goBack().
   void catchUp();
   void setThreads(int threads);
-  /// Forgets all beliefs and all that was remembered.
+  /// Discards all tracks and the whole history. Without `seed`, the previous seed is used.
   void restart(std::optional<std::uint64_t> seed);
 
 private:

@@ -23,8 +23,8 @@
 
 namespace dewpoint::session {
 
-/// Drives a run over the frames of its input: forward, back to a frame of the past, and on from
-/// there with what has changed. Used by the tracking thread only.
+/// Drives a run over the frames of its input: forward, back to a past frame, and on from there with
+/// later changes applied. Used by the tracking thread only.
 class RunDriver {
 public:
   /// `tap`, `log` and `truth` must outlive it.
@@ -32,81 +32,82 @@ public:
   RunDriver(const RunDriver&) = delete;
   RunDriver& operator=(const RunDriver&) = delete;
 
-  /// Whether there is something to track, and something to track it with.
+  /// Returns whether both a source and a run exist.
   bool isReady() const { return kept_.exists() && source_; }
-  /// Takes the first frame; it is shown, but not yet tracked.
+  /// Takes the first frame and shows it without tracking it.
   void start();
   const Playback& playback() const { return playback_; }
-  /// Of the input; there is one.
+  /// Returns the frame rate of the input, which must exist.
   double framesPerSecond() const { return source_->framesPerSecond(); }
   bool isLive() const { return source_->isLive(); }
-  /// Of the run.
+  /// Returns the number of iterations of the run.
   std::int64_t iterations() const { return run().iterations(); }
-  /// Whether every target is held; also where there is none.
+  /// Returns whether every target is held; true without targets.
   bool isHeld() const { return std::ranges::all_of(run().estimates(), tracking::isHeld); }
 
-  // Playing.
+  // Playback.
   void play();
   void pause() { playback_.pause(); }
-  /// Shows the next frame, after tracking it if need be, and waits.
+  /// Shows the next frame, after tracking it if necessary, and pauses.
   void stepFrame();
-  /// One iteration on the head's frame.
+  /// Runs one iteration on the head's frame.
   void stepIteration();
-  /// False if there is nothing to track.
+  /// Restarts the run. Returns false if there is nothing to track.
   bool restart(std::optional<std::uint64_t> seed);
-  /// What goes on by itself goes on: tracks a frame, or only the next iteration of it, or shows the
-  /// next frame of the past.
+  /// Takes the next step of the current activity: tracks a frame, or only its next iteration, or
+  /// shows the next past frame.
   void advance(bool oneIteration = false);
 
-  // Going back.
+  // Time travel.
   void show(std::int64_t frame) { playback_.show(travel().nearest(frame), head()); }
   void returnToHead() { playback_.returnToHead(); }
-  /// Tracks again from this frame on; with `thenView`, the frame that is shown now is shown again
+  /// Tracks again from this frame on. With `thenView`, the frame shown now is shown again
   /// afterwards.
   void rerun(std::int64_t from, bool thenView = false) { rerun(from, nullptr, thenView); }
 
-  // Changes. What is believed stays as far as it can.
-  /// A definition that the run takes(); false if it does not.
+  // Changes. Tracks continue as far as possible.
+  /// Applies a definition. Returns false if the run does not accept it; see takes().
   bool change(RunDefinition wanted);
   void setMethod(const command::SetMethod& request);
   void setTargets(const std::vector<Target>& targets);
   void setCameras(const CameraRig& rig);
   void setEmptyRooms(const command::SetEmptyRooms& request);
-  /// While a board is shown to live cameras none of them is taken for moved.
+  /// While a board is shown to live cameras, none of them is reported as moved.
   void setBoardShown(bool shown) {
     motionWatch_.setResting(shown);
     agreementWatch_.setResting(shown);
   }
   void setPeople(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
-  /// As SessionInputs::threads, from the next iteration on.
+  /// Sets the number of threads from the next iteration on; see SessionInputs::threads.
   void setThreads(int wanted);
 
-  /// What is tracked from now on.
+  /// Returns the definition for new frames.
   const RunDefinition& definition() const { return *kept_.definition(); }
-  /// Fills in everything but what the publishing thread knows itself; `quickly`: a preview will do
-  /// if the images would take long.
+  /// Fills in everything except what the publishing thread itself knows. With `quickly`, a preview
+  /// is sufficient if loading the images takes long.
   void describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
-  /// Adds to a snapshot of the past what only tracking up to its frame can tell, unless `goOn` says
-  /// no.
+  /// Adds to a snapshot of a past frame what requires tracking up to that frame, unless `goOn`
+  /// returns false.
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::GoOn& goOn);
 
 private:
-  /// The frame the run stands at; -1 before the first.
+  /// Returns the frame that the run is at; -1 before the first.
   std::int64_t head() const { return kept_.head(); }
   TrackingRun& run() { return kept_.run(); }
   const TrackingRun& run() const { return kept_.run(); }
   TimeTravel& travel() { return kept_.travel(); }
   const TimeTravel& travel() const { return kept_.travel(); }
-  /// Goes on with a run of its own for another definition, which knows nothing yet. False if that
-  /// cannot be made; then all stays as it was.
+  /// Replaces the run by a new one from scratch with another definition. Returns false and changes
+  /// nothing if it cannot be created.
   bool replaceRun(RunDefinition definition, std::int64_t iterations);
-  /// The project with the definition of now.
+  /// Returns the project with the current definition.
   Project project() const { return definition().appliedTo(project_); }
 
   Result<FrameSetPtr> nextFrames();
-  /// Takes the next frame set; false at the end, on an error, or when nothing came (live).
+  /// Takes the next frame set. Returns false at the end, after an error, or if no image has arrived
+  /// (live).
   bool takeFrame();
   void iterateFrame(FrameStep step = FrameStep::WholeFrame);
   void showNext();
@@ -116,26 +117,27 @@ private:
   }
 
   void rerun(std::int64_t from, const command::SetMethod* method, bool thenView);
-  /// Where tracking by another method begins so that it can be tracked at `from`.
+  /// Returns the frame at which tracking by another method must begin so that `from` can be
+  /// tracked.
   std::int64_t beginOf(const command::SetMethod& method, std::int64_t from) const;
   void changeBoxes(RunDefinition wanted);
-  /// Goes by other corrections, which the method can apply if `canApply`. Tracks again from the
-  /// first frame for which they are otherwise; but when they are only added and begin at the head,
-  /// returns those of the head, to be applied to it.
+  /// Replaces the corrections, which the method can apply if `canApply` is true. Tracks again from
+  /// the first frame whose result differs. If corrections are only added at the head's frame,
+  /// returns the added ones, to be applied there.
   template <class Correction>
   std::vector<Correction> takeCorrections(std::vector<Correction> RunDefinition::*member,
                                           const std::vector<Correction>& wanted, bool canApply);
   void note(const Error& error) { errors_.push_back(error); }
   void showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
 
-  Project project_; ///< as it was opened; definition() goes before it
+  Project project_; ///< as it was opened; definition() takes precedence
   std::unique_ptr<FrameSetSource> source_;
   FrameTapSlot& tap_;
   RunLog& log_;
-  RememberedRun kept_;            ///< no run if the project's could not be made
-  CameraMotionWatch motionWatch_; ///< of the cameras as they were calibrated
+  RememberedRun kept_; ///< contains no run if the run of the project could not be created
+  CameraMotionWatch motionWatch_; ///< with the calibration at the start
   CameraMotionObserver motionObserver_{motionWatch_};
-  CameraAgreementWatch agreementWatch_; ///< of the cameras as the project has them
+  CameraAgreementWatch agreementWatch_; ///< with the calibration of the project
   RunRecorder recorder_;
   std::array<FrameObserver*, 3> observers_{&motionObserver_, &agreementWatch_, &recorder_};
   Playback playback_;

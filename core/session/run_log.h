@@ -16,82 +16,87 @@
 
 namespace dewpoint::session {
 
-/// What happened since the (re)start, written by the tracking thread and copied out by others.
+/// Log of a run since its last start or restart. The tracking thread writes it; other threads copy
+/// from it.
 class RunLog {
 public:
   struct Piece {
     std::vector<IterationRecord> records;
-    bool restarted = false; ///< all that is known comes again: a new run, or one that went back
+    bool restarted = false; ///< all records are returned again: a new run, or one that went back
   };
-  /// About 40 MB with four cameras.
+  /// Largest number of records, about 40 MB with four cameras.
   static constexpr std::size_t kMostRecords = 100000;
   RunLog();
-  /// Forgets the run; what follows belongs to this project, as it is now, and is filtered by so
-  /// many threads.
+  /// Clears the log. The following records belong to this project in its present state, filtered by
+  /// this number of threads.
   void restart(const Project& project, int threads = 1);
-  /// The project has other parameters, or corrections, from now on. If nothing is recorded yet, all
-  /// of the run is of this project, and so is the header of its trajectory.
+  /// Notes that the project has other parameters or corrections from now on. If nothing is recorded
+  /// yet, the whole run and the header of its trajectory belong to this project.
   void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
-  /// Samples of one frame; they replace those of the same frame, if it was the last one.
+  /// Appends the samples of one frame. They replace those of the last frame if it is the same.
   void append(const std::vector<TrajectorySample>& samples);
-  /// As samples, of boxes.
+  /// As for samples, but for boxes.
   void append(const std::vector<BoxSample>& samples);
-  /// One more filter iteration, in seconds per target.
+  /// Adds the duration of one filter iteration, in seconds per target.
   void countIteration(double seconds);
-  /// One more frame is done: seconds since it arrived, and since the run's first one did.
+  /// Adds a finished frame: seconds since its arrival, and since the arrival of the run's first
+  /// frame.
   void countFrame(double sinceArrival, double sinceFirst);
-  /// The input's end was reached, or is ahead again.
+  /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
-  /// The number of threads that share the filter's work from now on.
+  /// Sets the number of filter threads.
   void setThreads(int threads);
-  /// Forgets what was recorded of this frame and of later ones; readers get all records again.
+  /// Removes the records of this frame and later ones; readers receive all records again.
   void goBack(std::int64_t frame);
-  /// Targets have other numbers: numbers[k] is that of what was k, -1 where it is gone, of `count`.
-  /// Readers get all records again.
+  /// Renumbers the targets: the former target k becomes numbers[k] of `count` targets, or is
+  /// removed if this is -1. Readers receive all records again.
   void renumber(const std::vector<int>& numbers, std::size_t count);
-  /// Records from `position` on; both arguments move along. Beyond kMostRecords the older ones are
-  /// there in coarser and coarser steps.
+  /// Returns records from `position` on and updates both arguments. Beyond kMostRecords, older
+  /// records are thinned out progressively.
   Piece since(std::uint64_t& generation, std::size_t& position) const;
-  /// As since(), of the frames tracked: beyond kMostFrames older ones in coarser steps.
+  /// As since(), but for tracked frames. Beyond kMostFrames, older records are thinned out
+  /// progressively.
   struct FramePiece {
     std::vector<FrameRecord> records;
     bool restarted = false;
   };
   static constexpr std::size_t kMostFrames = 50000;
   FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Adds one frame, or replaces the same frame if it was the last one.
+  /// Appends one frame, or replaces the last one if it is the same frame.
   void append(const FrameRecord& record);
-  /// Adds the people of one frame, or replaces those of the same frame if it was the last one.
-  /// Beyond kMostPeopleFrames (about 100 MB with two people) older ones are kept in coarser steps.
+  /// Appends the people of one frame, or replaces those of the last one if it is the same frame.
+  /// Beyond kMostPeopleFrames (about 100 MB with two people), older frames are thinned out
+  /// progressively.
   void append(PeopleFramePtr people);
   static constexpr std::size_t kMostPeopleFrames = 10000;
   std::vector<PeopleFramePtr> people() const;
-  /// From this frame on the run is another one than the header says.
+  /// Notes a change in this frame after which the run no longer matches the header.
   void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
-  /// What the trajectory gained. `position` is where the last frame known to the reader begins: it
-  /// may have been replaced, and comes again.
+  /// Samples added to the trajectory. `position` is the beginning of the last frame known to the
+  /// reader. This frame may have been replaced and is returned again.
   struct SamplesPiece {
-    std::size_t first = 0; ///< number of the first of `samples`; what was there from it on is void
+    /// Number of the first of `samples`; the reader's samples from here on are obsolete.
+    std::size_t first = 0;
     std::vector<TrajectorySample> samples;
-    bool restarted = false; ///< all that is known comes again
+    bool restarted = false; ///< all samples are returned again
   };
   SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// The boxes so far, where boxes are followed.
+  /// Returns all boxes so far, with methods that track boxes.
   BoxTrack boxTrack() const;
-  /// As samplesSince(), of the boxes.
+  /// As samplesSince(), but for boxes.
   struct BoxesPiece {
     std::size_t first = 0;
     std::vector<BoxSample> samples;
     bool restarted = false;
   };
   BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// The results so far that other settings gave than those of now.
+  /// Sets which results so far came from settings other than the current ones.
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;
-  /// What run.json tells of this run.
+  /// Returns the data for run.json.
   std::pair<Project, RunFigures> run() const;
 
 private:

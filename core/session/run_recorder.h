@@ -15,53 +15,54 @@
 
 namespace dewpoint::session {
 
-/// Writes into the log what becomes of a run's frames, and keeps the figures of speed. Used by the
+/// Records the frames of a run in the log, and collects statistics of its speed. Used by the
 /// tracking thread only.
 class RunRecorder final : public FrameObserver {
 public:
-  /// Both must outlive it. `truth` is what errors are measured against.
+  /// `log` and `truth` must outlive the recorder. Errors are computed from `truth`.
   RunRecorder(RunLog& log, const TruthTable& truth) : log_(log), truth_(truth) {}
 
-  /// The run begins again.
+  /// Notes that the run starts again.
   void restart();
-  /// It tracks again from this frame on.
+  /// Notes that the run tracks again from this frame on.
   void goBack(std::int64_t frame) { settings_.goBack(frame); }
-  /// Frames will not come as evenly as they did: their rate is measured again.
+  /// Restarts the measurement of the frame rate after an interruption.
   void interrupt() { frameTimes_.clear(); }
-  /// A frame is about to be taken.
+  /// Notes that a frame is about to be taken.
   void await() { awaited_ = Clock::now(); }
-  /// A frame was taken.
+  /// Notes that a frame was taken.
   void arrive();
-  /// The frame that is tracked next has waited: what a paused run waits for is not its delay.
+  /// Sets the arrival of the next tracked frame to now, so that the waiting time of a paused run
+  /// does not count as latency.
   void arriveNow();
 
   void iterated(const TrackingRun& run, double microseconds) override;
   Status tracked(const TrackingRun& run) override;
-  /// The estimates of the run's frame, in place of earlier ones of the same frame.
+  /// Records the estimates of the current frame, replacing earlier ones of the same frame.
   void record(const TrackingRun& run, const TrackedFrame& trackedFrame);
 
-  /// Frame rate, time of an iteration, latency and time budget.
+  /// Adds frame rate, time per iteration, latency and time budget to a snapshot.
   void addFigures(TrackSnapshot& snapshot) const;
-  /// Tells the log which results are not of the settings of now.
+  /// Reports to the log which results did not come from the current settings.
   void compare(const RunDefinition& now) const;
 
 private:
   using Clock = std::chrono::steady_clock;
 
   std::vector<IterationRecord> records(const TrackingRun& run) const;
-  /// Counts an iteration that took so long, in milliseconds, against the budget of now.
+  /// Counts an iteration with this duration in milliseconds against the current time budget.
   void countAgainstBudget(const ParameterValues& parameters, double milliseconds);
 
   RunLog& log_;
   const TruthTable& truth_;
-  Clock::time_point arrival_;                     ///< of the run's frame
-  std::optional<Clock::time_point> firstArrival_; ///< since the (re)start
+  Clock::time_point arrival_;                     ///< of the current frame
+  std::optional<Clock::time_point> firstArrival_; ///< since the last start or restart
   std::deque<Clock::time_point> frameTimes_;
   std::deque<double> iterationTimes_; ///< microseconds
   BudgetFigures budget_;
   ResultSettings settings_;
-  std::optional<Clock::time_point> awaited_; ///< since when the run's frame takes time
-  std::deque<double> workTimes_;             ///< of frames, seconds
+  std::optional<Clock::time_point> awaited_; ///< start of the work on the current frame
+  std::deque<double> workTimes_;             ///< work per frame, seconds
 };
 
 } // namespace dewpoint::session

@@ -21,25 +21,25 @@
 
 namespace dewpoint::session {
 
-/// All that a run leaves in a folder: a value of its own, to be written in any thread however the
-/// run goes on.
+/// All results that a run saves to a folder. It is an independent copy, which any thread can write
+/// while the run continues.
 struct RunRecord {
   Project project;
   RunFigures figures;
-  PeopleRecord people; ///< its trajectory is that of other methods, too
-  BoxTrack boxes;      ///< of methods that follow boxes
+  PeopleRecord people; ///< its trajectory is also used with other methods
+  BoxTrack boxes;      ///< with methods that track boxes
 
-  /// Writes trajectory.csv and run.json into a folder, which is made when it does not exist; with
-  /// methods that follow boxes boxes.csv and boxes_mot.txt instead of the trajectory; of methods
-  /// for people volumes.csv, hulls.csv and ground.csv too (PeopleWriter).
+  /// Writes trajectory.csv and run.json to a folder, which is created if necessary. Methods that
+  /// track boxes write boxes.csv and boxes_mot.txt instead of the trajectory. Methods for people
+  /// also write volumes.csv, hulls.csv and ground.csv (PeopleWriter).
   Status save(const std::filesystem::path& folder) const;
 
 private:
   Status saveTables(const std::filesystem::path& folder) const;
 };
 
-/// The running machine: one tracking thread that takes frame sets, iterates the filters and
-/// publishes snapshots. Every call returns at once; commands are queued and carried out at the next
+/// A running session with one tracking thread, which takes frame sets, iterates the filters and
+/// publishes snapshots. Every call returns at once; commands are queued and executed at the next
 /// step.
 class Session {
 public:
@@ -48,52 +48,53 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// `wake` is called from the tracking thread after a snapshot was published; it should only post.
-  /// It may read `newest`, but must not set another.
+  /// Sets the function that the tracking thread calls after publishing a snapshot. It should only
+  /// post an event. It may call newest(), but not onSnapshot().
   void onSnapshot(std::function<void()> wake);
-  /// The newest snapshot; never null.
+  /// Returns the newest snapshot; never null.
   TrackSnapshotPtr newest() const;
-  /// Iterations logged at or after `position` (a running count since the restart); `position` moves
-  /// past them, and back to 0 first if the run was restarted meanwhile (returned `restarted`).
+  /// Returns iterations logged at or after `position`, which is a running count since the restart.
+  /// `position` then moves past them. If the run was restarted meanwhile, `position` first returns
+  /// to 0 and `restarted` is true.
   struct LogPiece {
     std::vector<IterationRecord> records;
     bool restarted = false;
   };
   LogPiece logSince(std::uint64_t& generation, std::size_t& position) const;
-  /// As logSince(), of the frames tracked: status, existence and missing cameras.
+  /// As logSince(), but for tracked frames: status, existence probability and missing cameras.
   struct FramePiece {
     std::vector<FrameRecord> records;
     bool restarted = false;
   };
   FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Samples from number `first` on, instead of those the reader has: what the trajectory gained
-  /// since `position`, which begins at 0 and moves along as in logSince().
+  /// Returns the samples added to the trajectory since `position`, which replace the reader's
+  /// samples from number `first` on. `position` begins at 0 and advances as in logSince().
   struct SamplesPiece {
     std::size_t first = 0;
     std::vector<TrajectorySample> samples;
     bool restarted = false;
   };
   SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// As samplesSince(), of the boxes that methods that follow boxes follow.
+  /// As samplesSince(), but for boxes, with methods that track boxes.
   struct BoxesPiece {
     std::size_t first = 0;
     std::vector<BoxSample> samples;
     bool restarted = false;
   };
   BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// The boxes so far.
+  /// Returns all boxes so far.
   BoxTrack boxTrack() const;
-  /// The results that other settings gave than those of the newest snapshot.
+  /// Returns which results came from other settings than those of the newest snapshot.
   OldResults oldResults() const;
-  /// The trajectory so far.
+  /// Returns the trajectory so far.
   Trajectory trajectory() const;
-  /// Writes it as CSV; how many samples it held.
+  /// Writes the trajectory as CSV and returns the number of samples.
   Result<std::size_t> saveTrajectory(const std::filesystem::path& file) const;
-  /// What the run leaves, as it is now.
+  /// Returns the present results of the run.
   RunRecord record() const;
-  /// Writes it at once, see RunRecord.
+  /// Writes the present results at once; see RunRecord.
   Status saveRun(const std::filesystem::path& folder) const;
-  /// All that is known of the people of the run; nothing for other methods.
+  /// Returns all data about the people of the run; empty with other methods.
   PeopleRecord peopleRecord() const;
 
   /// Sends a command; command.h describes each.
@@ -112,10 +113,11 @@ public:
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) {
     send(command::SetVolumeOfInterest{volume});
   }
-  /// From the start.
+  /// Changes the method and starts again from the first frame.
   void setMethod(const std::string& method, const ParameterValues& parameters) {
     send(command::SetMethod{method, parameters, std::nullopt});
   }
+  /// Changes the method from this frame on; earlier results are kept.
   void setMethodFrom(std::int64_t frame, const std::string& method,
                      const ParameterValues& parameters) {
     send(command::SetMethod{method, parameters, frame});
@@ -123,7 +125,7 @@ public:
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
   void backToHead() { send(command::BackToHead{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
-  /// The same, while what is shown stays shown.
+  /// As rerunFrom(), but the displayed frame stays.
   void renewFrom(std::int64_t frame) { send(command::Rerun{frame, true}); }
   void setMasksWanted(bool wanted) { send(command::ShowMasks{wanted}); }
   void setLikelihoodMapsWanted(bool wanted) { send(command::ShowMaps{wanted}); }
@@ -135,8 +137,8 @@ public:
   void setCorrections(const std::vector<PositionCorrection>& corrections) {
     send(command::SetCorrections{corrections});
   }
-  /// Gives every frame set that is taken from now on to `tap` too, in the tracking thread; an empty
-  /// one ends it. Cameras that a person calibrates are seen so while they are tracked.
+  /// Also passes every frame set taken from now on to `tap`, in the tracking thread; an empty tap
+  /// ends this. It gives a calibration access to the cameras while they are being tracked.
   void setFrameTap(FrameTap tap);
 
 private:

@@ -18,23 +18,22 @@
 
 namespace dewpoint::session {
 
-/// What a run needs, chosen and wired by the application.
+/// Inputs of a run, chosen by the application.
 struct SessionInputs {
   Project project;
   std::unique_ptr<FrameSetSource> source;
-  Trajectory truth; ///< empty when unknown
-  /// Of the cameras (loadEmptyRooms); may be empty.
+  Trajectory truth; ///< empty if unknown
+  /// Background image of each camera (loadEmptyRooms); may be empty.
   std::vector<cv::Mat> emptyRooms = {};
-  /// Bytes that going back in the run may take: images of live cameras, particles, copies.
-  /// 0: 1 GB for live cameras, half of it for recordings.
+  /// Memory for the history of the run in bytes: images of live cameras, particles, and copies of
+  /// the method. 0: 1 GB for live cameras, half of that for recordings.
   std::size_t historyBytes = 0;
-  /// Threads that share the work of the filter at first; they never change its result. 0: as
-  /// base::filterThreads() says.
+  /// Initial number of filter threads, which never changes the result. 0: default of
+  /// base::filterThreads().
   int threads = 0;
 };
 
-/// What a person wants to work on: the project in a file (empty: the demo), or one that is in no
-/// file as it is.
+/// Project that the user wants to open: the one in a file (empty: the demo), or an unsaved one.
 struct SessionRequest {
   template <std::convertible_to<std::filesystem::path> File>
   SessionRequest(File&& wanted) : file(std::forward<File>(wanted)) {} // NOLINT: implicit
@@ -42,7 +41,7 @@ struct SessionRequest {
 
   std::filesystem::path file;
   std::optional<Project> project;
-  MovedFiles moved; ///< of `file`: where files are that it names elsewhere
+  MovedFiles moved; ///< present location of files that `file` names elsewhere
 };
 
 } // namespace dewpoint::session

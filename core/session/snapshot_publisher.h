@@ -9,19 +9,21 @@
 
 namespace dewpoint::session {
 
-/// The newest snapshot, and whom to wake when there is one. Every call may come from any thread.
+/// Holds the newest snapshot and notifies a listener of new ones. All functions are thread-safe.
 class SnapshotPublisher {
 public:
-  /// Whom to wake from now on, nobody if `wake` is empty: once this has returned, whoever was woken
-  /// before is never called again. `wake` may read `newest`, but neither publish nor call this.
+  /// Sets the listener; an empty `wake` removes it. After this returns, the former listener is
+  /// never called again. `wake` may call newest(), but neither publish() nor onSnapshot().
   void onSnapshot(std::function<void()> wake);
+  /// Makes a snapshot the newest one and calls the listener.
   void publish(TrackSnapshotPtr snapshot);
+  /// Returns the newest snapshot; never null.
   TrackSnapshotPtr newest() const;
 
 private:
   mutable std::mutex newestMutex_;
   TrackSnapshotPtr newest_ = std::make_shared<const TrackSnapshot>();
-  std::mutex wakeMutex_; ///< held while `wake_` runs; apart, so that `wake_` can read the newest
+  std::mutex wakeMutex_; ///< held while `wake_` runs; separate, so that `wake_` can call newest()
   std::function<void()> wake_;
 };
 

@@ -12,10 +12,9 @@
 
 namespace dewpoint::session {
 
-/// Records in the order they came, at most `most` of them: when there are more, every second group
-/// of the older half is given up, again and again, so that what is long ago is there in ever
-/// coarser steps and the newest in full. Records of one group (`group(record)`, consecutive) stay
-/// together.
+/// Records in order of arrival, at most `most` of them. When there are more, every second group of
+/// the older half is removed, repeatedly. Old records therefore become sparser with age, and the
+/// newest are complete. Consecutive records of one group (same `group(record)`) stay together.
 template <class Record> class ThinnedLog {
 public:
   using GroupOf = std::int64_t (*)(const Record&);
@@ -31,17 +30,18 @@ public:
       thin();
     }
   }
-  /// Forgets the newest records as long as `unwanted` says so of them.
+  /// Removes records from the end as long as `unwanted` returns true for them.
   template <class Predicate> void removeBack(const Predicate& unwanted) {
     while (!entries_.empty() && unwanted(entries_.back().record)) {
       entries_.pop_back();
     }
   }
-  /// Changes every record in place; those of which `change` returns false are forgotten.
+  /// Changes every record in place; removes those for which `change` returns false.
   template <class Change> void changeAll(const Change& change) {
     std::erase_if(entries_, [&](Entry& entry) { return !change(entry.record); });
   }
-  /// Those appended at or after `position` that are still there; `position` moves past them.
+  /// Returns the remaining records that were appended at or after `position`; `position` moves past
+  /// them.
   std::vector<Record> since(std::size_t& position) const {
     std::vector<Record> found;
     auto next = std::lower_bound(
@@ -58,7 +58,7 @@ public:
 
 private:
   struct Entry {
-    std::size_t number; ///< how many were appended before it
+    std::size_t number; ///< number of records appended before this one
     Record record;
   };
 

@@ -14,8 +14,8 @@
 
 namespace dewpoint::session {
 
-/// The work of the tracking thread: carries out commands, lets the run go on when it is time, and
-/// publishes snapshots.
+/// Main loop of the tracking thread: executes commands, advances the run on schedule, and publishes
+/// snapshots.
 class TrackingLoop {
 public:
   explicit TrackingLoop(SessionInputs inputs);
@@ -30,13 +30,13 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// What is to be published after a command.
+  /// When to publish a snapshot after a command.
   enum class Publish {
     Now,
-    Quickly,   ///< a preview will do
-    NowAndThen ///< not more often than a screen shows it
+    Quickly,   ///< at once; a preview is sufficient
+    NowAndThen ///< at most as often as the screen is refreshed
   };
-  /// Carries out a command. A type of command without a handle() of its own does not compile.
+  /// Executes a command. A command type without its own handle() does not compile.
   void carryOut(const Command& command);
   Publish handle(const command::Play& request);
   Publish handle(const command::Pause& request);
@@ -63,15 +63,15 @@ private:
 
   const Playback& playback() const { return driver_.playback(); }
   PlaybackPace::Situation situation() const;
-  /// When the thread has something to do again, unless a command comes; nothing: not by itself.
+  /// Returns when the next step is due; nothing if the thread waits for a command.
   std::optional<Clock::time_point> deadline() const;
-  /// Does the step that is due, and plans the one after it. A slow step must not be followed by a
-  /// burst: the clock is moved on, frames are never skipped.
+  /// Takes the step that is due and schedules the next one. After a slow step, the schedule is
+  /// shifted so that no burst follows; frames are never skipped.
   void goOn();
-  /// Playing begins now, or goes on otherwise.
+  /// Schedules the first step after playing has started or has changed.
   void planFirstStep();
-  /// As often as is of use: while past frames are tracked again, or frames are played faster than
-  /// in real time, less often than every frame.
+  /// Returns the useful publishing rate: less than every frame while past frames are tracked again,
+  /// or frames are played faster than real time.
   Publish usual() const;
   void publish(Publish how);
   void addMaps(const std::stop_token& stop);
@@ -85,7 +85,7 @@ private:
   Clock::time_point published_;
   PlaybackPace pace_;
   Clock::time_point nextStepDue_ = Clock::now();
-  Clock::time_point viewKeptUntil_; ///< a rerun shows nothing before
+  Clock::time_point viewKeptUntil_; ///< a rerun publishes nothing before this time
 };
 
 } // namespace dewpoint::session

@@ -16,71 +16,72 @@
 
 namespace dewpoint::setup {
 
-/// What is wanted of a calibration from a board.
+/// Options of a calibration with a board.
 struct BoardCalibrationRequest {
   BoardDescription board;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
   PixelShape pixels = PixelShape::Measured;
-  int views = 30;       ///< pictures per camera that intrinsics are estimated from
-  int instants = 60;    ///< instants that poses are estimated from
+  int views = 30;       ///< images per camera used to estimate intrinsics
+  int instants = 60;    ///< instants used to estimate poses
   int frameLimit = 300; ///< frames of a recording in which the board is searched for
-  /// The frame in which the board lies on the floor and makes the world; nothing: the first camera
-  /// keeps its pose.
+  /// Frame in which the board lies on the floor and defines the world frame; not set: the first
+  /// camera keeps its pose.
   std::optional<std::int64_t> worldFrame;
-  bool refineIntrinsics = false; ///< adjust the lenses with the poses
+  bool refineIntrinsics = false; ///< refine the intrinsics together with the poses
 };
 
-/// Where the cameras of a recording, or a set of pictures of one camera, saw the board.
+/// Board detections in the recording of several cameras, or in a set of images of one camera.
 struct SeenBoards {
   struct PerCamera {
     std::string name;
     int width = 0;
     int height = 0;
-    int searched = 0; ///< pictures in which it was searched for
+    int searched = 0; ///< number of images in which the board was searched for
     std::vector<BoardView> views;
   };
   std::vector<PerCamera> cameras;
   double framesPerSecond = 30.0;
 };
 
-/// Looks for the board in a recording, in frames spread over it evenly; all cameras at the same
-/// ones. BadValue when the cameras are live, Cancelled, and what the source says.
+/// Searches for the board in a recording, in frames spread evenly over it, the same for all
+/// cameras. Returns BadValue for live cameras, Cancelled, and errors of the source.
 Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
                               const BoardCalibrationRequest& request,
                               const CalibrationProgress& progress = {});
 
-/// Looks for the board in picture files of one camera; views are named by their file's name.
-/// FileUnreadable, Mismatch when sizes differ, Cancelled.
+/// Searches for the board in image files of one camera; views are named after their files. Returns
+/// FileUnreadable, Mismatch if the sizes differ, and Cancelled.
 Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures,
                               const BoardDescription& board, DetectionEffort effort,
                               const CalibrationProgress& progress = {});
 
-/// The lenses that were found, and why others were not.
+/// Estimated intrinsics, and the reasons why others were not estimated.
 struct LensesFromBoards {
-  std::vector<std::optional<IntrinsicsResult>> cameras; ///< nothing: it keeps its lens
-  std::vector<Error> kept; ///< for each camera that keeps its lens: its name (field), and why
+  std::vector<std::optional<IntrinsicsResult>> cameras; ///< empty: the camera keeps its intrinsics
+  /// For each camera that keeps its intrinsics: its name (field), and the reason.
+  std::vector<Error> kept;
 };
 
-/// The intrinsics of each camera of `seen`, from views chosen by chooseViews(). A camera that did
-/// not see the board well keeps its lens; the error, which names the camera, is returned when that
-/// is so of all of them, and Cancelled.
+/// Estimates the intrinsics of each camera of `seen` from views chosen by chooseViews(). A camera
+/// that did not see the board well enough keeps its intrinsics. If this is true of all cameras,
+/// returns the error, which names the camera. Also returns Cancelled.
 Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
-/// The poses of a project's cameras, with the intrinsics it has, from instants chosen by
+/// Estimates the poses of a project's cameras, with its present intrinsics, from instants chosen by
 /// chooseInstants(). Cameras that never saw the board keep their poses and are named in the
-/// notices, as long as two others saw it; if the first is one of them, the first that saw it keeps
-/// its pose instead. Faults that explain what is seen better are named in the result, or in the
-/// error.
+/// notices, if at least two others saw it. If the first camera is one of them, the first that saw
+/// the board keeps its pose instead. Faults that explain the detections better are named in the
+/// result, or in the error.
 Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const SeenBoards& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
-/// "camera 2 keeps its lens: it never saw the board, in 60 pictures".
+/// Returns a sentence like "camera 2 keeps its lens: it never saw the board, in 60 pictures".
 std::string keptSentence(const Error& kept);
 
-/// The report on intrinsics.
+/// Returns the report on intrinsics.
 BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& request,
                      const LensesFromBoards& lenses);
 

@@ -17,68 +17,70 @@
 
 namespace dewpoint::setup {
 
-/// The request of a user who shows a board to live cameras.
+/// Options of a guided calibration, in which the user shows a board to live cameras.
 struct BoardGuideRequest {
   BoardCalibrationRequest board;
   BoardGoal goal;
-  GuidanceSettings lenses;          ///< with the accuracy at which a lens is known well enough
-  RigGuidance::Settings rig;        ///< how often pairs of cameras see the board together
-  double requestedPosition = 0.002; ///< meters: CameraFit::centerSigma of each camera at the end
-  int mostInstants = 60;            ///< then it ends whatever the accuracy
-  std::size_t outlinesKept = 100;   ///< per camera
+  GuidanceSettings lenses;          ///< including the accuracy that is sufficient for intrinsics
+  RigGuidance::Settings rig;        ///< how often pairs of cameras must see the board together
+  double requestedPosition = 0.002; ///< meters: required CameraFit::centerSigma of each camera
+  int mostInstants = 60;          ///< number of instants after which it ends regardless of accuracy
+  std::size_t outlinesKept = 100; ///< number per camera
 };
 
-/// Where the guidance is. Immutable once published.
+/// State of the guidance. Immutable once published.
 struct BoardGuideState {
   enum class Phase {
-    Lenses,  ///< the board is shown to each camera by itself
-    Poses,   ///< and to several at once
+    Lenses,  ///< the board is shown to each camera separately
+    Poses,   ///< the board is shown to several cameras at once
     Finished ///< the requested accuracy is reached
   };
-  using Outline = std::vector<Eigen::Vector2d>; ///< pixels, around the board's corners
+  using Outline = std::vector<Eigen::Vector2d>; ///< pixels, around the corners of the board
   struct PerCamera {
     std::string name;
-    int width = 0; ///< of its images; 0: there was none yet
+    int width = 0; ///< of its images; 0: no image yet
     int height = 0;
-    GuidanceState lens;                  ///< in the phase Lenses
+    GuidanceState lens;                  ///< in phase Lenses
     std::optional<BoardDetection> seen;  ///< in the newest image
-    Outline outline;                     ///< of it; may be empty
-    std::vector<Outline> taken;          ///< of the views that were taken
-    std::optional<double> rmsPx;         ///< of the newest calibration of its lens
-    std::optional<double> positionSigma; ///< meters, of the newest calibration of the poses
-    int pairViews = 0;                   ///< taken together with another camera
+    Outline outline;                     ///< of the board in the newest image; may be empty
+    std::vector<Outline> taken;          ///< of the captured views
+    std::optional<double> rmsPx;         ///< of the latest calibration of its intrinsics
+    std::optional<double> positionSigma; ///< meters, of the latest calibration of the poses
+    int pairViews = 0;                   ///< number of views captured together with another camera
   };
 
   Phase phase = Phase::Lenses;
-  std::int64_t frame = -1; ///< the last frame set that was searched
+  std::int64_t frame = -1; ///< last frame set that was searched
   std::vector<PerCamera> cameras;
   RigGuidance::State rig;
-  std::optional<std::int64_t> floorFrame; ///< in which the board lies on the floor
-  /// What was taken so far, for calibrateFromBoards().
+  std::optional<std::int64_t> floorFrame; ///< frame in which the board lies on the floor
+  /// Views captured so far, for calibrateFromBoards().
   std::shared_ptr<const SeenBoards> seen;
 };
 using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 
-/// What calibrateFromBoards() is to do with the views that were taken from live cameras: lenses are
-/// found from all of them, and the world is that of the floor that was shown.
+/// Returns the options with which calibrateFromBoards() processes the captured views of live
+/// cameras: intrinsics are estimated from all views, and the captured floor defines the world
+/// frame.
 BoardCalibrationRequest requestForTaken(const BoardGuideRequest& request,
                                         const BoardGuideState& state);
 
-/// Guides the user through the calibration of live cameras with a board: searches for it in the
-/// images, tells what to show next, captures it while it is held still, calibrates in between, and
-/// ends by itself when the requested accuracy is reached. No clock and no thread of its own besides
-/// those that share the images: the same frames give the same states.
+/// Guides the user through the calibration of live cameras with a board. It searches for the board
+/// in the images, tells the user what to show next, captures the board while it is held still,
+/// calibrates repeatedly, and ends automatically when the requested accuracy is reached. It has no
+/// clock, and no threads except those that process the images: the same frames give the same
+/// states.
 class BoardGuide {
 public:
   BoardGuide(Project project, const BoardGuideRequest& request, int threads = 1);
 
-  /// The newest images, in rising order.
+  /// Processes the newest images, in ascending order.
   BoardGuideState step(const FrameSet& frames);
-  /// Takes the images given last, where they show the board: on the user's request.
+  /// Captures the last images that show the board, at the user's request.
   BoardGuideState captureNow();
-  /// The same; there the board lies on the floor. What is not seen at all makes no floor.
+  /// As captureNow(), with the board lying on the floor. A floor needs at least one detection.
   BoardGuideState captureFloor();
-  /// Leaves the lenses as well known as they are and goes on to the poses.
+  /// Keeps the present accuracy of the intrinsics and continues with the poses.
   BoardGuideState goOn();
   const BoardGuideState& state() const { return state_; }
 
@@ -95,14 +97,15 @@ private:
   void keepView(std::size_t camera);
   void beginRig();
 
-  Project project_; ///< with the lenses found so far
+  Project project_; ///< with the intrinsics estimated so far
   BoardGuideRequest request_;
   BoardDetector detector_;
   ThreadTeam team_;
   BoardGuideState state_;
   SeenBoards seen_;
-  std::vector<std::optional<BoardGuidance>> lenses_; ///< nothing before a camera's first image
-  std::vector<std::size_t> tried_; ///< views of each camera when its lens was calibrated last
+  std::vector<std::optional<BoardGuidance>> lenses_; ///< empty before a camera's first image
+  /// Number of views of each camera at the last calibration of its intrinsics.
+  std::vector<std::size_t> tried_;
   std::optional<RigGuidance> rigGuidance_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace dewpoint::setup {
 
-/// What is to be found with a board: one of them at least.
+/// What a calibration with a board estimates; at least one must be true.
 struct BoardGoal {
   bool lenses = true;
   bool poses = false;
@@ -18,44 +18,45 @@ struct BoardGoal {
   bool operator==(const BoardGoal&) const = default;
 };
 
-/// A project that was calibrated with a board, and the report about it.
+/// A project calibrated with a board, and the report about it.
 struct BoardOutcome {
   Project project;
   std::optional<LensesFromBoards> lenses;
   std::optional<ExtrinsicsResult> extrinsics;
   std::optional<Error>
-      extrinsicsError; ///< why only the lenses were found, although both were wanted
+      extrinsicsError; ///< why only the intrinsics were estimated although both were requested
   std::optional<CalibrationAccuracy>
-      accuracy;                 ///< of the camera positions; nothing: it could not be assessed
-  std::string accuracySentence; ///< or why there is none; empty without camera poses
-  std::string report;           ///< one HTML page
+      accuracy; ///< of the camera positions; empty: it could not be assessed
+  /// The accuracy, or the reason why there is none; empty without camera poses.
+  std::string accuracySentence;
+  std::string report; ///< a single HTML page
 };
 
-/// Lenses, then poses with these lenses, from where the board was seen: the same bits for the
-/// command line and the window, from a recording or live. The project itself is not changed. One
-/// camera alone has no pose to be found, unless the board lies on the floor somewhere. Errors:
-/// those of intrinsicsFromBoards() and extrinsicsFromBoards().
+/// Estimates intrinsics, then poses with these intrinsics, from board detections. The command line
+/// and the window give the same bits, for recordings and live cameras. The given project is not
+/// changed. A single camera has no pose to estimate unless the board lies on the floor in some
+/// view. Returns the errors of intrinsicsFromBoards() and extrinsicsFromBoards().
 Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoards& seen,
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
-/// The same from a recording, in which the board is searched for first. Errors: those of
-/// findBoards() too.
+/// As above, but first searches for the board in a recording. Also returns the errors of
+/// findBoards().
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
-/// Whether the user should decide about it before it is put into the project: a fault that has a
-/// name explains what was seen better.
+/// Returns whether the user should decide before the result is stored in the project, because a
+/// known fault explains the detections better.
 bool isDoubtful(const BoardOutcome& outcome);
 
-/// A project with the same cameras, with the calibration of the outcome.
+/// Returns a project with the same cameras and the calibration of the outcome.
 Project withOutcome(Project project, const BoardOutcome& outcome);
 
-/// What the user should know besides the numbers, sentence by sentence: cameras that kept what they
-/// had, notices, faults.
+/// Returns what the user should know besides the numbers, as sentences: cameras that kept their
+/// calibration, notices, faults.
 std::vector<std::string> remarksOn(const BoardOutcome& outcome);
 
 } // namespace dewpoint::setup

@@ -8,26 +8,26 @@
 
 namespace dewpoint::setup {
 
-/// A BoardGuide in a thread of its own, fed with the images of live cameras: it uses the newest
-/// ones only. Every call returns at once.
+/// Runs a BoardGuide in a thread of its own with images of live cameras, of which only the newest
+/// are processed. Every call returns at once.
 class BoardWatch {
 public:
-  /// `wake` is called from the thread after a state was published; it must only post.
+  /// `wake` is called from the thread after a state was published; it must only post an event.
   explicit BoardWatch(std::function<void()> wake);
-  ~BoardWatch(); ///< stops the thread, and waits for images that were shown: not in a window's
-                 ///< thread
+  /// Stops the thread and waits for its images, so do not call it from the thread of a window.
+  ~BoardWatch();
   BoardWatch(const BoardWatch&) = delete;
   BoardWatch& operator=(const BoardWatch&) = delete;
 
-  /// Begins, or starts over.
+  /// Starts, or restarts from scratch.
   void begin(const Project& project, const BoardGuideRequest& request);
-  /// Replaces images that are still waiting.
+  /// Passes images to the guide, replacing images that are still waiting.
   void show(FrameSetPtr frames);
   void captureNow();
-  /// As captureNow(); there the board lies on the floor.
+  /// As captureNow(), with the board lying on the floor.
   void captureFloor();
   void goOn();
-  /// The newest state since begin(); never null.
+  /// Returns the newest state since begin(); never null.
   BoardGuideStatePtr newest() const;
 
 private:

@@ -11,32 +11,34 @@
 
 namespace dewpoint::setup {
 
-/// Gives a camera of a project another calibration. One of a simulated camera that differs from
-/// what its scene says is kept from then on (`adjusted`). What edits a project does it here;
-/// RunDefinition::appliedTo() only puts in the cameras of a run, and leaves `adjusted` as it is.
+/// Sets the calibration of a project's camera. If the calibration of a simulated camera differs
+/// from its scene, it is marked as the project's own (`adjusted`). Use this function to edit a
+/// project; RunDefinition::appliedTo() only inserts the cameras of a run and does not change
+/// `adjusted`.
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
 
-/// The project with these cameras' calibration, in the same order.
+/// Returns the project with the calibration of these cameras, in the same order.
 Project withCameras(Project project, const CameraRig& rig);
 
-/// The project whose cameras have these seconds more delay than so far, as found in its images
-/// (WandResult::offsets: those are negative for cameras that are late); simulated ones stay.
+/// Returns the project with delays added to its cameras' delays, in seconds, from the offsets found
+/// in their images (WandResult::offsets, negative for delayed cameras). Simulated cameras are
+/// unchanged.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 
-/// The project whose camera `camera` delivers its pictures rotated and mirrored so, after what is
-/// done to them already: how they are rotated, its calibration and the clicks on measured points in
-/// it all change together.
+/// Returns the project with the images of camera `camera` rotated and mirrored in addition to its
+/// present settings. Its rotation, its calibration and its clicks on measured points change
+/// consistently.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 
-/// Whether the images of a camera may be rotated and mirrored by a setting: those of a simulated
-/// one are made as they are.
+/// Returns whether a setting can rotate and mirror the images of a camera. False for simulated
+/// cameras.
 bool canSetImageSymmetry(const ProjectCamera& camera);
 
-/// The project with the image symmetry that was proposed for each camera, where it can be set.
+/// Returns the project with the image symmetry proposed for each camera, where it can be set.
 Project withProposedSymmetries(Project project, const std::vector<CameraFromPoints>& cameras);
 
-/// The project with these lenses, in the order of its cameras, which keep theirs where there is
-/// none; poses stay.
+/// Returns the project with these intrinsics, in the order of its cameras. Cameras without a result
+/// keep theirs; poses are unchanged.
 Project withIntrinsics(Project project,
                        const std::vector<std::optional<IntrinsicsResult>>& results);
 

@@ -10,21 +10,23 @@
 
 namespace dewpoint::setup {
 
-/// What a file that was chosen as the calibration of a new project turned out to be.
+/// Result of checking a file chosen as the calibration of a new project.
 struct CheckedCalibration {
-  std::string formatTitle;          ///< empty: of no format that is known here
-  std::vector<std::string> cameras; ///< their names in the file, when it can be used as it is
-  std::optional<Error> problem;     ///< why it cannot be used as it is
-  bool asks = false; ///< it leaves something open (its unit, say) that importCalibration() is told
+  std::string formatTitle; ///< empty: unknown format
+  /// Their names in the file, if it can be used without further information.
+  std::vector<std::string> cameras;
+  std::optional<Error> problem; ///< reason why it cannot be used without further information
+  /// The file leaves something open, such as its unit, that importCalibration() must be given.
+  bool asks = false;
 };
 
-/// Reads a calibration as makeProject() will. Of a file that cannot be used the format is still
-/// recognized where its text allows that.
+/// Reads a calibration as makeProject() does. The format of an unusable file is still recognized if
+/// its text allows it.
 CheckedCalibration checkCalibration(const std::filesystem::path& file);
 
-/// How makeProject() finds the calibration of each camera in a file.
+/// How makeProject() matches the cameras in a file to those of the project.
 enum class CameraMatch { ByName, ByOrder, None };
-/// `cameras`: of the project; `inFile`: of the file.
+/// Returns how names match. `cameras`: names in the project; `inFile`: names in the file.
 CameraMatch matchCameras(const std::vector<std::string>& cameras,
                          const std::vector<std::string>& inFile);
 

@@ -13,55 +13,59 @@
 
 namespace dewpoint::setup {
 
-/// The user's statements about a calibration file that is to be taken into a project.
+/// The user's information about a calibration file to be imported.
 struct ImportRequest {
-  std::filesystem::path path; ///< a file, or a folder with a file per camera
+  std::filesystem::path path; ///< a file, or a folder with one file per camera
   CalibrationHints hints;
-  /// Index of the project's camera that a file of one camera is about; nothing: found by name.
+  /// Index of the project's camera to which a file with one camera belongs; not set: matched by
+  /// name.
   std::optional<std::size_t> camera = {};
 };
 
-/// What taking it would change about one camera.
+/// Change of one camera by an import.
 struct ImportedCamera {
-  std::size_t camera;   ///< in the project
+  std::size_t camera;   ///< index in the project
   std::string name;     ///< in the project
   std::string fileName; ///< in the file
-  PoseShift shift;      ///< from the project's present pose
+  PoseShift shift;      ///< change from the project's present pose
 };
 
-/// A calibration file as the project would have it, with all that was decided on the way.
+/// Result of importing a calibration file, with all decisions made during the import.
 struct CalibrationImport {
   Project project;
   std::string formatTitle;
-  std::vector<std::string> decisions; ///< whole sentences: units, axes, directions
+  std::vector<std::string> decisions; ///< full sentences: units, axes, directions
   std::vector<ImportedCamera> cameras;
-  bool matchedByOrder = false; ///< names fit no camera; the file's order was used
-  bool lensOnly = false;       ///< the file has no poses: the project's stay
-  /// Difference() between the file's cameras and the project's as saved.
+  bool matchedByOrder = false; ///< names match no camera; the order in the file was used
+  bool lensOnly = false;       ///< the file has no poses; those of the project are kept
+  /// Result of difference() between the file's cameras and the project's cameras as they would be
+  /// saved, in pixels.
   double largestPixels = 0.0;
 };
 
-/// Reads any tool's calibration for a project's cameras, matched by name, else by order when there
-/// is one for each camera. The project given is not changed. Errors name file, field and likely
-/// cause (readCalibration()).
+/// Imports the calibration of any supported tool for a project's cameras. They are matched by name,
+/// or by order if the file has one for each camera. The given project is not changed. Errors name
+/// file, field and likely cause (readCalibration()).
 Result<CalibrationImport> importCalibration(const Project& project, const ImportRequest& request);
 
-/// What a file leaves open, as CalibrationHints has it.
+/// Information that a file lacks; see CalibrationHints.
 enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera };
 
-/// The question that an error of importCalibration() raises, and its sentence without the command
-/// line's words for the answer.
+/// Question raised by an error of importCalibration(), and the error's sentence without the
+/// command-line option that answers it.
 struct AskedQuestion {
   ImportQuestion question = ImportQuestion::None;
   Error error;
 };
+/// Returns the question raised by an error of importCalibration(); None if it raises no question.
 AskedQuestion askedQuestion(Error error);
 
-/// Writes the project's cameras in any tool's format.
+/// Writes the project's cameras in the format of any supported tool.
 Result<CalibrationConversion> exportCalibration(const Project& project,
                                                 const CalibrationTarget& target);
 
-/// What exportCalibration() would do and lose, without leaving a file; `written` is empty.
+/// Returns what exportCalibration() would write and lose, without creating a file; `written` is
+/// empty.
 Result<CalibrationConversion> previewExport(const Project& project, CalibrationTarget target);
 
 } // namespace dewpoint::setup

@@ -17,76 +17,77 @@
 
 namespace dewpoint::setup {
 
-/// The images that clicks are explained by: of one instant, in the order of the rig, CV_8UC3, empty
-/// where there is none.
+/// Images that the clicks refer to: of one instant, in the order of the rig, CV_8UC3, empty for a
+/// camera without an image.
 struct ClickedImages {
   std::vector<cv::Mat> images;
-  std::vector<cv::Mat> emptyRooms; ///< as learnColorWithBackground()
-  std::int64_t frame = 0;          ///< that they show
+  std::vector<cv::Mat> emptyRooms; ///< as for learnColorWithBackground()
+  std::int64_t frame = 0;          ///< frame that they show
 };
 
-/// The outline of what was found in the image of a camera, pixels.
+/// Outline of an object found in the image of a camera, in pixels.
 struct FoundOutline {
   int camera = 0;
   std::vector<cv::Point> outline;
 };
 
-/// What clicks on a target teach.
+/// Result of learning from clicks on a target.
 struct ClickLesson {
   LearnedColor color;
-  std::vector<ColorSample> samples; ///< those that were clicked, then those that were found
-  std::vector<FoundOutline> found;  ///< in the images shown
-  /// Meters, as Counterparts::radius; nothing when nothing was found in the images shown.
+  std::vector<ColorSample> samples; ///< the clicked samples, then those found in other images
+  std::vector<FoundOutline> found;  ///< in the displayed images
+  /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
   std::optional<double> radius;
-  /// The centers of what shows the target in the images shown, where several cameras do: of the
-  /// first click that was found elsewhere too.
+  /// Centers of the target in the displayed images, if several cameras show it, for the first click
+  /// that was also found elsewhere.
   std::vector<PointClick> centers;
-  /// The target, where what was marked is a part of something larger of its color: a box within it,
-  /// or a click on something larger than the radius that is known. `radius` is that of the part.
+  /// Position and size of the target if only a part of a larger object of its color was marked: by
+  /// a box inside it, or by a click on an object larger than the known radius. `radius` is that of
+  /// the part.
   std::optional<MarkedPart> part;
-  /// Where the target is in this frame: nothing unless the color alone does not say which object is
-  /// meant, as others match too or it is a part of one.
+  /// Position of the target in this frame. Set only if the color alone does not identify the
+  /// target, because other objects match it or the target is a part of one.
   std::optional<PositionCorrection> correction;
 };
 
-/// How a radius compares with the one that clicks show, good to a third.
+/// Comparison of a given radius with the one derived from clicks, which is accurate to about a
+/// third.
 enum class RadiusFit : std::uint8_t {
   Fits,
-  IsDiameter, ///< it is about twice as large: the diameter may be meant
+  IsDiameter, ///< it is about twice as large, so it may be the diameter
   Differs,
 };
 RadiusFit compareRadius(double given, double shown);
 
-/// The color of a target from samples of it: learned by what was clicked, and by what the cameras
-/// in which it was not clicked show of the same object (findCounterparts()). For each click in the
-/// images shown the other cameras are searched again; what was found of clicks in other frames
-/// stays, as long as there is such a click.
+/// Learns the color of a target from samples. It uses the clicked samples, and samples of the same
+/// object in cameras in which it was not clicked (findCounterparts()). For each click in the
+/// displayed images, the other cameras are searched again. Samples found for clicks in other frames
+/// are kept as long as there is such a click.
 ///
-/// `others` are samples of other targets. What the images show of one of about the same color is
-/// neither this target nor background: two alike are told apart by where they are. One of another
-/// color is background. Errors as learnColor().
+/// `others` are samples of other targets. Another target of about the same color counts neither as
+/// this target nor as background, since identical targets are distinguished by position. One of a
+/// different color counts as background. Returns the errors of learnColor().
 Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& shown,
                                     const std::vector<ColorSample>& samples,
                                     const CounterpartLimits& limits = {},
                                     const std::vector<ColorSample>& others = {});
 
-/// The same for a target of a project (index in Project::targets; none: a new one): with its
-/// cameras and volume of interest, the target's radius, and the samples of its other targets. Only
-/// this one makes a correction.
+/// Does the same for a target of a project (index in Project::targets, or a new target if out of
+/// range). It uses the project's cameras and volume of interest, the target's radius, and the
+/// samples of other targets. Only this function computes a correction.
 Result<ClickLesson> learnFromClicks(const Project& project, int target, const ClickedImages& shown,
                                     const std::vector<ColorSample>& samples);
 
-/// Gives a target of a project (index) what was learned: color, samples, the radius of a part
-/// unless one is given, and the correction unless there is one of this frame. Corrections in frames
-/// of clicks that are not among the samples any more are removed: they may have been of another
-/// object.
+/// Applies a lesson to a target of a project (index): color, samples, the radius of a part unless a
+/// radius is given, and the correction unless this frame has one. Corrections in frames whose
+/// clicks are no longer among the samples are removed, since they may belong to another object.
 void applyLesson(const ClickLesson& lesson, std::size_t target, Project& project);
 
-/// The samples without one of them. One that was found is not forgotten but excluded: it would be
-/// found again.
+/// Returns the samples without one of them. A sample that was found is marked as excluded instead
+/// of removed, since it would be found again.
 std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index);
 
-/// Whether one of them was clicked on the target.
+/// Returns whether at least one sample was clicked on the target.
 bool anyClicked(const std::vector<ColorSample>& samples);
 
 } // namespace dewpoint::setup

@@ -10,14 +10,15 @@
 
 namespace dewpoint::setup {
 
-/// The project's correction of this target (index in Project::targets) at this frame; null when
-/// there is none.
+/// Returns the project's correction of this target (index in Project::targets) in this frame; null
+/// if there is none.
 const PositionCorrection* correctionAt(const Project& project, std::int64_t frame, int target);
 
-/// The correction of a target that one more click on it makes, in the image of a camera of `rig` at
-/// this frame: with the clicks of the one there is, this one in place of an earlier one of its
-/// camera. Its position is the clickedPosition() of them all: of one click as far from the camera
-/// as `estimate` is, the target's at this frame; of more, where their rays meet. Errors as there.
+/// Returns the correction of a target after one more click on it in the image of a camera of `rig`
+/// in this frame. It has the clicks of the present correction, with this click replacing an earlier
+/// one in the same camera. The position is the clickedPosition() of all clicks: with one click, at
+/// the distance of `estimate` (the target's estimate in this frame) from the camera; with more,
+/// where their rays meet. Returns the errors of clickedPosition().
 Result<PositionCorrection> clickedCorrection(const Project& project, const CameraRig& rig,
                                              std::int64_t frame, int target,
                                              const PointClick& click,

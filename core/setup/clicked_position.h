@@ -11,19 +11,21 @@
 
 namespace dewpoint::setup {
 
-/// The position (world, m; m²) that clicks on a target stand for, at most one per camera, all in
-/// images of one frame. A click is taken to be off by 2 px along each axis.
+/// Returns the position (world frame, m; m²) given by clicks on a target, at most one per camera,
+/// all in images of one frame. The error of a click is assumed to be 2 px along each axis.
 ///
-/// Several clicks: the nearestPoint() of their rays; the covariance is that of the clicks' errors,
-/// larger where the rays miss each other by more than these explain. One click leaves the depth
-/// open: it is that of `estimate`, the target's at this frame, and as far off along the ray as the
-/// estimate is across it, besides the estimate's own error. Without an estimate in front of the
-/// camera it is the middle of the part of the ray that most other cameras see, of its inverse depth
-/// (it may be endless), and its error that of a uniform distribution over that part.
+/// With several clicks, it is the nearestPoint() of their rays. The covariance follows from the
+/// errors of the clicks, and is larger if the distance between the rays exceeds what these explain.
+/// A single click leaves the depth open. The depth is then that of `estimate` (the target's
+/// estimate in this frame). Its standard deviation along the ray is the estimate's deviation across
+/// the ray, in addition to the error of the estimate itself. Without an estimate in front of the
+/// camera, the position is the center, in inverse depth, of the part of the ray visible to most
+/// other cameras, which may be infinite. Its error is that of a uniform distribution over this
+/// part.
 ///
-/// BadValue: no click, or a camera that is not there. Undetermined names the camera whose lens
-/// shows nothing at the pixel, or of whose ray no other camera sees anything; "clicks" when the
-/// rays do not meet in front of the cameras.
+/// Returns BadValue without a click or for an unknown camera. Returns Undetermined with the name of
+/// the camera if its lens does not cover the pixel or no other camera sees any part of its ray, and
+/// with "clicks" if the rays do not meet in front of the cameras.
 Result<Gaussian3> clickedPosition(const CameraRig& rig, const std::vector<PointClick>& clicks,
                                   const std::optional<Gaussian3>& estimate);
 

@@ -7,20 +7,20 @@
 
 namespace dewpoint::setup {
 
-/// The parameters with which a project is tracked while none is given: the defaults of its method,
-/// and what its cameras say.
+/// Returns the parameters with which a project is tracked if none are given: the defaults of its
+/// method, and values derived from its cameras.
 ParameterValues defaultParameters(const Project& project);
 
-/// Whether a parameter in use is otherwise than in defaultParameters(). Of those that come from the
-/// cameras the declared default is one, too.
+/// Returns whether a parameter in use differs from defaultParameters(). For a parameter derived
+/// from the cameras, the declared default also counts as unchanged.
 bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
                const ParameterDeclaration& declaration);
 
-/// Gives a declared parameter (asserted) the value that it has in defaultParameters(). Of those
-/// that come from the cameras the others stay as they are in use; when all of them are as the
-/// cameras say, none is given any more.
+/// Resets a declared parameter (asserted) to its value in defaultParameters(). Other parameters
+/// that can be derived from the cameras keep the values in use. If all of them equal the derived
+/// values, none is marked as given any more.
 void resetParameter(Project& project, std::string_view key);
-/// The same for all that isChanged().
+/// Resets all parameters for which isChanged() is true.
 void resetParameters(Project& project);
 
 } // namespace dewpoint::setup

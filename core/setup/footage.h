@@ -9,30 +9,30 @@
 
 namespace dewpoint::setup {
 
-/// Whether a name comes before another one as people sort them: numbers by their value ("camera 2"
-/// before "camera 10"), letters whatever their case and accent (of Latin-1, in UTF-8), other
-/// characters before digits before letters. Equal ones by their bytes. For lists that people read;
-/// the frames of a folder of images have an order of their own, see naturallyBefore().
+/// Returns whether a name precedes another one in natural order: numbers by value ("camera 2"
+/// before "camera 10"), letters without case and accent (of Latin-1, in UTF-8), other characters
+/// before digits before letters. Names that compare equal are ordered by their bytes. This is for
+/// lists shown to users; frames of an image folder have their own order, see naturallyBefore().
 bool comesBefore(const std::string& name, const std::string& other);
 
-/// Files by their names (without the folder), see comesBefore(): which one was chosen first means
-/// nothing, but cameras of a calibration may be taken in the order of their files.
+/// Sorts files by name (without the folder) with comesBefore(). The order in which the user chose
+/// them has no meaning, but cameras of a calibration may be matched by the order of their files.
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 
-/// Whether a file can be what a camera recorded, a video or an image: by its ending, and where that
-/// says nothing, by what it begins with. Whether it can be read shows when it is opened.
+/// Returns whether a file may be a camera's recording, a video or an image: by its suffix, or by
+/// its first bytes if the suffix is not conclusive. Only opening it shows whether it can be read.
 bool isFootage(const std::filesystem::path& file);
 
-/// Whether a file or folder can be a camera: footage, a folder with at least one file called as
-/// images are, a device, or what does not exist (an address; what is missing is reported when it is
-/// opened).
+/// Returns whether a file or folder may be the source of a camera: footage, a folder with at least
+/// one file named like an image, a device, or something that does not exist (an address; missing
+/// files are reported on opening).
 bool showsImages(const std::string& location);
 
-/// What may be a camera in a folder: videos and folders of images, in natural order; not what lies
-/// deeper. Empty when it cannot be read.
+/// Returns the possible cameras in a folder: videos and image folders, in natural order, without
+/// subfolders of these. Empty if the folder cannot be read.
 std::vector<std::string> footageIn(const std::filesystem::path& folder);
 
-/// The video devices of this computer, "/dev/video0", by name; not tried.
+/// Returns the video devices of this computer, "/dev/video0", by name, without testing them.
 std::vector<std::string> connectedCameras();
 
 } // namespace dewpoint::setup

@@ -12,28 +12,29 @@
 
 namespace dewpoint::setup {
 
-/// What a recording shows before a project is made of it.
+/// Properties of a recording, for use before a project is created.
 struct FootageFacts {
   int width = 0;                ///< pixels, as stored
   int height = 0;               ///< pixels, as stored
-  double framesPerSecond = 0.0; ///< as the video states it; 0: a folder of images, or not stated
+  double framesPerSecond = 0.0; ///< as stated in the video; 0: an image folder, or not stated
   std::int64_t frames = 0;
-  cv::Mat preview; ///< the first image, CV_8UC3 (BGR), scaled down
+  cv::Mat preview; ///< first image, CV_8UC3 (BGR), scaled down
 };
 
-/// Opens a video or a folder of images, reads its first image, and closes it again: may take long.
-/// Nothing for what is not a file or folder (a device, an address, a pipe): it is not tried.
-/// FileMissing and FileUnreadable name the file.
+/// Opens a video or an image folder, reads its first image, and closes it again, which may take
+/// long. Returns nothing for anything other than a file or folder (a device, an address, a pipe),
+/// which is not opened. FileMissing and FileUnreadable name the file.
 Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location);
 
-/// In which respects recordings that belong together differ.
+/// Differences between recordings that belong together.
 struct FootageDifferences {
-  std::optional<std::int64_t> shortest; ///< frames of the shortest, when they differ in length
+  std::optional<std::int64_t> shortest; ///< frames of the shortest one, if their lengths differ
   bool sizes = false;
-  bool rates = false; ///< of those whose rates are known; by more than rounding
+  bool rates = false; ///< known frame rates differ by more than rounding
 
   bool operator==(const FootageDifferences&) const = default;
 };
+/// Returns the differences between recordings.
 FootageDifferences footageDifferences(const std::vector<FootageFacts>& recordings);
 
 } // namespace dewpoint::setup

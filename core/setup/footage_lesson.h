@@ -13,28 +13,28 @@
 
 namespace dewpoint::setup {
 
-/// Clicks on a target in a recording, and what is known of the target.
+/// Clicks on a target in a recording, and what is known about the target.
 struct FootageClicks {
-  /// The first one is on the target; the colors of none are taken yet.
+  /// Samples; the first one is on the target. Their colors are not set yet.
   std::vector<ColorSample> samples;
-  std::optional<std::string> target; ///< its name; nothing: the only one, or "target 1"
-  std::optional<double> radius;      ///< meters; nothing: stays as it is
-  std::optional<TargetShape> shape;  ///< nothing: stays as it is
+  std::optional<std::string> target; ///< its name; empty: the only target, or "target 1"
+  std::optional<double> radius;      ///< meters; empty: unchanged
+  std::optional<TargetShape> shape;  ///< empty: unchanged
 };
 
-/// What clicks in a recording teach.
+/// Result of learning from clicks in a recording.
 struct FootageLesson {
-  Project project;        ///< with the color that was learned
-  std::size_t target = 0; ///< that was taught, an index of its targets
+  Project project;        ///< with the learned color
+  std::size_t target = 0; ///< index of the target whose color was learned
   ClickLesson lesson;
-  cv::Mat image; ///< in which the first click is
+  cv::Mat image; ///< image that contains the first click
 };
 
-/// Learns the color of a target from clicks in a recording: one that the project has, or a new one
-/// of that name. The other cameras are searched for what the first click shows. BadValue names
-/// "camera" when the cameras are live, "frame" beyond the end, "pixel" or "box" outside the image;
-/// MissingKey names "target" when there are several and none is named; and errors of
-/// learnFromClicks(), checkProject() and the source. `emptyRooms` as of loadEmptyRooms().
+/// Learns the color of a target from clicks in a recording: a target of the project, or a new one
+/// with the given name. The other cameras are searched for the object of the first click. BadValue
+/// names "camera" for live cameras, "frame" beyond the end, and "pixel" or "box" outside the image.
+/// MissingKey names "target" if there are several and none is named. Also returns the errors of
+/// learnFromClicks(), checkProject() and the source. `emptyRooms` as returned by loadEmptyRooms().
 Result<FootageLesson> learnFromFootage(Project project, FrameSetSource& source,
                                        const std::vector<cv::Mat>& emptyRooms,
                                        FootageClicks clicks);

@@ -12,17 +12,17 @@ struct Method;
 
 namespace dewpoint::setup {
 
-/// Why a method cannot work with a project.
+/// Reason why a method cannot work with a project.
 enum class MethodObstacle {
   None,
-  NoCalibration, ///< it needs to know where the cameras stand
-  TooFewCameras  ///< it finds nothing with so few of them (MethodFamily::fewestCameras)
+  NoCalibration, ///< it requires calibrated cameras
+  TooFewCameras  ///< it cannot find a target with this few cameras (MethodFamily::fewestCameras)
 };
 
-/// What keeps a method from working with the cameras of a project, whatever its own method is. A
-/// guessed calibration (isGuessed()) of several cameras will do for methods that go by colors: they
-/// show what the images hold. For one camera, and for methods that look for people on the floor, it
-/// will not.
+/// Returns what prevents a method from working with the cameras of a project, regardless of the
+/// project's own method. A guessed calibration (isGuessed()) of several cameras is sufficient for
+/// methods that use colors, since they still show the content of the images. It is not sufficient
+/// for a single camera, or for methods that search for people on the floor.
 MethodObstacle methodObstacle(const Project& project, const Method& method);
 
 } // namespace dewpoint::setup

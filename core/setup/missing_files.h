@@ -11,33 +11,34 @@
 
 namespace dewpoint::setup {
 
-/// A file or folder that a project names, and that is not there.
+/// A file or folder that a project names but that does not exist.
 struct MissingFile {
   enum class Kind { Video, Images, EmptyRoom, Calibration, Truth, Scene };
   Kind kind = Kind::Video;
-  int camera = -1;            ///< of this camera; -1: of the whole project
-  std::string cameraName;     ///< empty where it belongs to no camera
+  int camera = -1;            ///< index of its camera; -1: belongs to the whole project
+  std::string cameraName;     ///< empty if it belongs to no camera
   std::filesystem::path path; ///< absolute
 
   bool isFolder() const { return kind == Kind::Images; }
   bool operator==(const MissingFile&) const = default;
 };
 
-/// The missing files of a project file, each once, as far as it can be read; `moved`: where some
-/// are by now. What is wrong with the project besides is not reported here. As readTomlFile() where
-/// it fails.
+/// Returns the missing files of a project file, each once, as far as it can be read. `moved` gives
+/// the present location of files that have moved. Other errors in the project are not reported.
+/// Returns the errors of readTomlFile().
 Result<std::vector<MissingFile>> missingFilesOf(const std::filesystem::path& file,
                                                 const MovedFiles& moved = {});
 
-/// The same of a project that is in no file as it is.
+/// As above, for a project in memory.
 std::vector<MissingFile> missingFilesOf(const Project& project);
 
-/// Where missing files are, now that one of them was found: the others may lie beside it as they
-/// did before, or under the same name in its folder. Those that are not there are left out.
+/// Returns the location of missing files after one of them was found. The others may be in the same
+/// relative position, or under the same name in its folder. Files that do not exist there are
+/// omitted.
 MovedFiles foundBeside(const std::vector<MissingFile>& missing, const MissingFile& located,
                        const std::filesystem::path& found);
 
-/// The project with its files where they are by now.
+/// Returns the project with the present locations of its files.
 Project withMovedFiles(Project project, const MovedFiles& moved);
 
 } // namespace dewpoint::setup

@@ -13,65 +13,69 @@
 
 namespace dewpoint::setup {
 
-/// Assumed size of the images, pixels, of a camera that does not report it before it is opened.
-/// Origin not recorded.
+/// Assumed image size in pixels of a camera that does not report it before it is opened. Origin not
+/// recorded.
 inline constexpr int kGuessedWidth = 640;
 inline constexpr int kGuessedHeight = 480;
 
-/// A camera as the user names it before there is a project.
+/// A camera named by the user for a new project.
 struct NewCamera {
-  std::string name; ///< empty: as its file is called
+  std::string name; ///< empty: name of its file
   SourceKind source = SourceKind::Video;
   std::string location; ///< video, image folder, device or address
 };
 
-/// What a project is made of.
+/// Inputs of a new project.
 struct NewProject {
-  std::string name; ///< empty: as the folder of its first recording is called
+  std::string name; ///< empty: name of the folder of its first recording
   std::vector<NewCamera> cameras;
   std::optional<std::filesystem::path> calibration;
   double framesPerSecond = 0.0; ///< for image folders; 0: 30
 };
 
-/// A project, and notes about it.
+/// A new project, and notes about it.
 struct MadeProject {
-  Project project; ///< without file and without targets: their colors are still to be learned
-  /// The poses are a guess, and the method needs them: positions in space mean nothing yet.
+  Project project; ///< without file and without targets, whose colors must still be learned
+  /// True if the poses are guessed and the method needs them: positions in space are not meaningful
+  /// yet.
   bool lacksCalibration = false;
-  bool matchedByOrder = false; ///< the calibration file's names fit no camera; its order was used
+  /// Names in the calibration file match no camera; its order was used.
+  bool matchedByOrder = false;
 };
 
-/// Makes a project of videos, image folders, devices or streams. Calibrations are matched by name,
-/// else by order when there is one for each camera. Without a file, cameras are guessed: 53 degrees
-/// wide, in a ring around a box of 1 m; a single one without a file is for a method that needs no
-/// calibration. FileMissing, Mismatch, BadValue and what the calibration
-/// file says.
+/// Creates a project from videos, image folders, devices or streams. Calibrations are matched by
+/// name, or by order if there is one for each camera. Without a calibration file, cameras are
+/// guessed: 53 degrees wide, in a ring around a box of 1 m. A single camera without a file gets a
+/// method that needs no calibration. Returns FileMissing, Mismatch, BadValue and the errors of the
+/// calibration file.
 Result<MadeProject> makeProject(const NewProject& wanted);
 
-/// The project with the calibration of its cameras taken from a file, matched as by makeProject().
+/// Returns the project with the calibration of its cameras from a file, matched as by
+/// makeProject().
 Result<MadeProject> withCalibration(Project project, const std::filesystem::path& file);
 
-/// The same from cameras that were read from this file.
+/// As above, from cameras that were read from this file.
 Result<MadeProject> withCalibration(Project project, const CameraRig& rig, const std::string& file);
 
-/// Gives every camera whose image size is not known yet (it came without a calibration, see
-/// loadProject()) the size of its images and a guessed pose. As makeProject() where it fails.
+/// Sets the image size and a guessed pose for every camera with unknown image size (without a
+/// calibration, see loadProject()). Returns the errors of makeProject().
 Status guessMissing(Project& project);
 
-/// Whether some camera stands where makeProject() guessed it: positions in space mean nothing.
+/// Returns whether at least one camera has the pose guessed by makeProject(), so that positions in
+/// space are not meaningful.
 bool isGuessed(const Project& project);
-/// The same of one camera.
+/// As above, for one camera.
 bool isGuessed(const Project& project, std::size_t camera);
-/// Guesses a camera again, for images of this size in pixels: of a live one it is known only once
-/// it sends some.
+/// Guesses the calibration of a camera again for images of this size in pixels, which is known for
+/// live cameras only after the first image.
 void guessForSize(Project& project, std::size_t camera, const cv::Size& size);
 
-/// The file that a project which is in none yet is best saved to: called as the project, beside its
-/// first recording; without a folder when no camera is a recording.
+/// Returns the proposed file for a project that was not saved yet: named after the project, next to
+/// its first recording; without a folder if no camera is a recording.
 std::filesystem::path proposedFile(const Project& project);
 
-/// How a file given without more is meant: a folder is one of images, a number or /dev/... a
-/// device, text with "://" or "gst:" a stream, all else a video.
+/// Returns the kind of a source given without further information: a folder is an image folder, a
+/// number or /dev/... a device, text with "://" or "gst:" a stream, anything else a video.
 SourceKind guessedSource(const std::string& location);
 
 } // namespace dewpoint::setup

@@ -8,9 +8,9 @@
 
 namespace dewpoint::setup {
 
-/// The box around what at least two cameras of a project see, of one camera where no two see
-/// anything together, as geometry::seenVolume(): meters, world. Nothing without a calibrated
-/// camera.
+/// Returns the bounding box of what at least two cameras of a project see, or of what single
+/// cameras see if no two views overlap, as geometry::seenVolume(): meters, world frame. Returns
+/// nothing without a calibrated camera.
 std::optional<WorldBox> volumeSeenBy(const Project& project);
 
 } // namespace dewpoint::setup

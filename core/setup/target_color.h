@@ -7,11 +7,11 @@
 
 namespace dewpoint::setup {
 
-/// Takes one of several colors (an index of Target::colors()) away from a target, with the samples
-/// that show it rather than any other. A target keeps its only color.
+/// Removes one of several colors (an index of Target::colors()) from a target, with the samples
+/// that match it better than any other color. The only color of a target is not removed.
 void removeColor(std::size_t index, Target& target);
 
-/// Changes one of its colors (an index of Target::colors()).
+/// Replaces one of the target's colors (an index of Target::colors()).
 void setColor(std::size_t index, const ColorRange& range, Target& target);
 
 } // namespace dewpoint::setup

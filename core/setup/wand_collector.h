@@ -12,42 +12,42 @@
 
 namespace dewpoint::setup {
 
-/// What a camera saw of a wand.
+/// Detections of a wand in the images of one camera.
 struct CameraSightings {
-  std::size_t count = 0;  ///< balls found
-  BoardCoverage coverage; ///< in which regions of the image, how often
+  std::size_t count = 0;  ///< number of balls found
+  BoardCoverage coverage; ///< number of detections by region of the image
 };
 
-/// Whether a camera saw the target often and in enough of its image: a calibration from less may
-/// succeed, but its accuracy will be low.
+/// Returns whether a camera saw the target often enough and in a sufficient part of its image. A
+/// calibration from less may succeed, but with low accuracy.
 bool sawEnough(const CameraSightings& camera);
 
-/// Looks for the balls of a wand in frame sets as they come from live cameras, in a thread of its
-/// own: offering costs a lock, never more. A frame set that comes while `kWaiting` others wait is
+/// Searches for the balls of a wand in frame sets from live cameras, in a thread of its own.
+/// offer() only waits for a lock. A frame set that arrives while `kWaiting` others are waiting is
 /// dropped, and counted.
 class WandCollector {
 public:
-  /// Frame sets that wait at most.
+  /// Largest number of waiting frame sets.
   static constexpr std::size_t kWaiting = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
-  ~WandCollector(); ///< drops waiting sets and waits for the one in work: not in a window's
-                    ///< thread
+  /// Drops waiting sets and waits for the one in progress; do not call from a window's thread.
+  ~WandCollector();
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
 
-  /// From any thread; returns at once.
+  /// Adds a frame set. Thread-safe; returns at once.
   void offer(const FrameSetPtr& frames);
 
   struct State {
-    double seconds = 0.0; ///< from the first frame set's time to the newest one's
+    double seconds = 0.0; ///< time from the first frame set to the newest one
     std::int64_t searched = 0;
-    std::int64_t waiting = 0; ///< taken, but not yet searched
+    std::int64_t waiting = 0; ///< accepted, but not yet searched
     std::int64_t dropped = 0;
     std::vector<CameraSightings> cameras;
   };
   State state() const;
-  /// All sightings so far: for refineFromViews().
+  /// Returns all detections so far, for refineFromViews().
   std::vector<std::vector<MarkerObservation>> views() const;
 
 private:
@@ -60,15 +60,16 @@ private:
   std::int64_t taken_ = 0;
   std::int64_t dropped_ = 0;
 
-  mutable std::mutex seenMutex_; ///< guards what follows; the finders work without it
+  /// Guards the following members; the detectors do not hold it while working.
+  mutable std::mutex seenMutex_;
   std::vector<std::vector<MarkerObservation>> views_;
   std::vector<CameraSightings> cameras_;
   std::int64_t searched_ = 0;
-  std::optional<double> first_; ///< seconds
+  std::optional<double> first_; ///< time of the first frame set, seconds
   double newest_ = 0.0;
 
-  WandViews finder_;    ///< the thread's own
-  std::jthread thread_; ///< last: it uses the rest
+  WandViews finder_;    ///< used only by the thread
+  std::jthread thread_; ///< last member, since it uses the others
 };
 
 } // namespace dewpoint::setup

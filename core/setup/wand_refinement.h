@@ -11,38 +11,37 @@
 
 namespace dewpoint::setup {
 
-/// A calibration by wand with its report: what the command line prints and what the
-/// window shows.
+/// A wand calibration with its report, for the command line and the window.
 struct WandRefinement {
   WandOptions options;
-  CameraRig before; ///< the project's cameras as they were
+  CameraRig before; ///< cameras of the project before the calibration
   WandResult result;
-  Result<CalibrationAccuracy> accuracy; ///< or why there is none
+  Result<CalibrationAccuracy> accuracy; ///< or the reason why there is none
 };
 
-/// Whether its cameras are less accurate, by the assessment, than those it began with may be off:
-/// then the former ones are better kept.
+/// Returns whether the assessed accuracy is worse than the possible error of the cameras before the
+/// calibration, so that these should be kept.
 bool saysTooLittle(const WandRefinement& refinement);
 
-/// Whether the user should decide about it before it is put into the project: a fault that has a
-/// name explains the views better, or it says too little.
+/// Returns whether the user should decide before the result is stored in the project: a known fault
+/// explains the views better, or saysTooLittle() is true.
 bool isDoubtful(const WandRefinement& refinement);
 
-/// calibrateFromRecording() and its accuracy. Errors: those of the calibration.
+/// Runs calibrateFromRecording() and assesses its accuracy. Returns the errors of the calibration.
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
                                            const WandWorkCallback& callback = nullptr);
 
-/// calibrateFromViews() and its accuracy: from what a WandCollector saw.
+/// Runs calibrateFromViews() on the views of a WandCollector and assesses its accuracy.
 Result<WandRefinement> refineFromViews(const Project& project,
                                        const std::vector<std::vector<MarkerObservation>>& views,
                                        const WandOptions& options,
                                        const WandWorkCallback& callback = nullptr);
 
-/// Where in each camera's image the balls were that the result rests on.
+/// Returns, for each camera, the image regions of the balls used in the result.
 std::vector<BoardCoverage> coverageOf(const WandResult& result);
 
-/// The report as one self-contained HTML page (htmlText() of wand_report.h).
+/// Returns the report as one self-contained HTML page (htmlText() of wand_report.h).
 std::string htmlText(const WandRefinement& refinement);
 
 } // namespace dewpoint::setup

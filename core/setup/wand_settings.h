@@ -10,32 +10,33 @@
 
 namespace dewpoint::setup {
 
-/// What gives a calibration by wand its size.
+/// Source of the scale of a wand calibration.
 enum class WandSize { Cameras, Diameter, Distance };
 
-/// The user's choices for a calibration by wand: kept as it was typed, whether or not
-/// it makes sense yet.
+/// The user's choices for a wand calibration, as entered, whether or not they are valid yet.
 struct WandSettings {
-  bool stick = false;                ///< two balls; else one
-  std::string ball;                  ///< names of targets; empty: the first ones
-  std::string other;                 ///< the other end of the stick
-  double length = 0.5;               ///< of the stick, between the balls' middles; meters
+  bool stick = false;  ///< two balls on a stick; otherwise one ball
+  std::string ball;    ///< names of targets; empty: the first ones
+  std::string other;   ///< target at the other end of the stick
+  double length = 0.5; ///< distance between the centers of the balls on the stick, meters
   WandSize size = WandSize::Cameras; ///< with one ball
-  double distance = 1.0;             ///< between the two positions touched; meters
+  double distance = 1.0;             ///< distance between the two positions touched, meters
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool onlySpan = false; ///< search only the frames that are selected
+  bool onlySpan = false; ///< search only the selected frames
   double initialPositionError = WandOptions().initialPositionError; ///< meters
   double initialTurnError = WandOptions().initialTurnError;         ///< radians
 
   bool operator==(const WandSettings&) const = default;
 };
 
-/// What the ball did at an instant.
+/// Event of the ball at a marked instant.
 enum class TouchRole { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kTouchRoles = 5;
 
+/// An instant marked by the user, and the event of the ball: `seconds` is its time in the
+/// recording.
 struct TouchedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;
@@ -44,25 +45,25 @@ struct TouchedInstant {
   bool operator==(const TouchedInstant&) const = default;
 };
 
-/// Adds an instant: the floor may be touched often, each of the others happens once, and what was
-/// recorded for it before is replaced. Ascending in time.
+/// Adds an instant, in ascending order of time. The floor may be touched several times; each other
+/// event occurs once, and a new instant replaces the earlier one.
 void addInstant(std::vector<TouchedInstant>& instants, const TouchedInstant& taken);
 
-/// The names of the balls: as in the settings, or the project's first targets. A stick has two, as
-/// far as the project has as many targets.
+/// Returns the names of the balls: those in the settings, or the project's first targets. A stick
+/// has two, if the project has enough targets.
 std::vector<std::string> selectedTargets(const WandSettings& settings, const Project& project);
 
-/// What prevents a calibration with some settings.
+/// Reason why a calibration with these settings is not possible.
 enum class WandObstacle {
   None,
-  TooFewCameras,    ///< a single camera measures no size
+  TooFewCameras,    ///< a single camera cannot determine the scale
   NoBall,           ///< the project has no target
-  NoSecondBall,     ///< a stick, and one target
+  NoSecondBall,     ///< a stick needs two targets, but there is only one
   SameBallTwice,    ///< both ends of the stick are the same target
-  DistanceNotTaken, ///< the size is to come from a distance whose ends were not both touched
-  HalfAFall         ///< only one end of a fall is known
+  DistanceNotTaken, ///< the scale is to come from a distance whose ends were not both touched
+  HalfAFall         ///< only one end of a fall is marked
 };
-/// The first one, in this order.
+/// Returns the first obstacle, in the order of the enumeration.
 WandObstacle obstacleOf(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                         const Project& project);
 
@@ -72,7 +73,8 @@ struct FrameStretch {
   std::int64_t last = 0;
 };
 
-/// The options for settings without an obstacle. `selected`: the frames for WandSettings::onlySpan.
+/// Returns the options for settings without an obstacle. `selected` are the frames for
+/// WandSettings::onlySpan.
 WandOptions toOptions(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                       const Project& project, const std::optional<FrameStretch>& selected = {});
 

@@ -16,16 +16,16 @@
 
 namespace dewpoint::setup {
 
-/// Collects where the balls of a wand are seen, frame set after frame set, live or recorded.
+/// Collects detections of the balls of a wand from consecutive frame sets, live or recorded.
 class WandViews {
 public:
-  /// One finder per ball: one, or two of a stick.
+  /// Creates one detector per ball: one, or two for a stick.
   WandViews(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
 
   void add(const FrameSet& frames);
-  /// Per camera, in the order of the frames.
+  /// Returns the detections of each camera, in the order of the frames.
   const std::vector<std::vector<MarkerObservation>>& views() const { return views_; }
-  /// Hands out what was found since the last time.
+  /// Returns and removes the detections since the last call.
   std::vector<std::vector<MarkerObservation>> take();
   std::int64_t frameSets() const { return frameSets_; }
 
@@ -35,48 +35,50 @@ private:
   std::int64_t frameSets_ = 0;
 };
 
-/// The user's choices for a calibration by wand.
+/// Options of a wand calibration.
 struct WandOptions {
   std::vector<std::string>
-      targets;              ///< names: one ball, or the two ends of a stick; empty: the only
-  double stickLength = 0.0; ///< meters
+      targets;              ///< names: one ball, or the two ends of a stick; empty: the only target
+  double stickLength = 0.0; ///< distance between the two balls, meters; for a stick
   std::int64_t firstFrame = 0;
-  std::optional<std::int64_t> endFrame; ///< one past the last; none: all
+  std::optional<std::int64_t> endFrame; ///< one past the last frame; not set: all
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool fromDiameter = false; ///< size from the ball's radius in the project
+  bool fromDiameter = false; ///< scale from the ball's radius in the project
   std::optional<TouchedDistance> distance;
   std::vector<double> floorTimes; ///< seconds
   std::optional<std::array<double, 2>> drop;
-  double initialPositionError = 0.12; ///< meters by which the project's cameras may be off
-  double initialTurnError = 0.06;     ///< radians
+  double initialPositionError = 0.12; ///< possible error of the project's camera positions, meters
+  double initialTurnError = 0.06;     ///< possible error of their orientations, radians
 };
 
-/// The problem that the options make of a project: its cameras as the initial rig, radii and size;
-/// views still empty. Errors: no such target, a stick without its length.
+/// Returns the problem defined by the options for a project: its cameras as the initial rig, radii
+/// and scale; the views are still empty. Returns an error for an unknown target or a stick without
+/// length.
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
-/// The colors of the options' balls.
+/// Returns the colors of the options' balls.
 Result<std::vector<ColorClassifier>> wandColors(const Project& project, const WandOptions& options);
 
-/// What a calibration is doing. Return false to stop it.
+/// Progress of a calibration. The callback returns false to stop it.
 struct WandWork {
-  bool looking = true; ///< through the images; else solving
+  bool looking = true; ///< searching the images; otherwise solving
   std::int64_t done = 0;
-  std::int64_t total = 0; ///< 0: unknown
-  double rms = 0.0;       ///< pixels, while solving
+  std::int64_t total = 0; ///< 0 if unknown
+  double rms = 0.0;       ///< reprojection error in pixels, while solving
 };
+/// Receives the progress; returning false stops the calibration.
 using WandWorkCallback = std::function<bool(const WandWork&)>;
 
-/// Calibrates from views that were collected, live or from a recording: the same bits from the
-/// command line and from the window. The project itself is not changed. Faults that explain the
-/// views better are named in the result, or in the error.
+/// Calibrates from collected views, live or from a recording. The command line and the window give
+/// the same bits. The given project is not changed. Faults that explain the views better are named
+/// in the result, or in the error.
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,
                                       const WandWorkCallback& callback = nullptr);
 
-/// Looks through a recording for the project's balls and calibrates from them.
+/// Searches a recording for the project's balls and calibrates from them.
 Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource& source,
                                           const WandOptions& options,
                                           const WandWorkCallback& callback = nullptr);

@@ -36,13 +36,13 @@ concept TargetFilter = std::copy_constructible<F> &&
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };
 
-/// A filter with likelihood maps.
+/// A filter that also provides likelihood maps.
 template <class F>
 concept MappingFilter = TargetFilter<F> && requires(const F& finished) {
   { finished.likelihoodMaps(0) } -> std::same_as<std::vector<LikelihoodMap>>;
 };
 
-/// One independent filter per target. Target k starts from derivedSeed(seed, k).
+/// Tracker with one independent filter per target. Target k starts from derivedSeed(seed, k).
 template <TargetFilter F>
 class IndependentTrackers : public Tracker,
                             public Configurable,
@@ -137,7 +137,7 @@ private:
   std::vector<SphereEstimate> estimates_;
 };
 
-/// The same for filters with likelihood maps.
+/// As IndependentTrackers, for filters with likelihood maps.
 template <MappingFilter F>
 class IndependentMappers final : public IndependentTrackers<F>, public LikelihoodMapping {
 public:
@@ -151,7 +151,7 @@ public:
   }
 };
 
-/// A method made of one filter per target, as a row of the catalog needs it.
+/// Creates a method with one filter per target, for a row of the catalog.
 template <TargetFilter F>
 std::unique_ptr<Tracker> makeIndependent(const ParameterValues& parameters, const CameraRig& rig,
                                          const std::vector<Target>& targets) {

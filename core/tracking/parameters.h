@@ -13,23 +13,24 @@
 
 namespace dewpoint::tracking {
 
+/// Type of a parameter's value.
 enum class ParameterKind { Integer, Real };
 
-/// What parameters are about. Editors show those of a group together, the groups in this order.
+/// Subject of a parameter. Editors group parameters by it, in this order.
 enum class ParameterGroup {
-  Essential, ///< the few that matter, always in sight; of a method with few parameters all
+  Essential, ///< the few most important ones, always visible; all parameters of a method with few
   Motion,
-  Measurement, ///< what images say, and how far they are trusted
-  Area,        ///< where people are, and when they count as there
-  Start,       ///< where targets are searched for at first
-  Expert       ///< what a run costs, and how often it does what
+  Measurement, ///< evaluation of the images, and their assumed reliability
+  Area,        ///< where people can be, and when they count as present
+  Start,       ///< where targets are first searched for
+  Expert       ///< computing effort and timing of a run
 };
 
-/// The title of a group, for people's eyes.
+/// Returns the title of a group, as shown to the user.
 std::string_view parameterGroupTitle(ParameterGroup group);
 
-/// A parameter, declared once: editors, tooltips, validation, project file, command line and the
-/// reference page come from here.
+/// Declaration of a parameter. It is used by editors, tooltips, validation, project files, the
+/// command line and the reference page.
 struct ParameterDeclaration {
   std::string key; ///< "motion_sigma"
   ParameterKind kind = ParameterKind::Real;
@@ -37,25 +38,25 @@ struct ParameterDeclaration {
   std::string unit;     ///< "m", "" for a count
   double minimum = 0.0; ///< inclusive
   double maximum = 0.0; ///< inclusive
-  double step = 0.0;    ///< of an editor
+  double step = 0.0;    ///< step of an editor
   double defaultValue = 0.0;
-  std::string sentence;     ///< what it does, for a tooltip
-  bool logarithmic = false; ///< sliders move by factors
-  /// Unless given, the value comes from the cameras (parametersInUse()); the default stands where
-  /// they tell none.
+  std::string sentence;     ///< description for a tooltip
+  bool logarithmic = false; ///< sliders have a logarithmic scale
+  /// If true and no value is given, the value is derived from the cameras (parametersInUse()). If
+  /// that is not possible, the default is used.
   bool fromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
-  /// Key of another parameter of the method; of a larger value than that one has, that one's is
-  /// used. Empty: there is none.
+  /// Key of another parameter of the method that is an upper limit: a larger value is replaced by
+  /// the value of that parameter. Empty if there is none.
   std::string bound = {};
 };
 
-/// Puts the declarations with these keys (asserted) into a group.
+/// Moves the declarations with these keys (asserted) to a group.
 void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> keys,
                 std::vector<ParameterDeclaration>& declarations);
 
-/// The declared parameters of a method with their values, each always within its declaration.
-/// An immutable value by custom: a change is a new value.
+/// Declared parameters of a method with their values, each within its declared range. Treated as
+/// immutable by convention: a change creates a new object.
 class ParameterValues {
 public:
   using ByKey = std::map<std::string, double, std::less<>>;
@@ -63,24 +64,26 @@ public:
   ParameterValues() = default;
   explicit ParameterValues(std::span<const ParameterDeclaration> declarations);
   std::span<const ParameterDeclaration> declarations() const { return declarations_; }
-  /// Value of a declared key (asserted).
+  /// Returns the value of a declared key (asserted).
   double at(std::string_view key) const;
-  /// UnknownKey or BadValue (not finite, out of range, not whole) leave everything as it was.
+  /// Sets a value. UnknownKey or BadValue (not finite, out of range, not whole) leaves everything
+  /// unchanged.
   Status set(std::string_view key, double value);
   /// As set(), from text as on the command line.
   Status setText(std::string_view key, std::string_view text);
-  /// False for a key whose value comes from the cameras and was not set.
+  /// Returns false for a key whose value is derived from the cameras and was not set.
   bool isGiven(std::string_view key) const;
-  /// As if the key had been set to the value that it has; does nothing for an unknown key.
+  /// Marks the present value of a key as given; does nothing for an unknown key.
   void give(std::string_view key);
+  /// Marks the present values of all keys as given.
   void giveAll();
-  /// Takes back what was given of the keys whose values come from the cameras: they have their
-  /// defaults until suggest().
+  /// Resets all given values of keys that can be derived from the cameras. They have their defaults
+  /// until suggest() is called.
   void leaveToCameras();
-  /// Replaces the values that are not given by these, as far as their ranges allow; by the defaults
-  /// where there are none.
+  /// Replaces values that are not given by these, within their ranges, or by the defaults if there
+  /// are none.
   void suggest(const ByKey& values);
-  /// Also what is given is compared.
+  /// Also compares which values are given.
   bool operator==(const ParameterValues& other) const {
     return values_ == other.values_ && given_ == other.given_;
   }
@@ -88,10 +91,12 @@ public:
 private:
   std::span<const ParameterDeclaration> declarations_;
   ByKey values_;
-  std::set<std::string, std::less<>> given_; ///< of the keys whose values come from the cameras
+  /// Given keys whose values can be derived from the cameras.
+  std::set<std::string, std::less<>> given_;
 };
 
-/// Whether the value of a declared key is larger than the one that bounds it, which is used then.
+/// Returns whether the value of a declared key exceeds the parameter that limits it, whose value is
+/// then used.
 bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration);
 
 } // namespace dewpoint::tracking

@@ -11,23 +11,23 @@
 
 namespace dewpoint::tracking {
 
-/// Weighted points that represent the volume of a person's body: rows x y z, meters, world; linear
-/// weights that sum to 1.
+/// Weighted points that represent the volume of a person's body: rows of x, y, z in meters, world
+/// frame; linear weights that sum to 1.
 struct BodyCloud {
   Eigen::ArrayXXd points;
   Eigen::ArrayXd weights;
 };
 
-/// The state of one camera's background model.
+/// State of one camera's background model.
 struct PeopleCameraState {
-  double learned = 0.0;         ///< 0 to 1: how much of the learning phase is over
-  double foregroundShare = 0.0; ///< of the image, 0 to 1
-  bool usable = false;          ///< has an image, is learned, and is not all foreground
+  double learned = 0.0;         ///< progress of the learning phase, 0 to 1
+  double foregroundShare = 0.0; ///< share of the image, 0 to 1
+  bool usable = false;          ///< has an image, is learned, and is not entirely foreground
 };
 
-/// The name of a person in files and views: "person 3".
+/// Returns the name of a person in files and views: "person 3".
 std::string personName(int identity);
-/// The identity in such a name; nothing for any other name.
+/// Returns the identity in such a name; nothing for any other name.
 std::optional<int> personIdentity(std::string_view name);
 
 } // namespace dewpoint::tracking

@@ -13,32 +13,34 @@
 
 namespace dewpoint::tracking {
 
-/// The volume in which a method starts: a box around a point, meters, world frame.
+/// Volume in which a method starts: a box around a point, in meters, world frame.
 struct StartVolume {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d half = Eigen::Vector3d::Zero(); ///< half sizes; 0: a point
+  Eigen::Vector3d half = Eigen::Vector3d::Zero(); ///< half sizes; 0: a single point
 };
 
-/// The declarations that all methods with a start volume share: start_x, start_half_x and so on.
+/// Returns the declarations shared by all methods with a start volume: start_x, start_half_x and so
+/// on.
 std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
-/// The start volume by the values of these parameters.
+/// Returns the start volume given by these parameters.
 StartVolume startVolume(const ParameterValues& parameters);
 
-/// The part of a start volume that lies in a box; all of the box where none does.
+/// Returns the part of a start volume inside a box, or the whole box if they do not overlap.
 StartVolume within(const StartVolume& start, const WorldBox& box);
 
-/// The key of the size of the room in which a target may appear, where a method has one.
+/// Key of the size of the room in which a target may appear, for methods that have this parameter.
 inline constexpr const char* kSearchSizeKey = "search_size";
 
-/// The parameters with which a method runs: what is declared to come from the cameras, and was not
-/// given, is what they see (seenVolume()), within the volume of interest if there is one. The start
-/// volume is that box and the search size its longest edge, in steps of their declarations. Where a
-/// part of the start volume was given the rest of it has its defaults, and so has the search size.
+/// Returns the parameters with which a method runs. Parameters that were not given and are declared
+/// to come from the cameras are derived from the volume that the cameras see (seenVolume()),
+/// limited to the volume of interest if there is one. The start volume is that box, and the search
+/// size its longest edge, rounded to the steps of their declarations. If a part of the start volume
+/// was given, the rest of it and the search size have their defaults.
 ParameterValues parametersInUse(ParameterValues parameters, const CameraRig& rig,
                                 const std::optional<WorldBox>& volumeOfInterest);
 
-/// Draws `count` positions, uniform over the volume: rows x y z. Position i is drawn from element
-/// i.
+/// Draws `count` positions uniformly from the volume: rows of x, y, z. Position i is drawn from
+/// element i of the stream.
 Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,
                               const RandomStream& stream);
 

@@ -11,27 +11,29 @@
 
 namespace dewpoint::tracking {
 
-/// What a target is taken for.
+/// Assumed shape of a target.
 enum class TargetShape {
   Auto, ///< the images decide whether it is a ball
   Ball, ///< a sphere
-  Any   ///< anything of one color: its extent is learned
+  Any   ///< anything of one color; its extent is learned
 };
 
 /// The definition of a target.
 struct Target {
   std::string name;
-  double radius = 0.0; ///< meters; 0 when unknown. Of a target that is no ball: of equal volume
+  /// Meters; 0 if unknown. For a target that is not a ball: radius of a ball of equal volume.
+  double radius = 0.0;
   ColorRange color;
-  /// The samples that the color was learned from, if it was; trackers use `color` alone.
+  /// Samples that the color was learned from, if any; trackers use only `color`.
   std::vector<ColorSample> samples{};
-  /// The first box, for methods that track boxes in images; they do not use the color.
+  /// Initial bounding box, for methods that track boxes in images; they do not use the color.
   std::optional<TargetBox> box{};
-  /// For methods that know targets which are no balls (`dewpoint`); others do not use it.
+  /// Used by methods that support targets that are not balls (`dewpoint`); others ignore it.
   TargetShape shape = TargetShape::Auto;
-  /// Of a target of several colors, those besides `color`.
+  /// Further colors of a target of several colors, in addition to `color`.
   std::vector<ColorRange> otherColors{};
 
+  /// Returns all colors of the target.
   ColorRanges colors() const { return {color, otherColors}; }
   bool operator==(const Target&) const = default;
 };

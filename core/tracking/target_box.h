@@ -7,11 +7,11 @@
 
 namespace dewpoint::tracking {
 
-/// The first box of an image target: methods that track boxes learn the target's colors there.
+/// Initial box of an image target, from which methods that track boxes learn the target's colors.
 struct TargetBox {
-  int camera = 0; ///< in the order of the project
+  int camera = 0; ///< index in the order of the project
   std::int64_t frame = 0;
-  ImageBox box; ///< pixels from the image's upper left corner
+  ImageBox box; ///< pixels from the upper left corner of the image
 
   bool operator==(const TargetBox&) const = default;
 };

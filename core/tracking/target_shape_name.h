@@ -10,11 +10,11 @@
 
 namespace dewpoint::tracking {
 
-/// The name of a shape in files and on the command line: `auto`, `ball` or `any`.
+/// Returns the name of a shape in files and on the command line: `auto`, `ball` or `any`.
 std::string nameOf(TargetShape shape);
-/// The shape of this name; nothing where there is none.
+/// Returns the shape with this name; nothing for an unknown name.
 std::optional<TargetShape> targetShapeNamed(std::string_view name);
-/// All names, in the order of TargetShape.
+/// Returns all names, in the order of TargetShape.
 std::vector<std::string> targetShapeNames();
 
 } // namespace dewpoint::tracking

@@ -14,51 +14,51 @@
 
 namespace dewpoint::tracking {
 
-/// The estimate of a colored target, a sphere or anything else of which an ellipsoid tells the
-/// extent, after one filter iteration. World frame, meters.
+/// Estimate of a colored target after one filter iteration: a sphere, or another object whose
+/// extent is described by an ellipsoid. World frame, meters.
 struct SphereEstimate {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
   Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0; ///< cameras with target color at the projected mean
-  bool valid = false;    ///< seen by two cameras (by the only one, if there is one)
-  /// Something else may be the target about as well, or became the estimate in this frame: the
-  /// covariance spans what is known of the others.
+  int camerasSeeing = 0; ///< number of cameras with the target's color at the projected mean
+  bool valid = false;    ///< confirmed by two cameras (or by the only one)
+  /// True if another object may be the target about as well, or became the estimate in this frame.
+  /// The covariance then covers the other candidates too.
   bool ambiguous = false;
-  double existenceProbability = 0.0; ///< probability that the target is where the estimate says
-  double radius = 0.0; ///< meters, of the target as known or as estimated; 0 when neither
-  /// Of a target that is taken for no ball: its extent (m²) as geometry::Ellipsoid has it, and
-  /// `radius` is that of a ball of the same volume. Nothing of a ball.
+  double existenceProbability = 0.0; ///< probability that the target is at the estimate
+  double radius = 0.0;               ///< meters, given or estimated; 0 if unknown
+  /// Extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; `radius` is then that
+  /// of a ball of the same volume. Empty for a ball.
   std::optional<Eigen::Matrix3d> extent;
-  /// Position (m, m²) measured in the images of this frame alone, without the prediction; nothing
-  /// if the target was not found in them, or the method does not measure it.
+  /// Position (m, m²) measured in the images of this frame alone, without the prediction. Empty if
+  /// the target was not found in them, or the method does not measure it.
   std::optional<Gaussian3> measurement;
-  bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
-  /// Evidence of each camera for the mean, in the order of the rig; empty when the method has none,
-  /// or no position.
+  bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
+  /// Evidence of each camera at the mean, in the order of the rig; empty if the method has none or
+  /// the position is unknown.
   std::vector<CameraEvidence> cameras;
-  /// The colors in use in each camera where they follow the light; empty while all cameras use the
+  /// Colors in use in each camera if they adapt to the light; empty while all cameras use the
   /// target's own.
   std::vector<ColorRanges> colors;
-  /// Root mean square distance of the particles to their mean, meters.
+  /// Returns the root mean square distance of the particles from their mean, in meters.
   double spread() const;
 };
 
-/// The estimate of a bounding box after one image of one camera. Pixels from the upper left corner.
+/// Estimate of a bounding box after one image of one camera, in pixels from the upper left corner.
 struct BoxEstimate {
   ImageBox box;
-  double similarity = 0.0; ///< of the colors in the box to the reference, [0, 1]
-  double spread = 0.0;     ///< root mean square distance of the particles to their mean, px
+  double similarity = 0.0; ///< of the colors in the box and the reference, [0, 1]
+  double spread = 0.0;     ///< root mean square distance of the particles from their mean, pixels
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  bool visible = true;     ///< false while the target is assumed to be hidden there
-  bool degenerate = false; ///< no particle had a usable weight; all were kept as equal
-  int camera = 0;          ///< in whose images, in the order of the rig
+  bool visible = true;     ///< false while the target is assumed to be hidden
+  bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
+  int camera = 0;          ///< camera of the images, index in the rig
 };
 
-/// The estimate of one person after a frame. World frame, meters.
+/// Estimate of one person after a frame. World frame, meters.
 struct PersonEstimate {
   int identity = 0;                                     ///< from 1 on, never reused in a run
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< mean of the occupied volume
@@ -66,46 +66,52 @@ struct PersonEstimate {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();   ///< m/s
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0;             ///< cameras with foreground of this person
+  int camerasSeeing = 0;             ///< number of cameras with foreground of this person
   double existenceProbability = 1.0; ///< falls from 1 to 0 while no camera sees the person
   double age = 0.0;                  ///< seconds since the track was created
-  bool interacting = false; ///< near another person: what cannot be told apart is not learned
-  double height = 0.0;      ///< meters; 0: the method does not estimate it
-  /// Hue and saturation of the person, in [0, 1], if the method has them.
+  /// Near another person: what cannot be assigned to one of them is not learned.
+  bool interacting = false;
+  double height = 0.0; ///< meters; 0 if the method does not estimate it
+  /// Hue and saturation of the person, in [0, 1], if the method estimates them.
   std::optional<Eigen::Vector2d> color;
 };
 
-/// The track is not there: a person who has left, a box before the frame in which it was given.
+/// No estimate: the person has left, or the box has not yet been defined in this frame.
 struct AbsentEstimate {};
 
-/// The estimate of a track of any kind. Another kind of target is another alternative: the compiler
-/// then reports every visitor that has to handle it.
+/// Estimate of a track of any kind. A new kind of target requires a new alternative; the compiler
+/// then reports every visitor that must handle it.
 using TrackEstimate = std::variant<SphereEstimate, BoxEstimate, PersonEstimate, AbsentEstimate>;
 
+/// Returns whether there is no estimate.
 bool isAbsent(const TrackEstimate& estimate);
-/// Whether the cameras confirm the track now: a valid sphere, a box in sight, a person whose
-/// existence is at least one half.
+/// Returns whether the cameras confirm the track now: a valid sphere, a visible box, or a person
+/// with an existence probability of at least one half.
 bool isHeld(const TrackEstimate& estimate);
-/// Whether something else may be the track about as well.
+/// Returns whether another object may be the target about as well.
 bool isAmbiguous(const TrackEstimate& estimate);
-/// Existence of a sphere or a person; of a box the similarity, which stands for it. 0 when absent.
+/// Returns the existence probability of a sphere or a person; for a box, its similarity instead. 0
+/// if absent.
 double existenceProbabilityOf(const TrackEstimate& estimate);
+/// Return the effective sample size and the number of particles; 0 if absent.
 double effectiveSampleSizeOf(const TrackEstimate& estimate);
 int particleCountOf(const TrackEstimate& estimate);
-/// Mean and covariance in the world (m, m²); nothing for what is known in an image only.
+/// Returns mean and covariance in the world frame (m, m²); nothing for estimates known only in an
+/// image.
 std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
-/// Particle of highest weight (MAP) in the world, meters; nothing where there are no particles, and
-/// for kinds of targets that do not tell it (boxes, people).
+/// Returns the particle of highest weight (MAP) in the world frame, meters. Nothing without
+/// particles, and for boxes and people.
 std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);
-/// The extent (m²) of what is no ball, as geometry::Ellipsoid has it; nothing for all else.
+/// Returns the extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; otherwise
+/// nothing.
 std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate);
-/// Evidence of each camera for the position; empty when the method has none.
+/// Returns the evidence of each camera for the position; empty if the method has none.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
-/// Per camera the colors in use where they follow the light; else empty.
+/// Returns the colors in use in each camera if they adapt to the light; otherwise empty.
 const std::vector<ColorRanges>& colorsOf(const TrackEstimate& estimate);
 
-/// The spheres among some estimates, in their order; all else as a sphere of which nothing is
-/// known.
+/// Returns the estimates as spheres, in the same order; estimates of other kinds become spheres
+/// without any data.
 std::vector<SphereEstimate> spheresOf(const std::vector<TrackEstimate>& estimates);
 
 } // namespace dewpoint::tracking

@@ -12,24 +12,27 @@
 
 namespace dewpoint::tracking {
 
-/// A method and the tracks of one run. `beginFrame` once per frame set, then
-/// `iterate` any number of times. Not thread safe; the same seed gives the same bits for any size
-/// of the ThreadTeam.
+/// A method and the tracks of one run. Call `beginFrame` once per frame set, then `iterate` any
+/// number of times. Not thread-safe; the same seed gives the same bits for any size of the
+/// ThreadTeam.
 ///
-/// This is the interface of every method. What only some methods can do is declared in
-/// tracker_capabilities.h and asked for by type: capability<LikelihoodMapping>(tracker).
+/// This is the interface of every method. Abilities that only some methods have are declared in
+/// tracker_capabilities.h and obtained by type: capability<LikelihoodMapping>(tracker).
 class Tracker {
 public:
   virtual ~Tracker() = default;
-  /// Removes all tracks and starts from scratch; empty rooms stay.
+  /// Removes all tracks and starts from scratch; background images are kept.
   virtual void restart(std::uint64_t seed) = 0;
+  /// Returns the number of iterations per frame.
   virtual int iterationsPerFrame() const = 0;
-  /// Null releases the images of the last frame.
+  /// Sets the frame to process; null releases the images of the last frame.
   virtual void beginFrame(FrameSetPtr frames) = 0;
+  /// Runs one filter iteration for all tracks.
   virtual void iterate(ThreadTeam& team) = 0;
-  /// Targets that are followed, or those that were found so far. A track keeps its index.
+  /// Returns the number of targets being tracked, or of those found so far. A track keeps its
+  /// index.
   virtual std::size_t trackCount() const = 0;
-  /// The current estimate of a track below trackCount().
+  /// Returns the present estimate of a track below trackCount().
   virtual TrackEstimate estimate(std::size_t track) const = 0;
 
 protected:
@@ -38,11 +41,11 @@ protected:
   Tracker& operator=(const Tracker&) = default;
 };
 
-/// What a tracker believes of all its tracks.
+/// Returns the estimates of all tracks.
 std::vector<TrackEstimate> estimatesOf(const Tracker& tracker);
 
-/// The tracker as something that not every method is; null when its method is not. `Capability` is
-/// one of the interfaces of tracker_capabilities.h.
+/// Returns the tracker as an interface of tracker_capabilities.h; null if its method does not
+/// implement this capability.
 template <class Capability> Capability* capability(Tracker& tracker) {
   return dynamic_cast<Capability*>(&tracker);
 }

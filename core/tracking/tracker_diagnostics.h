@@ -8,27 +8,27 @@
 
 namespace dewpoint::tracking {
 
-/// A position that a method considered for a target.
+/// Candidate position of a target.
 struct CandidatePosition {
   enum class Kind {
     Existing,   ///< tracked before this frame
     New,        ///< found in the images of this frame
-    Distractor, ///< another object that looks the same: another target, or none
+    Distractor, ///< another object that looks the same, whether it is a target or not
   };
   Kind kind = Kind::Existing;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< meters, world
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< meters, world frame
   double radius = 0.0;                                ///< meters
-  double probability = 0.0;                           ///< that the target is here
+  double probability = 0.0;                           ///< probability that the target is here
   double logLikelihoodRatio = 0.0;                    ///< sum over all cameras
 };
 
-/// The evidence of one camera around a target: the log likelihood of a target whose center is seen
-/// at each pixel, at the distance of the estimate.
+/// Log likelihood around a target in one camera's image: the value at a pixel is that of a target
+/// with its center at this pixel, at the distance of the estimate.
 struct LikelihoodMap {
-  cv::Rect area;         ///< part of the image, pixels; empty when the target is not in view
+  cv::Rect area;         ///< part of the image, pixels; empty if the target is not in view
   cv::Mat logLikelihood; ///< CV_32F, one per pixel of the area
-  double least = 0.0;    ///< value for "certainly not here"
-  double most = 0.0;     ///< value of a fully visible target
+  double least = 0.0;    ///< value that means "certainly not here"
+  double most = 0.0;     ///< value for a fully visible target
 };
 
 } // namespace dewpoint::tracking

@@ -10,9 +10,9 @@
 
 namespace dewpoint::trajectory {
 
-/// One line of a CSV table that is made to be pasted, ended when it goes. Numbers have a point in
-/// any language and nine digits, of which no view shows more than seven; what is not a number is an
-/// empty cell.
+/// One line of a CSV table for the clipboard; the destructor ends the line. Numbers have a decimal
+/// point in every locale and nine significant digits, at least two more than any view shows. A
+/// value that is not a number becomes an empty cell.
 class CsvLine {
 public:
   explicit CsvLine(std::string& text) : text_(text) {}
@@ -23,10 +23,11 @@ public:
   template <std::integral Number> CsvLine& put(Number number) {
     return putPlain(std::to_string(number));
   }
+  /// Appends a number with nine significant digits.
   CsvLine& put(double number);
-  /// Of single precision: its own digits.
+  /// Appends a number with the digits of single precision.
   CsvLine& put(float number);
-  /// Quoted where RFC 4180 needs it.
+  /// Appends a text, quoted where RFC 4180 requires it.
   CsvLine& put(std::string_view word);
 
 private:

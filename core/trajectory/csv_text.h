@@ -8,11 +8,11 @@
 
 namespace dewpoint::trajectory {
 
-/// Line ends and other control characters would break a file's lines: they become spaces.
+/// Returns the text on one line: line ends and other control characters become spaces.
 std::string oneLine(std::string_view text);
-/// In quotes; a quote within is doubled.
+/// Returns the text in quotes; quotes inside it are doubled.
 std::string inQuotes(std::string_view text);
-/// Quoted only where the CSV rules (RFC 4180) or our comment sign need it.
+/// Returns the text as a CSV cell, quoted only where RFC 4180 or the comment sign `#` requires it.
 std::string csvCell(std::string_view text);
 
 } // namespace dewpoint::trajectory

@@ -10,7 +10,7 @@
 
 namespace dewpoint::trajectory {
 
-/// The error as one camera sees it, in meters: along its optical axis (depth) and across it.
+/// Position error as seen from one camera, in meters: along its optical axis (depth) and across it.
 struct CameraBias {
   std::string name;
   double alongBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
@@ -19,22 +19,23 @@ struct CameraBias {
   double acrossRms = 0.0;
 };
 
-/// Errors as lengths, in meters, and their mean as a vector.
+/// Statistics of the lengths of errors, in meters, and the mean error vector.
 struct ErrorSummary {
   double rmse = 0.0;
   double median = 0.0;
-  double p95 = 0.0; ///< linear between order statistics
+  double p95 = 0.0; ///< interpolated linearly between order statistics
   double max = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
 };
 
-/// Sums up errors (estimate minus truth, world, meters; at least one).
+/// Computes the statistics of at least one error (estimate minus truth, world frame, meters).
 ErrorSummary summarize(const std::vector<Eigen::Vector3d>& errors);
 
-/// Splits errors (estimate minus truth, world, meters; at least one) along and across the axis.
+/// Splits errors along and across the camera's optical axis. Takes at least one error (estimate
+/// minus truth, world frame, meters).
 CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::Vector3d>& errors);
 
-/// Root of the mean squared length; at least one error.
+/// Returns the root mean square of the lengths of at least one error, in meters.
 double rootMeanSquare(const std::vector<Eigen::Vector3d>& errors);
 
 } // namespace dewpoint::trajectory

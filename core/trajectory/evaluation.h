@@ -14,34 +14,39 @@
 
 namespace dewpoint::trajectory {
 
-/// Estimate against truth for one target, in meters. The statistics cover the frames from
-/// convergence on (all, if it never converged); `rmseAll` covers every compared frame.
+/// Comparison of an estimate with the truth for one target, in meters. The statistics cover the
+/// frames after convergence, or all frames if the estimate never converged; `rmseAll` covers every
+/// compared frame.
 struct Evaluation {
   std::string target;
   double rmse = 0.0;
   double median = 0.0;
-  double p95 = 0.0; ///< linear between order statistics
+  double p95 = 0.0; ///< interpolated linearly between order statistics
   double max = 0.0;
   double rmseAll = 0.0;
-  double inside95 = 0.0; ///< share of these frames whose truth is in the stated 95 % ellipsoid
+  /// Share of these frames whose true position is in the stated 95 % ellipsoid.
+  double inside95 = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
   std::vector<CameraBias> cameras;
   std::int64_t framesCompared = 0; ///< frames of the truth that have an estimate
-  /// Frames before the first of kConvergedRun frames in a row within the gate; 0: from the start.
+  /// Number of frames before the first run of kConvergedRun consecutive frames within the gate; 0
+  /// if the estimate converged at once. Empty if it never converged.
   std::optional<std::int64_t> framesToConverge;
-  std::int64_t lostFrames = 0; ///< after convergence: beyond the gate, missing or not valid
-  std::int64_t missing = 0;    ///< frames of the truth, in the estimate's range, without estimate
+  /// After convergence: error beyond the gate, or estimate missing or not valid.
+  std::int64_t lostFrames = 0;
+  /// Frames of the truth, in the range of the estimate, without an estimate.
+  std::int64_t missing = 0;
 };
 
-/// Frames in a row within the gate that count as converged.
+/// Number of consecutive frames within the gate that count as convergence.
 inline constexpr int kConvergedRun = 5;
-/// Default gate, meters: the paper's motion sigma.
+/// Default gate in meters: the motion sigma of the paper.
 inline constexpr double kDefaultGate = 0.03;
 
-/// Compares each target of `estimate` with the truth of the same name (or the only truth there
-/// is; targets without one are left out), by frame number, or by time within half a frame if either
-/// has no frame numbers. Only truth between the first and the last estimate counts. NotFound if no
-/// target has a truth, Mismatch if no frame is common.
+/// Compares each target of `estimate` with the truth of the same name, or with the only truth there
+/// is. Targets without a truth are left out. Frames are matched by number, or by time within half a
+/// frame if one trajectory has no frame numbers. Only truth between the first and the last estimate
+/// counts. Returns NotFound if no target has a truth, and Mismatch if there is no common frame.
 Result<std::vector<Evaluation>> evaluate(const Trajectory& estimate, const Trajectory& truth,
                                          double gate = kDefaultGate);
 

@@ -10,9 +10,9 @@
 
 namespace dewpoint::trajectory {
 
-/// Some lines per target for people, in millimeters.
+/// Returns a readable summary of a few lines per target, in millimeters.
 std::string evaluationText(const std::vector<Evaluation>& evaluations);
-/// The same numbers for programs, in meters: {"unit": "m", "targets": [...]}.
+/// Returns the same numbers in meters as JSON: {"unit": "m", "targets": [...]}.
 nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations);
 
 } // namespace dewpoint::trajectory

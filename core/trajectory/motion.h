@@ -14,40 +14,42 @@
 
 namespace dewpoint::trajectory {
 
-/// Frames in a row at which a target was not held, or of which there is no sample.
+/// Consecutive frames in which a target was not held, or for which there is no sample.
 struct TrajectoryGap {
   std::string target;
   std::int64_t firstFrame = 0;
   std::int64_t lastFrame = 0;
-  double from = 0.0; ///< seconds, of the last held sample before it (its own first, if none)
-  double to = 0.0;   ///< seconds, of the first held sample after it (its own last, if none yet)
+  /// Time of the last held sample before the gap, seconds (own first sample if there is none).
+  double from = 0.0;
+  /// Time of the first held sample after the gap, seconds (own last sample if there is none yet).
+  double to = 0.0;
 
   std::int64_t frames() const { return lastFrame - firstFrame + 1; }
   double seconds() const { return to - from; }
   bool operator==(const TrajectoryGap&) const = default;
 };
 
-/// Velocity at one sample of a track (one target, frames ascending), meters per second: the slope
-/// of the straight line fitted by least squares to the held samples up to `reach` before and after
-/// it, none beyond a gap. At the center of 2 reach + 1 evenly spaced ones this is the derivative of
-/// Savitzky & Golay, Anal. Chem. 36 (1964), table of first derivatives, quadratic. Nothing when the
-/// sample is not held or has no held neighbor.
+/// Returns the velocity at one sample of a track (one target, ascending frames), in meters per
+/// second. It is the slope of the least-squares line through the held samples up to `reach` before
+/// and after it, not beyond a gap. At the center of 2 reach + 1 evenly spaced samples, it is the
+/// derivative of Savitzky & Golay, Anal. Chem. 36 (1964), table of first derivatives, quadratic.
+/// Returns nothing if the sample is not held or has no held neighbor.
 std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> track,
                                           std::size_t index, std::size_t reach = 2);
 
-/// Standard deviation of a sample's position along an axis (0 to 2), meters.
+/// Returns the standard deviation of a sample's position along an axis (0 to 2), in meters.
 double sigmaOf(const TrajectorySample& sample, int axis);
 
-/// Frames that live cameras may skip without anybody having stopped tracking.
+/// Largest number of frames that live cameras may skip without an interruption of the track.
 inline constexpr std::int64_t kMostSkipped = 8;
-/// Whether so much lies between two frames of a track that no line goes from one to the other: they
-/// were never tracked.
+/// Returns whether two frames of a track are so far apart that no line is drawn between them
+/// because the frames in between were never tracked.
 inline bool isInterrupted(std::int64_t frame, std::int64_t next) {
   return next - frame > kMostSkipped;
 }
 
-/// The samples of a run as they come in, with the speed at each and the gaps of each target.
-/// Bounded: beyond kMostRows the older half goes.
+/// Samples of a run as they arrive, with the speed at each sample and the gaps of each target. When
+/// there are more than kMostRows rows, the older half is dropped.
 class MotionLog {
 public:
   static constexpr std::size_t kMostRows = 100000;
@@ -55,24 +57,27 @@ public:
     TrajectorySample sample;
     double speed = std::numeric_limits<double>::quiet_NaN(); ///< meters per second, if known
   };
-  /// What a change did to rows().
+  /// Change of rows() by a call of replaceFrom().
   struct Change {
-    std::size_t dropped = 0;      ///< rows gone at the front
-    std::size_t firstChanged = 0; ///< rows from here on (after dropping) are others or new
+    std::size_t dropped = 0; ///< number of rows removed at the front
+    /// First row, counted after the removal, that is new or different.
+    std::size_t firstChanged = 0;
   };
 
+  /// Removes all rows, gaps and targets.
   void clear();
-  /// Samples from number `first` (counted since the start) on are these now; from 0: all there are.
+  /// Replaces the samples from number `first` on (counted since the start). With 0, all samples are
+  /// replaced.
   Change replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
   const std::vector<Row>& rows() const { return rows_; }
-  /// In the order of their beginning, per target.
+  /// Returns the gaps, by target, in the order of their beginnings.
   std::vector<TrajectoryGap> gaps() const;
 
 private:
   struct Track {
-    std::vector<std::size_t> rows; ///< numbers since the start
+    std::vector<std::size_t> rows; ///< numbers counted since the start
     std::vector<TrajectoryGap> gaps;
-    bool open = false; ///< the last gap goes on
+    bool open = false; ///< the last gap has not ended
   };
   void append(const TrajectorySample& sample);
   void truncate(std::size_t size);
@@ -81,7 +86,7 @@ private:
   std::size_t drop();
 
   std::vector<Row> rows_;
-  std::size_t dropped_ = 0; ///< rows that are gone
+  std::size_t dropped_ = 0; ///< number of rows removed
   std::map<std::string, Track> tracks_;
 };
 

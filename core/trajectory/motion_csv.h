@@ -8,9 +8,9 @@
 
 namespace dewpoint::trajectory {
 
-/// A CSV table of a motion with its speed, to be pasted: a line per row, meters and seconds, frames
-/// from 0, standard deviations instead of covariances. What an export writes is in
-/// export_formats.h.
+/// Returns a CSV table of a motion and its speed for the clipboard: one line per row, in meters and
+/// seconds, frames counted from 0, with standard deviations instead of covariances. The formats of
+/// an export are in export_formats.h.
 std::string motionCsv(std::span<const MotionLog::Row> rows);
 
 } // namespace dewpoint::trajectory

@@ -11,32 +11,33 @@
 
 namespace dewpoint::trajectory {
 
+/// Options of smoothed().
 struct SmootherOptions {
-  /// Gaps up to this length are filled, seconds; behind a longer one a new path begins.
+  /// Longest gap that is filled, in seconds. After a longer gap, a new path begins.
   double longestGap = 1.0;
-  /// Called now and then with how much is done, 0 to 1; false ends the smoothing.
+  /// Called from time to time with the progress, 0 to 1; returning false ends the smoothing.
   std::function<bool(double)> progress;
 };
 
-/// How a target moved and how good its measurements were, found by maximum likelihood over the run:
-/// the likeliest order of motion with its strength, and the factor on the covariances that the
-/// measurements' scatter shows. At most the first 2,000 instants are used. `goesOn`, when given, is
-/// called from time to time; once it has returned false, the model found so far is returned.
+/// Fits the motion model and the quality of the measurements by maximum likelihood over the run:
+/// the most likely order of motion and its strength, and the factor on the covariances that matches
+/// the scatter of the measurements. At most the first 2,000 instants are used. `goesOn`, if given,
+/// is called from time to time; once it has returned false, the model found so far is returned.
 PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
                        const std::function<bool()>& goesOn = {});
 
-/// The trajectory as it is known after the run: each target's estimates become those that all
-/// measurements before and after allow, with their covariance. A live estimate knows only the past,
-/// and errors of neighboring ones are alike; so what each frame alone measured (`seen`) is used
-/// instead, each measurement once. Frames without a measurement carry none: between two of them the
-/// ellipsoid grows and shrinks again, and such a frame becomes `valid` while it says something
-/// (standard deviation below 0.1 m). What the measurements scatter less than they state is taken
-/// for an error that they share (light from one side, a calibration that is a little off): it stays
-/// in the covariance, no smoothing removes it. Where a file has no `seen`, valid estimates are
-/// taken as if their errors were independent. A few measurements behind a gap, where neither those
-/// before nor those after agree with them, are a mistake and dropped. Estimates before the first
-/// measurement, and of targets with fewer than five, stay as they are; all do when `progress` ended
-/// it.
+/// Returns the trajectory smoothed over the whole run: each estimate uses all measurements before
+/// and after it, and has the corresponding covariance.
+/// Live estimates depend only on the past, and errors of neighboring estimates are correlated.
+/// Smoothing therefore uses the measurement of each frame alone (`seen`), each once. Between two
+/// measurements, the ellipsoid grows and shrinks again. A frame without a measurement becomes
+/// `valid` if its standard deviation is below 0.1 m. If the measurements scatter less than their
+/// covariance states, the rest is treated as an error that they share (light from one side, a
+/// slightly wrong calibration). It stays in the covariance, since smoothing cannot remove it. If a
+/// file has no `seen`, the errors of valid estimates are treated as independent.
+/// A few measurements after a gap are dropped as wrong if neither those before nor those after
+/// agree with them. Estimates before the first measurement, and those of targets with fewer than
+/// five measurements, stay unchanged. All stay unchanged if `progress` ended the smoothing.
 Trajectory smoothed(const Trajectory& live, const SmootherOptions& options = {});
 
 } // namespace dewpoint::trajectory

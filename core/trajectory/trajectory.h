@@ -13,14 +13,14 @@
 
 namespace dewpoint::trajectory {
 
-/// A position from the images of one frame alone, without what was known before: a measurement with
-/// errors of its own. World frame, meters; covariance in m².
+/// Position measured from the images of one frame alone, without prior knowledge; its errors are
+/// independent of other frames. World frame, meters; covariance in m².
 struct PositionMeasurement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// One target at one frame. World frame, meters, seconds; covariance in m².
+/// Estimate of one target in one frame. World frame, meters, seconds; covariance in m².
 struct TrajectorySample {
   double time = 0.0;
   std::int64_t frame = 0;
@@ -30,24 +30,25 @@ struct TrajectorySample {
   double effectiveSampleSize = 0.0;
   int cameras = 0;
   bool valid = true;
-  std::optional<PositionMeasurement> seen; ///< nothing: not seen in this frame, or not known
-  double existenceProbability = 0.0;       ///< probability that the target is there; not in files
-  std::optional<Eigen::Vector3d> best;     ///< particle of highest weight (MAP); nothing: not known
-  bool corrected = false;                  ///< the user said in this frame where the target is
-  bool ambiguous = false;                  ///< something else may be the target about as well
-  /// Of what is no ball (m²): an ellipsoid whose semi-axes are the roots of its eigenvalues, along
-  /// its eigenvectors; nothing: a ball, or not known.
+  std::optional<PositionMeasurement> seen; ///< empty: not seen in this frame, or not known
+  double existenceProbability = 0.0;   ///< probability that the target exists; not stored in files
+  std::optional<Eigen::Vector3d> best; ///< particle of highest weight (MAP); empty: not known
+  bool corrected = false;              ///< the user corrected the position in this frame
+  bool ambiguous = false;              ///< another object may be the target about as well
+  /// Extent of a target that is not a ball, in m²: an ellipsoid whose semi-axes are the square
+  /// roots of the eigenvalues, along the eigenvectors. Empty: a ball, or not known.
   std::optional<Eigen::Matrix3d> extent;
 };
 
-/// Where a camera stood, so that an error can be split along and across its optical axis.
+/// Position and optical axis of a camera in the world frame, used to split an error along and
+/// across the axis.
 struct TrajectoryCamera {
   std::string name;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d opticalAxis = Eigen::Vector3d::UnitZ();
 };
 
-/// The contents of a trajectory file's header.
+/// Header of a trajectory file.
 struct TrajectoryHeader {
   std::vector<std::pair<std::string, std::string>> entries; ///< method, seed, parameters, version
   std::vector<TrajectoryCamera> cameras;
@@ -58,6 +59,7 @@ struct TrajectoryHeader {
   bool hasExtent = false;    ///< the file has columns for `extent`
 };
 
+/// A trajectory: its header, and the samples of all targets.
 struct Trajectory {
   TrajectoryHeader header;
   std::vector<TrajectorySample> samples;

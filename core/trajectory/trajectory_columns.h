@@ -10,29 +10,29 @@
 
 namespace dewpoint::trajectory {
 
-/// One target of a trajectory as columns, one row per frame of TrajectoryColumns. Where the target
-/// has no sample in a frame, numbers are not a number and all else is 0.
+/// One target of a trajectory as columns, one row per frame of TrajectoryColumns. If the target has
+/// no sample in a frame, floating-point values are NaN and all others are 0.
 struct TargetColumns {
   std::string target;
-  std::vector<double> positions;   ///< rows x y z, meters, world frame
-  std::vector<double> covariances; ///< rows of 9: 3 x 3, m²
-  std::vector<double> best;        ///< rows x y z of the particle of highest weight, meters
-  std::vector<double> existence;   ///< probability; 0 for a trajectory from a file
+  std::vector<double> positions;   ///< rows of x, y, z; meters, world frame
+  std::vector<double> covariances; ///< rows of 9 values (3 x 3); m²
+  std::vector<double> best;        ///< rows of x, y, z of the particle of highest weight; meters
+  std::vector<double> existence;   ///< existence probability; 0 for a trajectory from a file
   std::vector<double> effectiveSampleSize;
-  std::vector<std::int32_t> cameras;   ///< that show the target
+  std::vector<std::int32_t> cameras;   ///< number of cameras that show the target
   std::vector<std::uint8_t> valid;     ///< 1: the cameras confirm the target
-  std::vector<std::uint8_t> ambiguous; ///< 1: something else may be the target about as well
+  std::vector<std::uint8_t> ambiguous; ///< 1: another object may be the target about as well
 };
 
-/// A trajectory as columns: what programs that calculate with whole arrays read.
+/// A trajectory as columns, for programs that work with arrays.
 struct TrajectoryColumns {
-  std::vector<std::int64_t> frames; ///< rising; kNoFrame where the file has none
-  std::vector<double> times;        ///< seconds, one per row; not a number where the file has none
-  std::vector<TargetColumns> targets; ///< in the order in which they come up first
+  std::vector<std::int64_t> frames;   ///< ascending; kNoFrame if the file has no frame numbers
+  std::vector<double> times;          ///< seconds, one per row; NaN if the file has no times
+  std::vector<TargetColumns> targets; ///< in the order of their first appearance
 };
 
-/// The columns of all targets over the same rows: the frames in which any of them has a sample, or
-/// the instants where the samples have no frames.
+/// Returns the columns of all targets over the same rows: the frames in which any target has a
+/// sample, or the instants if the samples have no frame numbers.
 TrajectoryColumns columnsOf(const Trajectory& trajectory);
 
 } // namespace dewpoint::trajectory

@@ -9,17 +9,19 @@
 
 namespace dewpoint::trajectory {
 
-/// Writes a trajectory as tidy CSV: `#` header, a line of column names, one row per target and
-/// frame. Every row goes to the operating system at once, so that what a killed run wrote can be
-/// read. Numbers are the shortest that read back exactly, with a point in any locale.
+/// Writes a trajectory as tidy CSV: `#` header, a line of column names, and one row per target and
+/// frame. Each row is passed to the operating system at once, so the rows of a killed run can be
+/// read. Numbers have the fewest digits that read back exactly, with a decimal point in every
+/// locale.
 class TrajectoryWriter {
 public:
-  /// Creates (or empties) the file and writes its header; FileUnwritable if that cannot be done.
+  /// Creates or truncates the file and writes its header. Returns FileUnwritable if this fails.
   static Result<TrajectoryWriter> create(const std::filesystem::path& path,
                                          const TrajectoryHeader& header);
 
+  /// Appends a row.
   Status write(const TrajectorySample& sample);
-  /// Closes the file; nothing may be written after it.
+  /// Closes the file. No further writes are allowed.
   Status finish();
 
 private:
@@ -30,7 +32,7 @@ private:
   TrajectoryHeader header_;
 };
 
-/// Writes a whole trajectory at once; a file of that name is replaced, or stays as it was.
+/// Writes a whole trajectory. An existing file is replaced, or left unchanged if writing fails.
 Status writeTrajectory(const Trajectory& trajectory, const std::filesystem::path& path);
 
 } // namespace dewpoint::trajectory

@@ -10,25 +10,25 @@
 
 namespace dewpoint::session {
 
-/// The color histograms of a box, as Sugandi et al. 2009, figure 1, shows them: shares of the bins
-/// of rgbBin() (512), each summing to 1.
+/// Color histograms of a box as in Sugandi et al. 2009, figure 1: shares of the 512 bins of
+/// rgbBin(). Each histogram sums to 1.
 struct ColorHistograms {
-  std::vector<double> reference; ///< of the box as it was given
-  std::vector<double> candidate; ///< of the box as it is estimated in the image shown
+  std::vector<double> reference; ///< of the box given by the user
+  std::vector<double> candidate; ///< of the estimated box in the displayed image
 
-  /// rho of equation 10: 1 for equal histograms, 0 for those without a common bin.
+  /// Returns rho of equation 10: 1 for equal histograms, 0 for histograms without a common bin.
   double similarity() const;
 };
 
-/// One bin of both histograms, as a view draws it.
+/// One bin of both histograms, for display.
 struct ColorBar {
-  std::array<std::uint8_t, 3> rgb{}; ///< the color at the center of the bin
+  std::array<std::uint8_t, 3> rgb{}; ///< color at the center of the bin
   double reference = 0.0;
   double candidate = 0.0;
 };
 
-/// The bins with the largest shares in either histogram, at most `most` and none that is empty in
-/// both, in the order of their numbers.
+/// Returns the bins with the largest shares in either histogram, ordered by bin number: at most
+/// `most`, and none that is empty in both.
 std::vector<ColorBar> largestBars(const ColorHistograms& histograms, std::size_t most);
 
 } // namespace dewpoint::session

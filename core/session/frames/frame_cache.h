@@ -9,27 +9,27 @@
 
 namespace dewpoint::session {
 
-/// The images of frames that went by, by number. Used by one thread.
+/// Cache of images of past frames, by frame number. Used by one thread.
 class FrameCache {
 public:
   virtual ~FrameCache() = default;
-  /// A frame set that was taken from the source; numbers only rise.
+  /// Adds a frame set that was taken from the source; frame numbers must increase.
   virtual void add(const FrameSetPtr& frames) = 0;
-  /// The images of this frame; null when they were dropped (live), or not there.
+  /// Returns the images of this frame; null if they were dropped (live) or do not exist.
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
-  /// A preview of a frame: in full when that takes no time, else small and scaled up (`exact` is
-  /// false then); null when there is none.
+  /// Returns a preview of a frame: the full images if these are available at once, otherwise small
+  /// images scaled up (`exact` is then false). Null if there is none.
   virtual FrameSetPtr previewAt(std::int64_t frame, bool& exact) = 0;
-  /// The oldest frame that at() still has.
+  /// Returns the oldest frame available from at().
   virtual std::int64_t oldest() const = 0;
-  /// The newest frame that at() has.
+  /// Returns the newest frame available from at().
   virtual std::int64_t newest() const = 0;
   virtual std::size_t bytes() const = 0;
-  /// Forgets everything (the run begins again).
+  /// Removes all frames, for a restart of the run.
   virtual void clear() = 0;
 };
 
-/// Bytes of the pixels.
+/// Returns the size of the pixel data in bytes.
 std::size_t bytesOf(const FrameSet& frames);
 
 } // namespace dewpoint::session

@@ -10,22 +10,23 @@
 
 namespace dewpoint::session {
 
-/// Small pictures of the frames that went by, to be shown while the true ones are decoded: to reach
-/// a frame of a video, all frames since its last key frame must be. When the memory is used up,
-/// every second one is removed, and the nearest one before is shown in its place.
+/// Small images of past frames, shown while the full images are being decoded. Decoding a frame of
+/// a video requires decoding all frames since its last key frame. When the memory limit is reached,
+/// every second preview is removed, and the nearest earlier one is shown instead.
 class FramePreviews {
 public:
   explicit FramePreviews(std::size_t mostBytes) : most_(mostBytes) {}
 
+  /// Adds the previews of a frame.
   void add(const FrameSet& frames);
-  /// Scaled up to the size of the frame; null when none is near.
+  /// Returns a preview scaled up to the size of the frame; null if there is none near.
   FrameSetPtr at(std::int64_t frame) const;
   std::size_t bytes() const { return bytes_; }
   std::size_t most() const { return most_; }
 
 private:
   struct Small {
-    std::vector<std::uint8_t> jpeg; ///< empty: the camera delivered nothing
+    std::vector<std::uint8_t> jpeg; ///< empty: the camera delivered no image
     int width = 0;                  ///< of the frame, pixels
     int height = 0;
   };
@@ -38,7 +39,7 @@ private:
 
   std::size_t most_;
   std::size_t bytes_ = 0;
-  std::int64_t spacing_ = 1; ///< frames between those that are kept
+  std::int64_t spacing_ = 1; ///< interval between stored frames, in frames
   std::map<std::int64_t, Entry> entries_;
 };
 

@@ -9,21 +9,22 @@
 
 namespace dewpoint::session {
 
-/// Is given every frame set that the tracking thread takes, in order, none left out; frames that
-/// are tracked again are not given again. Called in the tracking thread: it must return at once
-/// (hand the set to a queue) and must not throw.
-/// It is for whoever may miss no frame (a board or a wand that is searched for); views are
-/// connected by Workbench::connectView, and get the newest snapshot.
+/// Receives every frame set that the tracking thread takes, in order and without omissions, except
+/// frames that are tracked again. It is called in the tracking thread, so it must return at once
+/// (for example by queuing the set) and must not throw. It is intended for consumers that need
+/// every frame, such as the detection of a board or wand. Views use Workbench::connectView, which
+/// delivers only the newest snapshot.
 using FrameTap = std::function<void(const FrameSetPtr&)>;
 
-/// Holds a tap, which may be set from any thread.
+/// Holds a tap, which any thread may set.
 class FrameTapSlot {
 public:
-  /// An empty one ends it; when this returns, the former one is not called any more.
+  /// Sets the tap; an empty one removes it. After this returns, the former tap is not called again.
   void set(FrameTap tap) {
     const std::lock_guard lock(mutex_);
     tap_ = std::move(tap);
   }
+  /// Passes a frame set to the tap, if there is one.
   void give(const FrameSetPtr& frames) {
     const std::lock_guard lock(mutex_);
     if (tap_) {

@@ -8,8 +8,8 @@
 
 namespace dewpoint::session {
 
-/// Frames of live cameras: the newest as they are, older ones as JPEG, compressed by a thread of
-/// its own, up to `mostBytes` in all.
+/// Returns a cache of frames from live cameras: the newest uncompressed, older ones as JPEG, which
+/// a separate thread compresses. It uses up to `mostBytes` in total.
 std::unique_ptr<FrameCache> liveFrames(std::size_t mostBytes);
 
 } // namespace dewpoint::session

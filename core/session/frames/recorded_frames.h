@@ -9,9 +9,10 @@
 
 namespace dewpoint::session {
 
-/// Frames of a recording, read again by seeking; those decoded last are kept, and small pictures of
-/// all that went by, up to `mostBytes`. When frames are requested backwards, some earlier ones are
-/// decoded on the way. Moves the source.
+/// Returns a cache of frames of a recording, which are read again by seeking. It keeps the most
+/// recently decoded frames, and small images of all past frames, up to `mostBytes`. When frames are
+/// requested backward, some earlier ones are decoded at the same time. The cache changes the
+/// position of `source`.
 std::unique_ptr<FrameCache> recordedFrames(FrameSetSource& source, std::size_t mostBytes);
 
 } // namespace dewpoint::session

@@ -14,43 +14,45 @@
 
 namespace dewpoint::session {
 
-/// How a target is doing, in the one word that is shown of it.
+/// Status of a target, shown as one word.
 enum class TargetStatus {
-  Searching, ///< not held, or not held yet
+  Searching, ///< not held, or not yet held
   Held,      ///< the cameras confirm the estimate
-  Ambiguous, ///< the same, or nearly so, but something else may be the target about as well
-  Lost,      ///< was held, and has not been for kLostAfter seconds
-  Gone,      ///< removed, or not created yet: there is nothing to search for
+  Ambiguous, ///< held, or nearly so, but another object may be the target about as well
+  Lost,      ///< was held, but not in the last kLostAfter seconds
+  Gone,      ///< removed, or not yet created: there is nothing to search for
 };
-/// Seconds after which a target that is not held counts as lost.
+/// Time in seconds after which a target that is not held counts as lost.
 inline constexpr double kLostAfter = 1.0;
 
-/// One target as it was believed at one frame.
+/// Estimate and state of one target in one frame.
 struct TrackedTarget {
   TrackEstimate estimate;
-  Eigen::ArrayXXf particles; ///< rows x y z, meters
+  Eigen::ArrayXXf particles; ///< rows of x, y, z; meters
   Eigen::ArrayXf weights;    ///< one per row, linear
   std::vector<CandidatePosition> proposals;
-  std::vector<CameraReport> reasons; ///< per camera, why it does not confirm the target
+  std::vector<CameraReport> reasons; ///< per camera, why the camera does not confirm the target
   TargetStatus status = TargetStatus::Searching;
-  BoxParticles boxParticles;                                  ///< of a BoxEstimate
-  double lastHeld = -std::numeric_limits<double>::infinity(); ///< seconds; this frame's if held now
+  BoxParticles boxParticles; ///< of a BoxEstimate
+  /// Time when last held, seconds; time of this frame if held now.
+  double lastHeld = -std::numeric_limits<double>::infinity();
 };
 
-/// What is kept of one tracked frame, apart from its images.
+/// Results of one tracked frame, without its images.
 struct TrackedFrame {
   std::int64_t frame = 0;
   double time = 0.0;                                      ///< seconds
   int iterations = 0;                                     ///< on this frame
   std::int64_t totalIterations = 0;                       ///< since the (re)start
-  std::shared_ptr<const std::vector<Target>> definitions; ///< the targets as they were defined
+  std::shared_ptr<const std::vector<Target>> definitions; ///< the targets as defined by the user
   std::vector<TrackedTarget> targets;                     ///< in the same order
-  std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
+  /// Per camera; empty except with methods for people.
+  std::vector<PeopleCameraState> peopleCameras;
 
   std::size_t bytes() const;
 };
 
-/// One frame in the record that a timeline is drawn from.
+/// Record of one frame for the timeline.
 struct FrameRecord {
   struct Entry {
     TargetStatus status = TargetStatus::Searching;
@@ -63,9 +65,10 @@ struct FrameRecord {
   std::vector<Entry> targets;
 };
 
-/// Status of a target that is (not) held at `time`, given when it was held last.
+/// Returns the status of a target that is held or not held at `time`, given when it was last held;
+/// seconds.
 TargetStatus statusOf(bool held, double time, double lastHeld);
-/// The record of a frame.
+/// Returns the record of a frame.
 FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames);
 
 } // namespace dewpoint::session

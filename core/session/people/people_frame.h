@@ -15,11 +15,11 @@
 
 namespace dewpoint::session {
 
-/// The people of one frame with their bodies: what their volumes are written from.
+/// People of one frame with their bodies, from which their volumes are computed.
 struct PeopleFrame {
   struct Person {
     PersonEstimate estimate;
-    Eigen::ArrayXXf points; ///< rows x y z, meters
+    Eigen::ArrayXXf points; ///< rows of x, y, z; meters
     Eigen::ArrayXf weights; ///< one per row, linear
     BodyCloud body() const { return {points.cast<double>(), weights.cast<double>()}; }
   };
@@ -29,16 +29,19 @@ struct PeopleFrame {
 };
 using PeopleFramePtr = std::shared_ptr<const PeopleFrame>;
 
+/// Returns the people of a tracked frame.
 PeopleFramePtr peopleFrame(const TrackedFrame& trackedFrame);
 
-/// All that is known of the people of a run; a value of its own, to be written beside it.
+/// All data about the people of a run. It is an independent copy, which can be written while the
+/// run continues.
 struct PeopleRecord {
   Trajectory trajectory;
   std::vector<PeopleFramePtr> frames;
 };
-/// Writes trajectory.csv, volumes.csv, hulls.csv and ground.csv into a folder (PeopleWriter): some
-/// milliseconds per person and frame. `goOn` receives the part done (0 to 1); at its false the rest
-/// is left out. How many frames were written; FileUnwritable.
+/// Writes trajectory.csv, volumes.csv, hulls.csv and ground.csv to a folder (PeopleWriter), which
+/// takes a few milliseconds per person and frame. `goOn` receives the progress (0 to 1); if it
+/// returns false, the remaining frames are omitted. Returns the number of frames written, or
+/// FileUnwritable.
 Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem::path& folder,
                                const std::function<bool(double)>& goOn);
 

@@ -13,15 +13,17 @@
 
 namespace dewpoint::session {
 
-/// The color of an identity everywhere, BGR: twelve that are easy to tell apart, then again.
+/// Returns the display color of an identity, BGR: twelve colors that are easy to distinguish, used
+/// cyclically.
 cv::Scalar identityColor(int identity);
 
-/// The images of all cameras side by side, each `width` pixels wide, with the outline of every
-/// person's 95 % volume and its identity (CV_8UC3). Missing images are black.
+/// Returns the images of all cameras next to each other, each `width` pixels wide, with the outline
+/// of every person's 95 % volume and the person's identity (CV_8UC3). Missing images are black.
 cv::Mat peopleOverlay(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       int width);
 
-/// Writes pictures of one width, one below the other, as one picture file; FileUnwritable.
+/// Writes images of the same width as one file, one below another. Returns FileUnwritable if this
+/// fails.
 Status writeContactSheet(const std::vector<cv::Mat>& rows, const std::filesystem::path& file);
 
 } // namespace dewpoint::session

@@ -12,14 +12,16 @@
 
 namespace dewpoint::session {
 
-/// Somebody is there whom a method for people has not found by itself, or nobody is.
+/// Change of the people of a method: a person that the method has not found, or one that does not
+/// exist.
 struct PeopleChange {
   std::optional<Eigen::Vector3d> newPerson; ///< PersonPlacing::addPerson
   std::optional<int> personGone;            ///< PersonPlacing::removePerson
 };
 
-/// The effect of a correction in its frame: a new person, or one to remove. What cannot be granted,
-/// as somebody outside the watched floor, changes nothing and adds to `refusals`.
+/// Returns the effect of a correction in its frame: a new person, or one to remove. A correction
+/// that cannot be applied, such as a person outside the observed floor, changes nothing and adds an
+/// error to `refusals`.
 PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFinding& finding,
                           const CameraRig& rig, const ParameterValues& parameters,
                           std::vector<Error>& refusals);

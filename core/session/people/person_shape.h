@@ -9,21 +9,22 @@
 
 namespace dewpoint::session {
 
-/// What views show of a person's body (Mohedano et al. 2009, figures 1 and 2). Meters, world.
+/// Shape of a person's body for display (Mohedano et al. 2009, figures 1 and 2). World frame,
+/// meters.
 struct PersonShape {
   ConvexHull hull;     ///< of the 95 % volume
   double volume = 0.0; ///< m³, of the hull
-  /// Around the smallest areas of the floor that hold kGroundShares of the density, the smallest
-  /// first; each may have several pieces.
+  /// Level curves around the smallest areas of the floor that contain kGroundShares of the density,
+  /// the smallest area first. Each area may have several parts.
   std::vector<std::vector<LevelCurve>> ground;
 };
 
-/// Shares of the density on the floor that level curves are drawn around.
+/// Shares of the density on the floor for the level curves.
 inline constexpr double kGroundShares[] = {0.25, 0.5, 0.75, 0.95};
-/// Points of a body that its shape is made of, at most: the density is a sum over all pairs.
+/// Largest number of points used for a person's shape, since the density is a sum over all pairs.
 inline constexpr int kShapePoints = 500;
 
-/// The shape of a body, of up to kShapePoints of its points, evenly picked.
+/// Returns the shape of a body from an even selection of up to kShapePoints of its points.
 PersonShape personShape(const BodyCloud& body);
 
 } // namespace dewpoint::session

@@ -14,71 +14,72 @@
 
 namespace dewpoint::session {
 
-/// Bytes that the parts of a run's history may take.
+/// Memory limits of the parts of a run's history, in bytes.
 struct HistoryLimits {
   std::size_t frames = 0;        ///< images
   std::size_t trackedFrames = 0; ///< particles and estimates
-  std::size_t checkpoints = 0;   ///< copies of the method to go on from
-  /// A share of `total` for each; live cameras need most of it for images.
+  std::size_t checkpoints = 0;   ///< copies of the method, from which tracking can continue
+  /// Divides `total` among the parts; live cameras need most of it for images.
   static HistoryLimits of(std::size_t total, bool live);
   std::size_t sum() const { return frames + trackedFrames + checkpoints; }
 };
 
-/// What a tail shows of an estimate: its mean, or nothing finite where it was only guessed.
+/// Returns the position of an estimate in a tail: its mean, or NaN if the target is not held.
 Eigen::Vector3d tailPosition(const TrackEstimate& estimate);
 
-/// What was believed at every frame tracked so far, and copies of the method from which any of them
-/// can be reached again. When the memory is used up, every second frame of the older half gives up
-/// its particles (never its estimate), and every second copy is given up. Used by one thread.
+/// Results of every frame tracked so far, and checkpoints (copies of the method) from which each
+/// frame can be reached again. When the memory limit is reached, every second frame of the older
+/// half loses its particles (never its estimate), and every second checkpoint is removed. Used by
+/// one thread.
 class History {
 public:
   explicit History(const HistoryLimits& limits) : limits_(limits) {}
 
-  /// A new run: nothing of the old one holds.
+  /// Removes everything, for a new run.
   void clear();
-  /// Before the run begins `frame`: keeps a copy of it from time to time.
+  /// Stores a checkpoint from time to time. Called before the run begins `frame`.
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
-  /// A change was made while the run was at `frame`, after `iterations`.
+  /// Stores a change made to the run at `frame`, after `iterations`.
   void changed(std::int64_t frame, int iterations, const RunChange& change);
-  /// The frame was tracked, or tracked again.
+  /// Stores the results of a frame that was tracked, or tracked again.
   void record(TrackedFrame trackedFrame);
-  /// Forgets results, copies and changes of this frame and of later ones; a copy made right before
-  /// it stays.
+  /// Removes results, checkpoints and changes of this frame and later ones; a checkpoint right
+  /// before it is kept.
   void forgetFrom(std::int64_t frame);
-  /// Forgets all copies: they are of another method.
+  /// Removes all checkpoints because the method has changed.
   void forgetCopies();
-  /// Starts new tails at this frame: estimates from here on do not continue those before.
+  /// Starts new tails at this frame: they do not continue earlier estimates.
   void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
-  /// Forgets what came before this frame (its images are gone).
+  /// Removes everything before this frame, whose images no longer exist.
   void forgetBefore(std::int64_t frame);
 
-  /// Null when the frame was not tracked.
+  /// Returns a frame; null if it was not tracked.
   const TrackedFrame* at(std::int64_t frame) const;
-  /// The last one before this frame; null when there is none.
+  /// Returns the last tracked frame before this one; null if there is none.
   const TrackedFrame* before(std::int64_t frame) const;
   const TrackedFrame* newest() const {
     return trackedFrames_.empty() ? nullptr : &trackedFrames_.back();
   }
-  /// The first one after this frame; null when there is none.
+  /// Returns the first tracked frame after this one; null if there is none.
   const TrackedFrame* after(std::int64_t frame) const;
-  /// The most positions in a tail.
+  /// Largest number of positions in a tail.
   static constexpr std::size_t kTailLength = 256;
-  /// The tailPosition() of a target up to and with the frame `end`, of the tail that `frame`
-  /// (`end`, or the next one, which is not recorded yet) belongs to: the last kTailLength of them,
-  /// oldest first; nothing of targets that are boxes, or gone.
+  /// Returns the tail of a target up to and including frame `end`: the last kTailLength values of
+  /// tailPosition(), oldest first. `frame`, which is `end` or the next frame (not yet recorded),
+  /// selects the tail. Empty for boxes and for targets that are gone.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;
 
-  /// A state of the run from which a frame can be reached by tracking on.
+  /// State of the run from which a later frame can be reached by tracking.
   struct Checkpoint {
-    std::int64_t frame = 0; ///< the next one to begin
+    std::int64_t frame = 0; ///< next frame to begin
     TrackingRun::State state;
   };
-  /// The last one at or before this frame; null when there is none.
+  /// Returns the last checkpoint at or before this frame; null if there is none.
   const Checkpoint* checkpointFor(std::int64_t frame) const;
-  /// Where the method began, knowing nothing, and with what; its state has no tracker. Nothing
-  /// before that.
+  /// Returns the definition and frame with which the method began from scratch; its state has no
+  /// tracker. Empty before that.
   const std::optional<Checkpoint>& begun() const { return begun_; }
-  /// Changes made while the run was at `frame` after `iterations`, in order.
+  /// Returns the changes made while the run was at `frame` after `iterations`, in order.
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
   const HistoryLimits& limits() const { return limits_; }
@@ -91,7 +92,7 @@ private:
   std::deque<TrackedFrame>::const_iterator lowerBound(std::int64_t frame) const;
 
   HistoryLimits limits_;
-  std::deque<TrackedFrame> trackedFrames_; ///< by rising frame
+  std::deque<TrackedFrame> trackedFrames_; ///< ascending frames
   std::size_t trackedFrameBytes_ = 0;
   std::map<std::int64_t, Checkpoint> checkpoints_;
   std::size_t checkpointBytes_ = 0;

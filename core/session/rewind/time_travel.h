@@ -11,46 +11,50 @@
 
 namespace dewpoint::session {
 
-/// Goes back in a run: shows earlier frames as they were, and brings the run back to before a
-/// frame, from where it tracks on with the same bits. Used by the tracking thread only.
+/// Returns to earlier frames of a run: shows them as they were, and restores the run to its state
+/// before a frame, from which it continues with the same bits. Used by the tracking thread only.
 class TimeTravel {
 public:
-  /// `source` is moved about to read recorded frames again. `bytes` limits all that is kept.
+  /// Changes the position of `source` to read recorded frames again. `bytes` limits the total
+  /// memory.
   TimeTravel(FrameSetSource& source, std::size_t bytes);
 
-  /// A new run, at its beginning.
+  /// Removes everything, for a new run.
   void clear();
-  /// The run is about to begin this frame set.
+  /// Called before the run begins this frame set.
   void beforeFrame(const FrameSetPtr& frames, const TrackingRun& run);
+  /// Stores a change made to the run.
   void changed(const TrackingRun& run, const RunChange& change);
-  /// The run has finished (another iteration on) its frame.
+  /// Stores the results of the run's frame after the frame, or another iteration on it, is
+  /// finished.
   const TrackedFrame& record(const TrackingRun& run);
 
-  /// Images of this frame; null when there are none (any more).
+  /// Returns the images of this frame; null if there are none, or none any more.
   Result<FrameSetPtr> frames(std::int64_t frame) { return cache_->at(frame); }
-  /// The frame that can be shown and is nearest to this one; nothing before the first.
+  /// Returns the frame that can be shown and is nearest to this one; nothing before the first
+  /// frame.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
-  /// The next frame after this one that can be shown; nothing at the end.
+  /// Returns the next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> following(std::int64_t frame) const;
-  /// As frames(), perhaps as a `preview`: small images, scaled up.
+  /// As frames(), but possibly small images scaled up; `preview` is then true.
   Result<FrameSetPtr> previewAt(std::int64_t frame, bool& preview);
-  /// Range and memory of what can be shown.
+  /// Returns range and memory of the frames that can be shown.
   HistoryState state() const;
   const History& history() const { return history_; }
 
-  /// Whether to go on with something long.
+  /// Returns whether to continue a long operation.
   using GoOn = std::function<bool()>;
-  /// Makes `run` what it was right before it began `frame`: from the nearest copy, tracking on. The
-  /// frame it reached (`frame`, unless `goOn` said no) or an error. Nothing is forgotten yet; the
-  /// run goes by what it went by then. When there is no copy before the frame, `run` begins again
-  /// there.
+  /// Restores `run` to its state right before it began `frame`, by tracking from the nearest
+  /// checkpoint with the definition used at that time. Without a checkpoint before the frame, `run`
+  /// starts from scratch there. Nothing is removed from the history. Returns the frame reached,
+  /// which is `frame` unless `goOn` returned false, or an error.
   Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame, const GoOn& goOn);
-  /// Forgets what was recorded of this frame and of later ones.
+  /// Removes the results of this frame and later ones.
   void forgetFrom(std::int64_t frame) {
     history_.forgetFrom(frame);
     probe_.reset();
   }
-  /// Another run goes on from `frame`: no copy made so far is of use to it.
+  /// Removes all checkpoints because another run continues from here.
   void forgetCopies() {
     history_.forgetCopies();
     probe_.reset();
@@ -58,24 +62,26 @@ public:
   /// As History::beginTails().
   void beginTails(std::int64_t frame) { history_.beginTails(frame); }
 
-  /// A run of its own, brought to what `run` was after this frame of the past: for likelihood maps
-  /// and motion masks, of which nothing is kept. Null when that cannot be, or `goOn` said no.
+  /// Returns a separate run, restored to the state of `run` after this past frame. It provides
+  /// likelihood maps and motion masks, which the history does not store. Null if this is not
+  /// possible or `goOn` returned false.
   const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run, const GoOn& goOn);
-  /// The number of threads that share the work of the run of runAt() from now on.
+  /// Sets the number of threads of the run returned by runAt().
   void setThreadCount(int threadCount);
 
 private:
-  /// Brings a run to a copy from before `frame`, or to the method's beginning when it cannot be
-  /// copied; `next` is the frame it begins next. False: it begins again at `frame`.
+  /// Restores a run from a checkpoint before `frame`, or from the start of the method if it cannot
+  /// be copied; `next` is the frame to begin next. Returns false if the run starts from scratch at
+  /// `frame`.
   bool bringNear(TrackingRun& run, std::int64_t frame, std::int64_t& next) const;
-  /// Tracks one frame of the past again, with the changes that were made meanwhile.
+  /// Tracks one past frame again, with the changes made during it.
   Status repeat(TrackingRun& run, const TrackedFrame& trackedFrame);
 
   bool live_;
   History history_;
   std::unique_ptr<FrameCache> cache_;
-  std::optional<TrackingRun> probe_;      ///< of runAt()
-  std::optional<std::int64_t> probeNext_; ///< the frame it would begin next
+  std::optional<TrackingRun> probe_;      ///< run of runAt()
+  std::optional<std::int64_t> probeNext_; ///< next frame that the probe would begin
 };
 
 } // namespace dewpoint::session

@@ -12,34 +12,36 @@
 
 namespace dewpoint::session {
 
-/// A correction from which its target is to be tracked back in time.
+/// A correction from which its target is to be tracked backward in time.
 struct BackwardOrder {
-  RunDefinition definition; ///< of the run
-  PositionCorrection from;  ///< one of its corrections
-  /// What the run believed of all targets before that frame, and in it.
+  RunDefinition definition; ///< definition of the run
+  PositionCorrection from;  ///< one of the run's corrections
+  /// Estimates of all targets in the run before and at the frame of the correction.
   std::vector<TrajectorySample> believed;
 };
 
-/// How far the work is, 0 to 1; false: it is not wanted any more.
+/// Receives the progress, 0 to 1; returning false cancels the work.
 using BackwardProgress = std::function<bool(double)>;
 
-/// Where a target was before a person said where it is. The frames before the correction are
-/// tracked from the last to the first by a run of its own, which begins with the correction and
-/// with what is believed of the other targets there. It ends where the target is lost, after ten
-/// seconds in which it is found where it was believed to be anyway (all before that is taken to be
-/// right), where it leaves what was believed by a jump, and at an earlier correction by a person.
+/// Finds the positions of a target before a correction made by the user. A separate run tracks the
+/// frames before the correction from last to first. It starts with the correction and with the
+/// estimates of the other targets in that frame. It ends where the target is lost, where the target
+/// agrees with the former estimates for ten seconds (all earlier estimates are then considered
+/// correct), where it leaves the former estimates by a jump, and at an earlier correction by the
+/// user.
 ///
-/// Where it found the target elsewhere comes as corrections, about two per second, with
-/// `trackedFrom` set: a run that tracks on from the first of them is where the target was. Empty
-/// when nothing was believed wrongly, for live sources, and for methods that take no corrections.
-/// Errors of the source and of TrackingRun::create(); Cancelled when it was not wanted any more.
+/// Where the result differs from the former estimates, it is returned as corrections, about two per
+/// second, with `trackedFrom` set. A run that tracks from the first of them follows these
+/// positions. The result is empty if no estimate was wrong, for live sources, and for methods that
+/// take no corrections. Returns the errors of the source and of TrackingRun::create(), and
+/// Cancelled if `progress` returned false.
 Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardOrder& order, int threads,
                                                        const BackwardProgress& progress);
 
-/// The project with what trackBackwards() finds for each of its corrections by a person, in the
-/// order of their frames, in place of what it has of the kind. What is believed before each is
-/// found out by tracking up to it. `emptyRooms` as RunDefinition::of().
+/// Returns the project with the results of trackBackwards() for each of the user's corrections, in
+/// the order of their frames. They replace earlier tracked-back corrections. The estimates before
+/// each correction are obtained by tracking up to it. `emptyRooms` as for RunDefinition::of().
 Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
                                  const std::vector<cv::Mat>& emptyRooms, int threads,
                                  const BackwardProgress& progress);

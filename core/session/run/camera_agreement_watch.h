@@ -9,26 +9,26 @@
 
 namespace dewpoint::session {
 
-/// Watches during a run whether its cameras can agree (CameraAgreement); nothing where boxes are
-/// followed, whose cameras need no calibration.
+/// Checks during a run whether the cameras agree with each other (CameraAgreement). Does nothing
+/// with methods that track boxes, whose cameras need no calibration.
 class CameraAgreementWatch final : public FrameObserver {
 public:
-  /// A camera of which `motion` reports that it was moved is not reported for it here. It must
-  /// outlive this.
+  /// A camera that `motion` reports as moved is not reported here for that reason. `motion` must
+  /// outlive this object.
   CameraAgreementWatch(const CameraRig& rig, const CameraMotionWatch& motion)
       : agreement_(rig), motion_(motion) {}
 
   Status tracked(const TrackingRun& run) override;
 
-  /// What is wrong, as far as it is known (CameraAgreement::found()); nothing for a method that
-  /// needs no calibration.
+  /// Returns the faults known so far (CameraAgreement::found()); none for a method that needs no
+  /// calibration.
   std::vector<CameraDisagreement> found(const MethodFamily& family) const;
 
-  /// Other calibrations of the same cameras: what was seen is looked at again.
+  /// Sets other calibrations of the same cameras and starts the assessment from scratch.
   void setCameras(const CameraRig& rig) { agreement_ = CameraAgreement(rig); }
-  /// While a calibration board is shown to live cameras nothing is watched.
+  /// Pauses the check while a calibration board is shown to live cameras.
   void setResting(bool resting) { resting_ = resting; }
-  /// Forgets what was seen.
+  /// Discards all measurements.
   void restart() { agreement_.restart(); }
 
 private:

@@ -8,14 +8,15 @@
 
 namespace dewpoint::session {
 
-/// In how many ways a change of the project mends a fault: which of two pairs is exchanged, which
-/// of two cameras is rotated. 0: by a new calibration only.
+/// Returns the number of ways in which a change of the project can correct a fault: pairs of
+/// cameras to exchange, or cameras to rotate. 0 if only a new calibration can correct it.
 std::size_t mendingChoices(const CameraDisagreement& found);
 
-/// Mends a fault that was found with the project's cameras, in one of its ways (asserted).
-/// Exchanged are the images of two cameras, with all clicks that were made in them; of a simulated
-/// scene, whose images are made as they are, the calibrations. A rotated camera gets the rotation
-/// that was found, a late one the delay, and the positions of a rig in another unit become meters.
+/// Corrects a fault found with the project's cameras in one of its ways (`choice` is asserted). For
+/// exchanged cameras, exchanges their images with all clicks made in them, or their calibrations in
+/// a simulated scene, whose images cannot be exchanged. A rotated camera gets the rotation that was
+/// found, a delayed camera gets its delay, and the positions of a rig in another unit are converted
+/// to meters.
 void mendCameras(Project& project, const CameraDisagreement& found, std::size_t choice);
 
 } // namespace dewpoint::session

@@ -10,24 +10,25 @@
 
 namespace dewpoint::session {
 
-/// The stage of dealing with a camera that was moved.
+/// Stage of handling a moved camera.
 enum class CameraMotionStage {
-  Waiting,    ///< its new pose is being worked out
-  Solved,     ///< the new pose is known
-  Unsolvable, ///< it is not known after kCameraMotionPatience: what the camera sees does not tell
-  Back        ///< it stands again as it was calibrated
+  Waiting, ///< its new pose is being computed
+  Solved,  ///< its new pose is known
+  /// Its pose is still unknown after kCameraMotionPatience because its images do not determine it.
+  Unsolvable,
+  Back ///< it is back in its calibrated pose
 };
 
-/// Seconds of the run after which a pose that is still unknown will hardly be found; it is searched
-/// for about once a second.
+/// Time in seconds of the run after which a pose that is still unknown is unlikely to be found. The
+/// search repeats about once a second.
 inline constexpr double kCameraMotionPatience = 3.0;
 
-/// `now`: seconds of the run.
+/// Returns the stage of a report; `now` in seconds of the run.
 CameraMotionStage stageOf(const CameraMotionReport& report, double now);
 
-/// The messages about moved cameras, each stage of a motion once. A pose that is known now and then
-/// stays known: nothing worse is said of that motion afterwards. When a motion is dealt with, the
-/// others are worth saying again.
+/// Selects the messages about moved cameras: each stage of a motion is reported once. After a pose
+/// is known, no worse stage of that motion is reported. When one motion is resolved, the others are
+/// reported again.
 class CameraMotionNews {
 public:
   struct Item {
@@ -35,19 +36,20 @@ public:
     CameraMotionStage stage = CameraMotionStage::Waiting;
   };
   struct News {
-    bool withdrawn = false; ///< what was reported before no longer holds
+    bool withdrawn = false; ///< earlier messages no longer apply
     std::vector<Item> items;
   };
 
-  /// All reports of a frame, in the order of the motions; `now` in seconds of the run.
+  /// Takes all reports of a frame, in the order of the motions, and returns the new messages; `now`
+  /// in seconds of the run.
   News take(const std::vector<CameraMotionReport>& reports, double now);
-  /// Another run: earlier messages no longer count.
+  /// Forgets earlier messages, for another run.
   void clear();
 
 private:
   std::set<std::tuple<std::size_t, std::int64_t, CameraMotionStage>>
-      said_;              ///< camera, frame of the motion
-  std::size_t count_ = 0; ///< reports the last time
+      said_;              ///< camera, frame of the motion, stage
+  std::size_t count_ = 0; ///< number of reports in the previous call
 };
 
 } // namespace dewpoint::session

@@ -6,8 +6,8 @@
 
 namespace dewpoint::session {
 
-/// Lets a CameraMotionWatch see what a run tracks; nothing where boxes are followed, whose
-/// camera may move.
+/// Passes the frames of a run to a CameraMotionWatch. Does nothing with methods that track boxes,
+/// whose camera may move.
 class CameraMotionObserver final : public FrameObserver {
 public:
   /// `watch` must outlive it.

@@ -12,63 +12,66 @@
 
 namespace dewpoint::session {
 
-/// A camera that was moved, as views and reports show it.
+/// Report of a moved camera, for views and messages.
 struct CameraMotionReport {
   CameraMotionEvent event;
-  bool back = false; ///< the camera stands as before again
-  /// How far the target is beside where the other cameras see it, since the camera moved; pixels.
+  bool back = false; ///< the camera is back in its former pose
+  /// Distance of the target in the image from its position according to the other cameras since the
+  /// camera moved, in pixels.
   std::optional<double> targetPixels;
-  /// The camera as it stands now, to be put into the project: by the turn that was measured, and by
-  /// the tracked targets' sightings since then. Recomputed about once a second.
+  /// Present pose of the camera, for the project, from the measured rotation and the sightings of
+  /// tracked targets since the motion. Recomputed about once a second.
   std::optional<MovedCameraPose> newPose;
 };
 
-/// Watches during a run whether cameras are moved (CameraMotionDetector), and how far the targets
-/// are beside where the other cameras see them. What a moved camera would have to be calibrated to
-/// is kept ready.
+/// Detects during a run whether cameras have moved (CameraMotionDetector), and how far targets in
+/// the image are from their positions according to the other cameras. Keeps a new pose of each
+/// moved camera available.
 class CameraMotionWatch {
 public:
   explicit CameraMotionWatch(const CameraRig& rig);
 
-  /// After the iterations of a frame.
+  /// Processes a frame after its iterations.
   void watch(const FrameSet& frames, const std::vector<Target>& targets,
              const std::vector<SphereEstimate>& estimates);
-  /// While a calibration board is shown to live cameras nothing is watched: the image of a moving
-  /// board that fills it is like that of a scene before a rotating camera, and so is that of a
-  /// board that was there when the reference was taken. Afterwards, as soon as the board has been
-  /// put down, the cameras that are not reported stand as they are calibrated, and their images are
-  /// the reference.
+  /// Pauses detection while a calibration board is shown to live cameras. The image of a moving
+  /// board that fills the view resembles a scene seen by a rotating camera. The same holds if a
+  /// board was visible when the reference image was taken. After the board has been put down, the
+  /// cameras that are not reported count as being in their calibrated poses, and their images
+  /// become the reference.
   void setResting(bool resting);
   const std::vector<CameraMotionReport>& reports() const { return reports_; }
-  /// One for each report: which camera, by how much, when.
+  /// Returns one notice for each report: which camera moved, how far, and when.
   std::vector<Error> notices() const;
-  /// Other calibrations of the same cameras: those that changed stand as they are said to stand
-  /// from now on, and are not reported any more.
+  /// Sets other calibrations of the same cameras. Cameras whose calibration changed are assumed to
+  /// be in the new pose and are no longer reported.
   void setCameras(const CameraRig& rig);
-  /// The cameras stand as they are calibrated; what was known is forgotten, but for the motions
-  /// that a new calibration has taken in: a recording that is played again shows the same.
+  /// Assumes that all cameras are in their calibrated poses and forgets what was measured, except
+  /// for motions that a new calibration already includes. Playing a recording again therefore gives
+  /// the same reports.
   void restart();
 
 private:
   void update(CameraMotionReport& report, double time);
-  /// Whether the calibration is that after this very motion.
+  /// Returns whether the calibration is the one made after this motion.
   bool isSolved(const CameraMotionEvent& event) const;
 
   CameraRig rig_;
   CameraMotionDetector detector_;
   ReprojectionResiduals sightings_;
-  std::vector<std::optional<std::int64_t>> solvedAt_; ///< per camera, frame of a motion taken in
+  /// Per camera, frame of the motion included in its calibration.
+  std::vector<std::optional<std::int64_t>> solvedAt_;
   std::size_t eventsSeen_ = 0;
   std::vector<CameraMotionReport> reports_;
-  double due_ = 0.0; ///< seconds; of what is not done in each frame
+  double due_ = 0.0; ///< seconds; time for work that is not done in every frame
   double lastTime_ = -1e18;
   bool resting_ = false;
-  bool wokenUp_ = false;     ///< and no frame has come since
+  bool wokenUp_ = false;     ///< resting has ended and no frame has arrived since
   double awakeFrom_ = -1e18; ///< seconds
 };
 
-/// The pose of a camera that was moved at `event`, from the rotation known now and the sightings
-/// since.
+/// Returns the pose of a camera that moved in an event at `since` (seconds), from its present
+/// rotation and the sightings since then.
 Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
                                                 const std::deque<ReprojectionResidual>& sightings,
                                                 double since);

@@ -10,31 +10,33 @@
 
 namespace dewpoint::session {
 
-/// A color of the screen: sRGB red, green and blue, each 0 to 1.
+/// Display color: sRGB red, green and blue, each 0 to 1.
 using DisplayColor = Eigen::Vector3d;
 
-/// What decides about the color that a target is drawn in.
+/// Properties that determine the display color of a target.
 struct DisplayColorWish {
-  ColorRanges learned{};               ///< empty: the method knows targets by something else
-  std::optional<DisplayColor> fixed{}; ///< is taken as it is: the identity of a person
+  ColorRanges learned{};               ///< empty: the method does not identify targets by color
+  std::optional<DisplayColor> fixed{}; ///< used unchanged: color of a person's identity
 
   bool operator==(const DisplayColorWish&) const = default;
 };
 
-/// The middle of a learned range; nothing where that is gray or the range holds colors of many
-/// kinds.
+/// Returns the central color of a learned range; nothing if that is gray or the range contains many
+/// different colors.
 std::optional<DisplayColor> middleColor(const ColorRange& range);
 
-/// The same hue, made darker or lighter until it reads on a light (or dark) ground.
+/// Returns a color of the same hue, darkened or lightened until it is legible on a light or dark
+/// background.
 DisplayColor legibleOn(const DisplayColor& color, bool darkGround);
 
-/// Whether two colors cannot be told apart at a glance. Compared in OKLab (Ottosson 2020), with
-/// lightness counted half.
+/// Returns whether two colors are hard to distinguish. They are compared in OKLab (Ottosson 2020),
+/// with half weight for lightness.
 bool areAlike(const DisplayColor& one, const DisplayColor& other);
 
-/// One color for each target: the middle of the first range it was learned with, legible on the
-/// ground. Targets that would look alike, and those without a clear color, have that of their index
-/// in `palette` (not empty; used cyclically), or the next one that no other target has.
+/// Returns one color per target: the center of the first range it was learned with, legible on the
+/// background. Targets that would have similar colors, and those without a distinct color, get the
+/// color of their index in `palette` (not empty; used cyclically), or the next one that no other
+/// target has.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorWish>& wishes,
                                         const std::vector<DisplayColor>& palette, bool darkGround);
 

@@ -12,14 +12,13 @@
 
 namespace dewpoint::session {
 
-/// What the cameras of a project show when no target is there, in its order; an empty picture where
-/// that was not said. The error names the file and the camera.
+/// Loads the background image of each camera of a project, in its order; empty for cameras without
+/// one. The error names the file and the camera.
 Result<std::vector<cv::Mat>> loadEmptyRooms(const Project& project);
 
-/// Writes an image that a camera of the project shows (CV_8UC3, rotated) as a picture of its empty
-/// room, rotated back, into a folder, which is made when it does not exist; the file's name is a
-/// new one. Returns the file, FileUnwritable when it cannot be written. Waits for the disk: not for
-/// the thread of a window.
+/// Saves an image of a project's camera (CV_8UC3, rotated) as its background image. The image is
+/// rotated back and written under a new name to `folder`, which is created if necessary. Returns
+/// the file, or FileUnwritable. Blocks on disk access: do not call from the thread of a window.
 Result<std::filesystem::path> keepEmptyRoom(const Project& project, std::size_t camera,
                                             const cv::Mat& image,
                                             const std::filesystem::path& folder);

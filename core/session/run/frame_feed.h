@@ -11,28 +11,30 @@
 
 namespace dewpoint::session {
 
-/// Tracks the images of a program that reads its cameras itself, one instant after the other. The
+/// Tracks images supplied by a program that reads its cameras itself, one instant at a time. The
 /// same images at the same times give the same bits as a recording of them. Used by one thread at a
 /// time.
 class FrameFeed {
 public:
-  /// For the cameras of a project, whose own sources are not opened. Errors of checkProject(),
-  /// checkMethodTargets(), loadEmptyRooms() and TrackingRun::create().
+  /// Creates a feed for the cameras of a project; the project's own sources are not opened. Returns
+  /// the errors of checkProject(), checkMethodTargets(), loadEmptyRooms() and
+  /// TrackingRun::create().
   static Result<FrameFeed> create(const Project& project, int threads);
 
-  /// Tracks one instant, `time` in seconds. `images`: one per camera in the order of the project,
-  /// CV_8UC3 (blue green red) of the size in the calibration, empty where that camera has none.
-  /// They are kept for a while, not copied: nobody may write their pixels any more.
-  /// BadValue names "images" or "time" (which has to rise), and nothing has changed.
+  /// Tracks one instant, `time` in seconds. `images` has one image per camera in the order of the
+  /// project, CV_8UC3 (blue, green, red) with the size in the calibration, empty for a camera
+  /// without image. The images are kept for a while without a copy, so their pixels must not be
+  /// changed afterward. On an error, BadValue names "images" or "time" (which must increase), and
+  /// nothing has changed.
   Status step(const std::vector<cv::Mat>& images, double time);
 
-  /// What is believed now of all targets: in the room, or in the images for methods that follow
-  /// boxes. Empty before the first step.
+  /// Return the present estimates of all targets: positions in the room, or boxes in the images
+  /// with methods that track boxes. Empty before the first step.
   std::vector<TrajectorySample> samples() const { return run_.samples(); }
   std::vector<BoxSample> boxes() const { return run_.boxSamples(); }
   const TrackingRun& run() const { return run_; }
   std::int64_t steps() const { return steps_; }
-  /// Forgets everything; time may begin again.
+  /// Restarts from scratch; times may also start again.
   void restart();
 
 private:

@@ -16,41 +16,43 @@ namespace dewpoint::session {
 class FrameObserver {
 public:
   virtual ~FrameObserver() = default;
-  /// A frame set was taken from the source; the run has not seen it yet.
+  /// Called when a frame set was taken from the source, before the run uses it.
   virtual void taken(const FrameSet& /*frames*/) {}
-  /// An iteration was made, which took these microseconds per target.
+  /// Called after an iteration, with its duration in microseconds per target.
   virtual void iterated(const TrackingRun& /*run*/, double /*microseconds*/) {}
-  /// All iterations of the frame were made. An error ends the loop.
+  /// Called after all iterations of a frame. An error ends the loop.
   virtual Status tracked(const TrackingRun& /*run*/) { return {}; }
 };
 using FrameObservers = std::span<FrameObserver* const>;
 
+/// Amount of tracking in one step.
 enum class FrameStep { WholeFrame, OneIteration };
 
-/// Makes the iterations that are left of the frame that the run has begun, or only the next one,
-/// and calls the observers in their order. Returns whether the frame is done, or the first error
-/// that one of them returns.
+/// Runs the remaining iterations of the run's current frame, or only the next one, and calls the
+/// observers in order. Returns whether the frame is finished, or the first error of an observer.
 Result<bool> trackFrame(TrackingRun& run, FrameObservers observers,
                         FrameStep step = FrameStep::WholeFrame);
-/// The whole frame that the run has begun.
+/// Runs all iterations of the run's current frame.
 Status trackOneFrame(TrackingRun& run, FrameObservers observers);
-/// Takes a frame set and begins it first.
+/// Begins a frame set and runs all its iterations.
 Status trackOneFrame(TrackingRun& run, FrameSetPtr frames, FrameObservers observers);
 
-/// Whether a camera delivered an image; a live source returns sets without any when nothing came.
+/// Returns whether at least one camera delivered an image; a live source returns sets without
+/// images if none arrived.
 bool hasImages(const FrameSet& frames);
 
-/// Frames `first` to `end` - 1 of a source; to its last one where there is no `end`.
+/// Frames `first` to `end` - 1 of a source, or to its last frame if `end` is not set.
 struct FrameRange {
   std::int64_t first = 0;
   std::optional<std::int64_t> end;
 
-  /// How many frame sets a source has of them; nothing when that is not known beforehand.
+  /// Returns how many frame sets of the range a source has; nothing if this is not known
+  /// beforehand.
   std::optional<std::int64_t> count(const FrameSetSource& source) const;
 };
 
-/// Tracks frames of a source until they are all done, an error comes up, or `goOn`, which is called
-/// before each frame, returns false.
+/// Tracks frames of a source until the range is finished, an error occurs, or `goOn` returns false,
+/// which is called before each frame.
 Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun& run,
                    FrameObservers observers, const std::function<bool()>& goOn);
 

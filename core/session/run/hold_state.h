@@ -5,21 +5,21 @@
 
 namespace dewpoint::session {
 
-/// The state of a target, of a camera or of a frame that a view shows in one word.
+/// State of a target, a camera or a frame, shown as one word.
 enum class HoldState {
   NoImages,
   NoTarget,
   NotTracked,
   NoBox,
   Held,
-  Ambiguous, ///< something else may be the target about as well
+  Ambiguous, ///< another object may be the target about as well
   Hidden,
   Searching,
   Lost,
   Missing,
-  Learning, ///< the backgrounds, before people are searched for
-  Nobody,   ///< people are searched for, and nobody is there
-  Gone,     ///< a person who has left, or is not there yet
+  Learning, ///< backgrounds are being learned before people are searched for
+  Nobody,   ///< people are searched for, but none is present
+  Gone,     ///< a person who has left or has not yet appeared
 };
 
 } // namespace dewpoint::session

@@ -7,19 +7,19 @@
 
 namespace dewpoint::session {
 
-/// Live cameras that run freely do not all have an image in each set of frames. A view that went
-/// blank for each one would flicker, and nobody could click in it: so views show the last image of
-/// such a camera for a while. The tracker never sees it twice.
+/// Fills in missing images of live cameras for display. Cameras that are not synchronized do not
+/// deliver an image in every frame set. Views would flicker and could not be clicked in, so they
+/// show the camera's last image for a while. The tracker does not process it twice.
 class LiveFrameFiller {
 public:
-  /// The snapshot as views show it: of a live run, cameras without an image now have their last
-  /// one (and its mask) if that is younger than kYoung. Anything else comes back as it is.
+  /// Returns the snapshot for display. In a live run, cameras without an image get their last one
+  /// (and its mask) if it is younger than kYoung. Other snapshots are returned unchanged.
   TrackSnapshotPtr filled(const TrackSnapshotPtr& snapshot);
 
   static constexpr double kYoung = 0.5; ///< seconds
 
 private:
-  std::vector<FramePtr> frames_; ///< the last one of each camera
+  std::vector<FramePtr> frames_; ///< last image of each camera
   std::vector<cv::Mat> masks_;
 };
 

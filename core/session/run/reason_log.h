@@ -9,21 +9,21 @@
 
 namespace dewpoint::session {
 
-/// Why the targets of a run were held or not, as a CSV table to be read beside the trajectory: a
-/// row whenever the state of a target changes, or the reason for it.
+/// CSV table of the reasons why the targets of a run were held or not, to be read with the
+/// trajectory. It has a row for every change of a target's state or of the reason for it.
 class ReasonLog {
 public:
   explicit ReasonLog(const CameraRig& rig);
 
-  /// After each frame; targets in the order of the record.
+  /// Adds a frame; targets are in the order of the record.
   void append(const FrameRecord& record, const std::vector<Target>& targets);
-  /// time_s, frame (from 0), target, state (held, searching, lost, gone) and the reason as
-  /// reasonSentence() words it; empty while held.
+  /// Returns the table with columns time_s, frame (from 0), target, state (held, searching, lost,
+  /// gone) and reason. The reason is the text of reasonSentence(), empty while held.
   const std::string& csv() const { return csv_; }
 
 private:
   std::vector<std::string> cameras_;
-  std::vector<std::string> last_; ///< per target, state and reason as they were written
+  std::vector<std::string> last_; ///< per target, state and reason last written
   std::string csv_ = "time_s,frame,target,state,reason\n";
 };
 

@@ -20,42 +20,42 @@
 
 namespace dewpoint::session {
 
-/// Some particles of a target: rows x y z, meters, world frame, and their weights, linear, which
-/// sum to 1 over all particles of the target.
+/// A selection of a target's particles: rows of x, y, z in meters, world frame, and their linear
+/// weights. The weights of all particles of the target sum to 1.
 struct ParticleSample {
   Eigen::Array<double, Eigen::Dynamic, 3, Eigen::RowMajor> positions;
   Eigen::ArrayXd weights;
 };
-/// At most `limit` particles of a target of a run, evenly picked.
+/// Returns an even selection of at most `limit` particles of a target.
 ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit);
 
-/// What a run found, kept in memory.
+/// Results of a run, kept in memory.
 struct RecordedRun {
-  Trajectory trajectory; ///< as it is written by `dewpoint-cli track`; empty for image targets
-  BoxTrack boxes;        ///< of methods that follow boxes
-  /// By frame and number of the target; only where they were requested.
+  Trajectory trajectory; ///< as written by `dewpoint-cli track`; empty for image targets
+  BoxTrack boxes;        ///< with methods that track boxes
+  /// By frame and index of the target; only those that were requested.
   std::map<std::pair<std::int64_t, std::size_t>, ParticleSample> particles;
-  std::vector<std::string> targets; ///< by their numbers
-  std::int64_t frames = 0;          ///< that were tracked
-  bool finished = false;            ///< to the end of the frames that were requested
-  std::optional<Error> broken;      ///< why the recording broke off after some frames
-  std::vector<std::string> notices; ///< sentences about the recording and its cameras
+  std::vector<std::string> targets; ///< names by index
+  std::int64_t frames = 0;          ///< number of tracked frames
+  bool finished = false;            ///< all requested frames were tracked
+  std::optional<Error> broken;      ///< error that ended the recording after some frames
+  std::vector<std::string> notices; ///< messages about the recording and its cameras
 };
 
-/// What is wanted of a run.
+/// Options of recordRun().
 struct RunOrder {
   FrameRange frames;
-  int threads = 1;       ///< never change the result
-  int particleLimit = 0; ///< of each target in each frame; 0: none is kept
+  int threads = 1;       ///< never changes the result
+  int particleLimit = 0; ///< for each target in each frame; 0: none are kept
 };
 
-/// How many frames are done, and of how many, if that is known; false: no more is wanted.
+/// Receives the number of finished frames and, if known, their total; returning false ends the run.
 using RunProgress = std::function<bool(std::int64_t, std::optional<std::int64_t>)>;
 
-/// Tracks a recording and keeps what is found; the same bits as `dewpoint-cli track`. `progress` is
-/// called before each frame and after the last one; `emptyRooms` as of loadEmptyRooms(). Errors of
-/// checkMethodTargets() and TrackingRun::create(), and of the source where not a single frame was
-/// tracked; see `broken`.
+/// Tracks a recording and keeps the results, with the same bits as `dewpoint-cli track`. `progress`
+/// is called before each frame and after the last one; `emptyRooms` as returned by
+/// loadEmptyRooms(). Returns the errors of checkMethodTargets() and TrackingRun::create(), and
+/// those of the source if no frame was tracked. For later errors, see `broken`.
 Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
                               const std::vector<cv::Mat>& emptyRooms, const RunOrder& order,
                               const RunProgress& progress);

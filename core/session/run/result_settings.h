@@ -15,38 +15,40 @@ struct FrameSpan {
   bool operator==(const FrameSpan&) const = default;
 };
 
-/// Results of a run that other settings gave than those of now.
+/// Results of a run that came from settings other than the current ones.
 struct OldResults {
-  std::vector<FrameSpan> frames; ///< by rising frame; empty: all results are of the settings of now
-  std::int64_t newest = -1;      ///< the last frame with results, old or not; -1: there is none
-  double secondsPerFrame = 0.0;  ///< to track a frame again (median of the last ones); 0: unknown
+  /// In ascending order; empty: all results match the current settings.
+  std::vector<FrameSpan> frames;
+  std::int64_t newest = -1; ///< last frame with results, old or not; -1: none
+  /// Time to track a frame again (median of the last ones); 0: unknown.
+  double secondsPerFrame = 0.0;
 };
 
-/// Whether a frame that was tracked with `a` need not be tracked again because of `b`. Names of
-/// targets and the samples of their colors decide nothing, nor do corrections and, where they are
-/// tracked again by themselves, boxes: the run goes back for those at once.
+/// Returns whether results obtained with `a` remain valid with `b`. Names of targets and their
+/// color samples have no effect on this. Corrections and, if they are tracked again automatically,
+/// boxes are also ignored: the run goes back at once when they change.
 bool giveSameResults(const RunDefinition& a, const RunDefinition& b);
 
-/// The settings that each frame of a run was tracked with.
+/// Settings with which each frame of a run was tracked.
 class ResultSettings {
 public:
   void clear() { stretches_.clear(); }
-  /// Forgets this frame and later ones.
+  /// Removes this frame and later ones.
   void goBack(std::int64_t frame);
-  /// A frame was tracked; what was known of it and of later ones is void.
+  /// Adds a tracked frame; earlier data of this frame and later ones are replaced.
   void track(std::int64_t frame, const RunDefinitionPtr& definition);
-  /// Frames whose results other settings gave than these.
+  /// Returns the frames whose results came from other settings than these.
   std::vector<FrameSpan> differentFrom(const RunDefinition& now) const;
-  /// The last frame with results; -1: there is none.
+  /// Returns the last frame with results; -1 if there is none.
   std::int64_t newest() const { return stretches_.empty() ? -1 : stretches_.back().frames.last; }
 
 private:
-  /// Frames in a row that were tracked with the same settings.
+  /// Consecutive frames that were tracked with the same settings.
   struct Stretch {
     FrameSpan frames;
     RunDefinitionPtr definition;
   };
-  std::vector<Stretch> stretches_; ///< by rising frame
+  std::vector<Stretch> stretches_; ///< ascending frames
 };
 
 } // namespace dewpoint::session

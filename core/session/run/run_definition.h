@@ -17,43 +17,47 @@
 
 namespace dewpoint::session {
 
-/// All that decides what a run makes of its frames: one value, never changed once it is made, so
-/// that the tracking thread, its history and its snapshots can share it. A change is another value.
+/// Everything that determines the results of a run from its frames. A definition is immutable after
+/// it is made, so the tracking thread, its history and its snapshots can share it. A change creates
+/// a new definition.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters;                  ///< those in use, see useCameras()
-  std::vector<Target> targets;                 ///< the project's; methods for people find others
-  std::shared_ptr<const CameraRig> rig;        ///< never null; in the order of the project
-  std::vector<cv::Mat> emptyRooms;             ///< per camera, as of loadEmptyRooms(); may be empty
-  std::vector<std::string> emptyRoomFiles;     ///< per camera, as the project names them
-  std::vector<PersonCorrection> people;        ///< by frame; methods for people make them come true
-  std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for in it alone
-  std::vector<PositionCorrection> corrections; ///< by frame; methods apply them that can
+  ParameterValues parameters;  ///< values in use, see useCameras()
+  std::vector<Target> targets; ///< targets of the project; methods for people find their own
+  std::shared_ptr<const CameraRig> rig; ///< never null; cameras in the order of the project
+  /// Background image per camera, as returned by loadEmptyRooms(); may be empty.
+  std::vector<cv::Mat> emptyRooms;
+  std::vector<std::string> emptyRoomFiles;  ///< per camera, as named in the project
+  std::vector<PersonCorrection> people;     ///< ordered by frame; used by methods for people
+  std::optional<WorldBox> volumeOfInterest; ///< targets are searched for only inside it
+  /// Ordered by frame; used by methods that support it.
+  std::vector<PositionCorrection> corrections;
   std::uint64_t seed = 1;
 
-  /// What a project says; `emptyRooms` as of loadEmptyRooms(), or none.
+  /// Returns the definition of a project; `emptyRooms` as returned by loadEmptyRooms(), or none.
   static RunDefinition of(const Project& project, std::vector<cv::Mat> emptyRooms = {});
-  /// The project with what this says in place of its own.
+  /// Returns the project with the values of this definition.
   Project appliedTo(Project project) const;
 
-  /// Takes the parameters that nobody gave from the cameras (parametersInUse()). A definition with
-  /// other cameras, parameters or volume of interest needs it; of() has done so.
+  /// Derives parameters that the user has not set from the cameras (parametersInUse()). Required
+  /// after a change of cameras, parameters or volume of interest; of() includes it.
   void useCameras();
 
   MethodFamily family() const { return methodFamily(method); }
-  /// Of empty rooms the pixels are compared, unless they are the same in memory.
+  /// Compares background images by their pixels, unless they share memory.
   bool operator==(const RunDefinition& other) const;
 };
 using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
 
-/// A volume of interest in words: its two corners, meters.
+/// Returns the two corners of a volume of interest as text, in meters.
 std::string volumeText(const WorldBox& volume);
 
-/// Whether both are images of the same empty rooms.
+/// Returns whether both contain the same background images.
 bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
 
-/// What is otherwise in `after` than in `before`, in words for the header of a trajectory; empty
-/// when nothing is. Corrections of positions are not told: rows of a trajectory are marked by them.
+/// Returns the differences between `after` and `before` as text for the header of a trajectory;
+/// empty if there are none. Corrections of positions are omitted because they are marked in the
+/// rows of the trajectory.
 std::string differences(const RunDefinition& before, const RunDefinition& after);
 
 } // namespace dewpoint::session

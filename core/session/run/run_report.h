@@ -10,19 +10,20 @@
 
 namespace dewpoint::session {
 
-/// How a run went so far.
+/// Statistics of a run so far.
 struct RunFigures {
   std::int64_t frames = 0;
-  double seconds = 0.0; ///< wall clock, from the first frame's arrival to the last estimate
+  /// Wall-clock time from the arrival of the first frame to the last estimate.
+  double seconds = 0.0;
   std::int64_t droppedFrames = 0;
-  int threads = 1;              ///< of the filter
-  bool finished = false;        ///< the input's end was reached
-  DurationHistogram iterations; ///< time of one filter iteration, per target
+  int threads = 1;              ///< number of filter threads
+  bool finished = false;        ///< the end of the input was reached
+  DurationHistogram iterations; ///< duration of one filter iteration, per target
   DurationHistogram latency;    ///< from the arrival of a frame set to its estimate
   std::vector<std::string> notices;
 };
 
-/// The text of run.json: figures, method, seed, parameters and corrections of a run.
+/// Returns the text of run.json: statistics, method, seed, parameters and corrections of a run.
 std::string runReport(const Project& project, const RunFigures& figures);
 
 } // namespace dewpoint::session

@@ -9,20 +9,21 @@
 
 namespace dewpoint::session {
 
-/// The line from a camera to the estimate of a target, meters, world.
+/// Line from a camera to the estimate of a target, in meters, world frame.
 struct SightLine {
-  int camera = 0; ///< in the order of the rig
+  int camera = 0; ///< index in the rig
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   bool sees =
-      true; ///< the camera confirms the target, all of it or a part; else it is hidden there
+      /// The camera confirms at least a part of the target; otherwise the target is hidden there.
+      true;
 };
 
-/// One for each camera in whose image the estimate lies; none of a camera without an image, and of
-/// targets whose position is not known.
+/// Returns one line for each camera in whose image the estimate lies. Cameras without an image and
+/// targets with unknown position have none.
 std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSnapshot& target);
 
-/// A broken line: `count` strokes from one point to another, with gaps as long as they are.
+/// Returns a dashed line of `count` dashes between two points, with gaps as long as the dashes.
 std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to, int count);
 

@@ -26,85 +26,88 @@ namespace dewpoint::session {
 struct TargetSnapshot {
   Target target;
   TrackEstimate estimate;
-  Eigen::ArrayXXd particles; ///< up to 10,000 rows x y z, meters
+  Eigen::ArrayXXd particles; ///< up to 10,000 rows of x, y, z; meters
   Eigen::ArrayXd weights;    ///< one per row, linear
   std::vector<Eigen::Vector3d>
-      tail; ///< positions in the last frames, oldest first; NaN where not held
+      tail; ///< positions in the last frames, oldest first; NaN if not held
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
-  HoldState absence = HoldState::Gone; ///< its state while it is absent
+  HoldState absence = HoldState::Gone; ///< state shown while the target is absent
   BoxParticles boxParticles;           ///< of a BoxEstimate
-  /// Of a BoxEstimate; null where it has no image.
+  /// Histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
-  /// Per camera, why it does not confirm the target (reasonSentence); may be empty.
+  /// Per camera, why the camera does not confirm the target (reasonSentence); may be empty.
   std::vector<CameraReport> reasons;
-  std::vector<CandidatePosition> proposals; ///< positions considered in this frame; may be empty
-  std::vector<LikelihoodMap> maps;          ///< per camera; empty unless wanted
-  std::shared_ptr<const PersonShape> shape; ///< of a person; null unless wanted
+  std::vector<CandidatePosition> proposals; ///< candidate positions of this frame; may be empty
+  std::vector<LikelihoodMap> maps;          ///< per camera; empty unless requested
+  std::shared_ptr<const PersonShape> shape; ///< of a person; null unless requested
 
-  /// What is believed of it as a box or as a person; null when it is something else, or absent. For
-  /// whoever knows which it is: what depends on that visits the estimate, or takes peopleIn().
+  /// Return the estimate as a box or as a person; null if it is something else or absent. Use these
+  /// only if the kind of target is known; otherwise visit the estimate or call peopleIn().
   const BoxEstimate* box() const { return std::get_if<BoxEstimate>(&estimate); }
   const PersonEstimate* person() const { return std::get_if<PersonEstimate>(&estimate); }
 };
 
+/// State of playback, as shown to the user.
 enum class PlayState { Paused, Playing, Ended };
 
-/// Seconds from the arrival of a frame set to its estimate, over the run so far; 0 before that.
+/// Time in seconds from the arrival of a frame set to its estimate, over the run so far; 0 before
+/// the first.
 struct Latency {
   double median = 0.0;
   double p99 = 0.0;
   double longest = 0.0;
 };
 
-/// Which frames of the run can be shown, and what keeping them takes.
+/// Range of frames that can be shown, and the memory used for them.
 struct HistoryState {
   std::int64_t first = 0; ///< oldest frame that can be shown
   std::int64_t last = -1; ///< newest frame that can be shown; -1: none yet
   std::int64_t head = -1; ///< newest frame that was tracked; -1: none yet
-  std::size_t bytes = 0;  ///< taken by images, particles and copies of the method
+  std::size_t bytes = 0;  ///< memory used by images, particles and copies of the method
   std::size_t mostBytes = 0;
 };
 
-/// A run that goes over past frames again.
+/// Range of past frames that a run is tracking again.
 struct RerunState {
   std::int64_t from = 0; ///< the first frame tracked again
-  std::int64_t to = 0;   ///< the last one
+  std::int64_t to = 0;   ///< last frame tracked again
 };
 
-/// How well a run keeps to its time budget per iteration (parameter `time_budget`), since it was
-/// set or the run began.
+/// How well a run meets its time budget per iteration (parameter `time_budget`), since the budget
+/// was set or the run began.
 struct BudgetFigures {
-  double milliseconds = 0.0;   ///< 0: there is none
-  std::int64_t iterations = 0; ///< so far
-  std::int64_t late = 0;       ///< of them, those that took longer
+  double milliseconds = 0.0;   ///< the budget; 0: none
+  std::int64_t iterations = 0; ///< number of iterations
+  std::int64_t late = 0;       ///< number of iterations that took longer
 };
 
-/// Everything a view may show of one frame. Immutable once published.
+/// Everything that views can show of one frame. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  MethodFamily family;             ///< of the method whose results these are
+  MethodFamily family;             ///< of the method that produced the results
   FrameSetPtr frames;              ///< null before the first frame
-  std::vector<cv::Mat> emptyRooms; ///< per camera without targets; empty when that is not known
-  /// Per camera CV_8UC1, 255 - k: color of target k. Empty unless wanted.
+  std::vector<cv::Mat> emptyRooms; ///< background image per camera; empty if unknown
+  /// Mask per camera, CV_8UC1: 255 - k is the color of target k. Empty unless requested.
   std::vector<cv::Mat> masks;
-  bool masksShowMotion = false; ///< instead; 255: it moves
-  /// Per camera how likely motion is at each pixel of its image, of methods that map it; empty
-  /// unless wanted.
+  bool masksShowMotion = false; ///< masks show motion instead of color; 255: moving
+  /// Likelihood of motion at each pixel, per camera, with methods that compute it; empty unless
+  /// requested.
   std::vector<LikelihoodMap> motionMaps;
   std::vector<TargetSnapshot> targets;
-  std::vector<PeopleCameraState> peopleCameras; ///< per camera; empty but for methods for people
-  std::int64_t frame = -1;                      ///< the one shown
-  bool past = false;                            ///< another frame is shown than the run stands at
-  bool tracked = false;                         ///< the frame shown was tracked
-  /// The images are small previews, scaled up; the true ones follow at once unless another frame is
-  /// requested.
+  /// Per camera; empty except with methods for people.
+  std::vector<PeopleCameraState> peopleCameras;
+  std::int64_t frame = -1; ///< number of the frame shown
+  bool past = false;       ///< the frame shown is not the current frame of the run
+  bool tracked = false;    ///< the frame shown was tracked
+  /// True if the images are small previews, scaled up. The full images follow at once, unless
+  /// another frame is requested.
   bool preview = false;
-  HistoryState history;            ///< what else could be shown
+  HistoryState history;            ///< other frames that can be shown
   std::optional<RerunState> rerun; ///< while past frames are tracked again
   std::optional<std::int64_t> frameCount;
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
-  double framesPerSecond = 0.0;          ///< achieved
+  double framesPerSecond = 0.0;          ///< achieved frame rate
   double microsecondsPerIteration = 0.0; ///< running median
   Latency latency;
   BudgetFigures budget;
@@ -112,41 +115,42 @@ struct TrackSnapshot {
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
   std::vector<Error> notices;
-  /// Cameras that were moved since the run began; each has its notice too: the last ones there.
+  /// Cameras that have moved since the run began. Each also has a notice; these are the last ones
+  /// in `notices`.
   std::vector<CameraMotionReport> cameraMotions;
-  /// Why cameras cannot agree on where things are, the most basic reason first. They are not among
-  /// the notices.
+  /// Reasons why the cameras cannot agree, the most basic first. They are not part of `notices`.
   std::vector<CameraDisagreement> disagreements;
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// One filter iteration in the log that plots draw from; per target. Over time: `time`; over
-/// iterations: `iteration`.
+/// Record of one filter iteration for one target, for plots. Plots over time use `time`; plots over
+/// iterations use `iteration`.
 struct IterationRecord {
   std::int64_t iteration = 0; ///< since the (re)start, from 1
   std::int64_t frame = 0;
   int target = 0;
-  double spread = 0.0; ///< meters, all axes together
+  double spread = 0.0; ///< meters, over all axes
   double effectiveSampleSize = 0.0;
-  double error = -1.0;       ///< meters against truth; negative when unknown
-  double time = 0.0;         ///< seconds, of the frame
-  double microseconds = 0.0; ///< this iteration took, per target
-  Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero(); ///< standard deviations x y z, meters
+  double error = -1.0;       ///< distance from the truth in meters; negative if unknown
+  double time = 0.0;         ///< time of the frame, seconds
+  double microseconds = 0.0; ///< duration of this iteration, per target
+  /// Standard deviations of x, y and z, meters.
+  Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero();
   int particleCount = 0;
-  double existenceProbability = 0.0; ///< probability, all cameras together
+  double existenceProbability = 0.0; ///< over all cameras
   bool held = false;                 ///< see isHeld()
-  /// Likelihood, existence and visible share per camera, in the order of the rig; empty when the
-  /// method cannot tell.
+  /// Likelihood, existence probability and visible share per camera, in the order of the rig; empty
+  /// if the method does not compute them.
   std::vector<CameraEvidence> cameras = {};
-  /// Of a box (BoxEstimate::similarity); then the spread is in pixels.
+  /// Similarity of a box (BoxEstimate::similarity); the spread is then in pixels.
   std::optional<double> similarity = std::nullopt;
-  /// Mean x y z in the world, meters; of a box the center in its image, pixels, and nothing along
-  /// z. Not a number where it is not known.
+  /// Mean x, y and z in the world frame, meters. For a box, the center in its image in pixels,
+  /// without z. NaN if unknown.
   Eigen::Vector3d position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// Where the target truly is, meters; not a number where that is not known.
+  /// True position of the target, meters; NaN if unknown.
   Eigen::Vector3d truth = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  double boxWidth = std::numeric_limits<double>::quiet_NaN();  ///< of a box, pixels
-  double boxHeight = std::numeric_limits<double>::quiet_NaN(); ///< of a box, pixels
+  double boxWidth = std::numeric_limits<double>::quiet_NaN();  ///< width of a box, pixels
+  double boxHeight = std::numeric_limits<double>::quiet_NaN(); ///< height of a box, pixels
 };
 
 } // namespace dewpoint::session

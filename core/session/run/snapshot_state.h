@@ -11,39 +11,39 @@
 
 namespace dewpoint::session {
 
-/// The state a view shows for a target's status.
+/// Returns the state shown for a target's status.
 HoldState holdState(TargetStatus status);
-/// The same of a target, and of a box whether it is hidden or not there yet.
+/// Returns the state of a target; for a box, also whether it is hidden or does not exist yet.
 HoldState holdState(const TargetSnapshot& target);
-/// The worst of all targets: lost, searching, ambiguous, held; nothing to say without targets or
-/// images.
+/// Returns the worst state of all targets: lost, searching, ambiguous, hidden, held. Returns
+/// NoImages or NoTarget if there are none, and NotTracked for a past frame that was not tracked.
 HoldState holdState(const TrackSnapshot& snapshot);
-/// The same of one camera: a box is followed in the camera of the box only.
+/// Returns the same for one camera; a box counts only in the camera in which it is tracked.
 HoldState holdState(const TrackSnapshot& snapshot, int camera);
 
-/// The target whose reasons are worth saying: `preferred` if it exists, else the first that is not
-/// held, else the first; null without any. Persons who have left come last.
+/// Returns the target whose reasons are shown: `preferred` if it exists, otherwise the first that
+/// is not held, otherwise the first. Persons who have left come last. Null if there is no target.
 const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred);
 
-/// The first held target that a camera sees: its estimate, or its box in that camera, lies within
-/// the image. Null when none does.
+/// Returns the first held target in the view of a camera: its estimate, or its box in that camera,
+/// lies within the image. Null if there is none.
 const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
 
-/// What is wrong with a camera at present, by its notice; null: nothing that is known.
+/// Returns the present notice about a camera; null if there is none.
 const Error* noticeOf(const TrackSnapshot& snapshot, int camera);
 
-/// One person of a snapshot; valid as long as the snapshot.
+/// One person of a snapshot; valid as long as the snapshot exists.
 struct PersonInSnapshot {
-  std::size_t index = 0; ///< of the target
+  std::size_t index = 0; ///< index of the target
   const TargetSnapshot* target = nullptr;
-  const PersonEstimate* estimate = nullptr; ///< of the target
+  const PersonEstimate* estimate = nullptr; ///< estimate of the target
 };
 
-/// All persons of a snapshot that are not absent, in the order of its targets.
+/// Returns all persons of a snapshot that are not absent, in the order of its targets.
 std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot);
 
-/// Index of the person whose hull is seen at a pixel of a camera, the one nearest to it; -1:
-/// nobody.
+/// Returns the index of the person whose hull is visible at a pixel of a camera, the nearest one if
+/// there are several; -1 if there is none.
 int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::session

@@ -9,8 +9,8 @@
 
 namespace dewpoint::session {
 
-/// The estimate of a colored target as a row of a trajectory; `time` in seconds. Whether it was
-/// corrected is not known here.
+/// Returns the estimate of a colored target as a row of a trajectory; `time` in seconds. Whether it
+/// was corrected is not set here.
 TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& target,
                           std::int64_t frame, double time);
 

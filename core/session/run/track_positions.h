@@ -10,23 +10,23 @@
 
 namespace dewpoint::session {
 
-/// Frames per second of measured positions, unless given.
+/// Default frame rate of measured positions, frames per second.
 inline constexpr double kPositionsPerSecond = 30.0;
 
-/// Where the file had only frames, gives each sample the time of its frame at `rate` frames per
-/// second; where it had only times, numbers the instants as frames. True when times were given.
-/// MissingKey where a sample has neither, or some have times and others not.
+/// Adds missing times or frame numbers: computes times from frame numbers at `rate` frames per
+/// second, or numbers the instants as frames. Returns true if times were present. Returns
+/// MissingKey if a sample has neither, or only some samples have times.
 Result<bool> giveTimes(Trajectory& measured, double rate);
 
-/// Whether trackPositions() takes this parameter from the first position of each target: start_x,
-/// start_y, start_z.
+/// Returns whether trackPositions() takes this parameter from the first position of each target:
+/// start_x, start_y, start_z.
 bool isStartOfPositions(std::string_view key);
 
-/// Method dynamics over measured 3D positions instead of images (Barrera et al. 2005, section
-/// III-C): every target of `measured` is tracked by a filter of its own, which does the method's
-/// iterations on each sample and starts at the target's first position. A sample whose position is
-/// not a number, or that is not valid, is taken as not measured. BadValue when that first position
-/// is farther away than the method's parameters allow.
+/// Runs method dynamics on measured 3D positions instead of images (Barrera et al. 2005, section
+/// III-C). Every target of `measured` has its own filter, which runs the method's iterations on
+/// each sample and starts at the target's first position. A sample that is not valid or whose
+/// position is NaN counts as not measured. Returns BadValue if the first position is farther away
+/// than the method's parameters allow.
 Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterValues& parameters,
                                   std::uint64_t seed);
 

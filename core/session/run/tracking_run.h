@@ -22,84 +22,87 @@
 
 namespace dewpoint::session {
 
-/// Header of a trajectory of this project: method, seed, parameters, version, cameras.
+/// Returns the header of a trajectory of this project: method, seed, parameters, version, cameras.
 TrajectoryHeader trajectoryHeader(const Project& project);
 
-/// Header of the boxes that were tracked: method, seed, parameters, and what each target is.
+/// Returns the header of a box track: method, seed, parameters, and a description of each target.
 std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
 
-/// A run uses `after` instead of `before`.
+/// Replacement of the definition `before` by `after`.
 struct DefinitionChange {
   RunDefinitionPtr before;
   RunDefinitionPtr after;
 };
 
-/// A change for a run under way.
+/// A change to a run in progress.
 using RunChange = std::variant<DefinitionChange, PeopleChange, PositionCorrection>;
 
-/// The tracker of all targets fed with frame sets: what the window's tracking thread and
-/// the command line both drive. Not thread safe.
+/// A tracker of all targets that processes frame sets. Both the window's tracking thread and the
+/// command line use it. Not thread-safe.
 class TrackingRun {
 public:
-  /// `threadCount` threads share the work; they never change the result. NotFound for an unknown
-  /// method.
+  /// Creates a run with `threadCount` threads, which never change the result. Returns NotFound for
+  /// an unknown method.
   static Result<TrackingRun> create(RunDefinitionPtr definition, int threadCount);
-  /// The run of a project; `emptyRooms` as of loadEmptyRooms(), or none.
+  /// Creates the run of a project; `emptyRooms` as returned by loadEmptyRooms(), or none.
   static Result<TrackingRun> create(const Project& project, int threadCount,
                                     std::vector<cv::Mat> emptyRooms = {});
-  /// A run of a tracker that need not be a method of the catalog.
+  /// Creates a run with a tracker that need not be a method of the catalog.
   static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                         int threadCount);
 
-  /// What the run goes by now; never null.
+  /// Returns the present definition; never null.
   const RunDefinitionPtr& definition() const { return definition_; }
-  /// Whether a run of this definition is this one: of the same method, with the same images, and as
-  /// many targets unless the method takes any number. If not, it needs a run of its own.
+  /// Returns whether this run can use a definition: the same method and images, and as many
+  /// targets, unless the method takes any number. Otherwise a new run is needed.
   bool takes(const RunDefinition& definition) const;
-  /// Forgets all beliefs.
+  /// Discards all tracks.
   void restart(std::uint64_t seed);
-  /// Goes by another definition, which takes() it, from the next iteration on; what is believed
-  /// stays. The tracker is told only of what is otherwise. Another seed counts from the next
-  /// restart() on.
+  /// Applies another definition from the next iteration on; takes() must be true for it. Tracks
+  /// continue. Only the differences are passed to the tracker. Another seed takes effect at the
+  /// next restart().
   void apply(const RunDefinitionPtr& definition);
   void apply(const RunChange& change);
 
-  /// All that the run is between two frames, to go on from with the same bits.
+  /// Complete state of the run between two frames, from which it can continue with the same bits.
   struct State {
-    std::shared_ptr<const Tracker> tracker; ///< null when the method cannot be copied
+    std::shared_ptr<const Tracker> tracker; ///< null if the method cannot be copied
     RunDefinitionPtr definition;
     std::int64_t iterations = 0;
     std::size_t bytes = 0;
   };
+  /// Returns the present state; it has no tracker if the method cannot be copied.
   State save() const;
-  /// `state` has a tracker.
+  /// Restores a state, which must have a tracker.
   void restore(const State& state);
-  /// Whether save() has a tracker to restore.
+  /// Returns whether save() includes a tracker.
   bool canBeCopied() const;
-  /// Whether the user may correct positions.
+  /// Returns whether the user may correct positions.
   bool takesCorrections() const { return capability<PositionCorrecting>() != nullptr; }
-  /// Goes on counting iterations from here.
+  /// Sets the iteration count.
   void countFrom(std::int64_t iterations) { iterations_ = iterations; }
-  /// The number of threads that share the work from the next iteration on; it never changes the
-  /// result.
+  /// Sets the number of threads from the next iteration on; it never changes the result.
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
 
+  /// Begins a frame set; its iterations follow.
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
-  /// One filter iteration for every target; microseconds it took, averaged over the targets. With
-  /// the last one of a frame, the corrections of this frame come true.
+  /// Runs one filter iteration for every target and returns its duration in microseconds, averaged
+  /// over the targets. After the last iteration of a frame, the corrections of this frame are
+  /// applied.
   double iterate();
 
-  /// What a correction means in the current frame; nothing unless the method finds people.
+  /// Returns the effect of a correction in the current frame; empty unless the method finds people.
   PeopleChange changeBy(const PersonCorrection& correction);
-  /// Corrections of people that could not be granted since the last call.
+  /// Returns the corrections of people that could not be applied since the last call.
   std::vector<Error> takeRefusals() { return std::exchange(refusals_, {}); }
 
   std::int64_t iterations() const { return iterations_; }
-  /// Those that are tracked: the project's, or the persons who have been there.
+  /// Returns the tracked targets: those of the project, or the persons found so far.
   const std::vector<Target>& targets() const;
-  /// What the method can do besides tracking, see capability(); null when it cannot.
+  /// Returns an additional capability of the method, see capability(); null if the method does not
+  /// have it.
   template <class Capability> const Capability* capability() const {
     return tracking::capability<Capability>(std::as_const(*tracker_));
   }
@@ -107,33 +110,35 @@ public:
   TrackEstimate estimate(std::size_t track) const { return tracker_->estimate(track); }
   std::vector<TrackEstimate> estimates() const { return estimatesOf(*tracker_); }
   const FrameSetPtr& frames() const { return frames_; }
-  /// The estimates as trajectory samples of the current frame; of people, those who are there.
+  /// Returns the estimates as trajectory samples of the current frame; for people, only those who
+  /// are present.
   std::vector<TrajectorySample> samples() const;
-  /// The boxes of the current frame, of methods that follow boxes.
+  /// Returns the boxes of the current frame, with methods that track boxes.
   std::vector<BoxSample> boxSamples() const;
-  /// Up to `limit` particles of a target; rows x y z, meters, and their weights, linear.
+  /// Returns up to `limit` particles of a target: rows of x, y, z in meters, and their linear
+  /// weights.
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const;
-  /// What is believed now, without particles in space; `recorded` is the TrackedFrame that was kept
-  /// of this frame, null when it was not tracked: how the targets are doing, and why, is from
-  /// there.
+  /// Returns the present estimates without 3D particles. Status and reasons are copied from
+  /// `recorded`, the stored TrackedFrame of this frame, which is null if the frame was not tracked.
   TrackedFrame present(const TrackedFrame* recorded, int boxParticleLimit) const;
-  /// What is kept of the current frame; `previous` is the one before it, null at the beginning.
+  /// Returns the data stored for the current frame; `previous` is the frame before, null at the
+  /// beginning.
   TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
-  /// Iterations on the current frame.
+  /// Returns the number of iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
-  /// Targets that are tracked now; of people, those who are there.
+  /// Returns the number of targets being tracked; for people, those who are present.
   std::size_t trackedCount() const;
 
 private:
-  /// The common part of both kinds of tracked frames.
+  /// Returns the common part of both kinds of tracked frames.
   TrackedFrame commonTrackedFrame(const TrackedFrame* before, int boxParticleLimit) const;
   void applyCorrection(const PeopleChange& people);
   void correctPeople();
-  /// Nothing unless the method can, and has this target.
+  /// Corrects a position if the method can and has this target.
   void correct(const PositionCorrection& correction);
   void correctPositions();
-  /// Whether the position of a target was corrected in the current frame.
+  /// Returns whether the position of a target was corrected in the current frame.
   bool isCorrected(std::size_t target) const;
 
   RunDefinitionPtr definition_;
@@ -145,10 +150,11 @@ private:
   std::vector<Error> refusals_;
 };
 
-/// Truth by target and frame, found quickly while tracking.
+/// Table of the truth by target and frame, for fast access while tracking.
 class TruthTable {
 public:
   explicit TruthTable(const Trajectory& truth);
+  /// Returns the true position of a target in a frame, in meters, world frame; nothing if unknown.
   std::optional<Eigen::Vector3d> at(const std::string& target, std::int64_t frame) const;
 
 private:

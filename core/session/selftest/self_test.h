@@ -12,37 +12,39 @@
 
 namespace dewpoint::session {
 
-/// One line of a self-test: what was tried, and how it went. In English, for those who read
-/// reports; not translated.
+/// One line of a self-test: what was tested, and the result. Always in English, for readers of
+/// reports.
 struct SelfTestLine {
   FindingLevel level = FindingLevel::Ok;
   std::string subject; ///< "codec FFV1"
   std::string text;
 };
 
-/// What the self-test of this computer uses.
+/// Inputs of the self-test.
 struct SelfTestParts {
-  /// A simulated scene whose truth is known, which is tracked for kSelfTestSeconds of it; empty:
-  /// that is left out.
+  /// Opens a simulated scene with known truth, of which kSelfTestSeconds are tracked. Empty: this
+  /// test is omitted.
   std::function<Result<SessionInputs>()> openScene = {};
-  std::vector<std::string> cameras = {}; ///< devices of this computer
-  /// A folder for files that are written and read back; made, and removed with all that is in it.
+  std::vector<std::string> cameras = {}; ///< camera devices of this computer
+  /// Folder for files that are written and read back. It is created, and removed with all its
+  /// contents.
   std::filesystem::path scratch = {};
-  /// Called between the parts; false ends the test.
+  /// Called between the tests; returning false ends the self-test.
   std::function<bool()> goOn = [] { return true; };
 };
 
-/// Of the scene that is tracked.
+/// Duration of the tracked part of the scene, in seconds.
 inline constexpr double kSelfTestSeconds = 5.0;
 
-/// Tries what tracking needs of this computer: versions, processor and memory, disk, cameras,
-/// codecs, and a run over a scene with known truth, with its rate and error. Takes some seconds.
+/// Tests what tracking requires of this computer: versions, processor and memory, disk, cameras,
+/// codecs, and a run on a scene with known truth, with its frame rate and error. Takes several
+/// seconds.
 std::vector<SelfTestLine> runSelfTest(const SelfTestParts& parts);
 
-/// "ok       codec FFV1: ..."
+/// Returns a line as text: "ok       codec FFV1: ..."
 std::string selfTestText(const SelfTestLine& line);
 
-/// The worst level; Ok of none.
+/// Returns the worst level; Ok for no lines.
 FindingLevel worstOf(const std::vector<SelfTestLine>& lines);
 
 } // namespace dewpoint::session

@@ -5,8 +5,8 @@
 
 namespace dewpoint::setup {
 
-/// Whether the first seconds of the images fit the calibration: swapped, late or moved cameras.
-/// Only where everything else is right, since it opens the project as a run does.
+/// Checks whether the first seconds of the images fit the calibration: exchanged, delayed or moved
+/// cameras. Runs only if everything else is correct, since it opens the project as a run does.
 void checkAgreement(Examination& examination);
 
 } // namespace dewpoint::setup

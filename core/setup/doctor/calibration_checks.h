@@ -5,7 +5,7 @@
 
 namespace dewpoint::setup {
 
-/// Where the cameras are: guessed, in another unit, of one pose, under the floor, looking away.
+/// Checks the camera poses: guessed, in another unit, identical, below the floor, or facing away.
 void checkCalibration(Examination& examination);
 
 } // namespace dewpoint::setup

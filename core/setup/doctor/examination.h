@@ -20,28 +20,30 @@
 
 namespace dewpoint::setup {
 
-/// How a project is to be checked.
+/// Options of an examination.
 struct ExaminationWishes {
-  std::filesystem::path output = {}; ///< where results would go; empty: the folder of the project
-  bool everyFrame = false;           ///< decode all frames, not only the first, middle and last
-  /// Opens the images of a project as a run would; empty: what needs it is left out.
+  std::filesystem::path output = {}; ///< folder for results; empty: folder of the project
+  bool everyFrame = false; ///< decode all frames, not only the first, central and last one
+  /// Opens the images of a project as a run does. Empty: checks that need it are omitted.
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
-  /// Called now and then with the part that is done (0 to 1); false ends the examination early.
+  /// Called from time to time with the progress (0 to 1); returning false ends the examination
+  /// early.
   std::function<bool(double)> goOn = [](double) { return true; };
 };
 
-/// What was found in the recording of one camera.
+/// Data about the recording of one camera.
 struct CameraFootage {
-  bool isOpen = false; ///< it can be read
+  bool isOpen = false; ///< the recording can be read
   std::int64_t frames = 0;
-  double rate = 0.0; ///< as the recording states it; 0: it does not
+  double rate = 0.0; ///< as stated in the recording; 0: not stated
   cv::Size size;     ///< after the rotation
   std::vector<std::int64_t> places = {};
-  std::vector<cv::Mat> images = {}; ///< the first, the middle and the last, CV_8UC3, rotated
+  std::vector<cv::Mat> images = {}; ///< the first, central and last image, CV_8UC3, rotated
   std::optional<CaptureTimes> times = {};
 };
 
-/// A project under examination: what the checks have found so far, each going by those before it.
+/// A project being examined, and the findings so far. Each check uses the results of those before
+/// it.
 struct Examination {
   Examination(const Project& examined, const ExaminationWishes& wanted)
       : project(examined), wishes(wanted), footage(examined.cameras.size()) {}
@@ -51,24 +53,25 @@ struct Examination {
   std::vector<CameraFootage> footage; ///< in the order of the project's cameras
   std::vector<Finding> findings = {};
 
-  /// In a field of the project file.
+  /// Adds a finding about a field of the project file.
   void add(FindingKind kind, std::vector<std::string> values, std::string field = "") {
     findings.push_back({kind, std::move(values), project.file.string(), std::move(field)});
   }
-  /// In another file.
+  /// Adds a finding about another file.
   void addIn(const std::string& file, FindingKind kind, std::vector<std::string> values) {
     findings.push_back({kind, std::move(values), file, ""});
   }
+  /// Returns whether there is a finding of this kind.
   bool has(FindingKind kind) const;
   bool hasProblem() const { return worstOf(findings) == FindingLevel::Problem; }
-  /// "camera 'left'", in sentences.
+  /// Returns the name of a camera in sentences: "camera 'left'".
   std::string nameOf(std::size_t camera) const;
 };
 
-/// A field of a camera in the project file: "camera 1.video".
+/// Returns the name of a camera's field in the project file: "camera 1.video".
 std::string cameraKey(std::size_t camera, const char* key);
 
-/// An error without the file, for a sentence that names it already.
+/// Returns the text of an error without the file, for a sentence that already names it.
 std::string withoutFile(const Error& error);
 
 } // namespace dewpoint::setup

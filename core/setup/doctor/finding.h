@@ -10,7 +10,7 @@
 
 namespace dewpoint::setup {
 
-/// What a check of a project can find.
+/// Possible findings of the checks of a project.
 enum class FindingKind {
   // The file.
   ProjectRead,
@@ -77,37 +77,38 @@ enum class FindingKind {
   FolderUnwritable,
 };
 
-/// The words of a kind of findings: a row of the table of all of them. Whole sentences, in which
-/// "%1", "%2" ... stand for values.
+/// Texts of a kind of finding: one row of the table. They are full sentences in which "%1", "%2"
+/// ... stand for values.
 struct FindingWords {
   FindingKind kind;
-  std::string_view name; ///< for programs: "recording-missing"
+  std::string_view name; ///< identifier for programs: "recording-missing"
   FindingLevel level;
   std::string_view what;
-  std::string_view advice; ///< what to do; empty where nothing is to be done
+  std::string_view advice; ///< recommended action; empty if there is nothing to do
 };
 
-/// All of them, in the order of the kinds.
+/// Returns all rows, in the order of the kinds.
 std::span<const FindingWords> findingWords();
+/// Returns the texts of a kind of finding.
 const FindingWords& wordsOf(FindingKind kind);
 
-/// What a check of a project found, and where.
+/// A finding of a check, and the place it refers to.
 struct Finding {
   FindingKind kind = FindingKind::ProjectRead;
-  std::vector<std::string> values = {}; ///< of the places in its words
-  std::string file = {};                ///< empty where it is in none
-  std::string field = {};               ///< as the project file calls it; may be empty
+  std::vector<std::string> values = {}; ///< values for the placeholders in the texts
+  std::string file = {};                ///< empty if it concerns no file
+  std::string field = {};               ///< name in the project file; may be empty
 
   FindingLevel level() const { return wordsOf(kind).level; }
 };
 
-/// The worst level of findings; Ok of none.
+/// Returns the worst level of findings; Ok if there are none.
 FindingLevel worstOf(const std::vector<Finding>& findings);
 
-/// A text of the table with its values, and a capital at its beginning.
+/// Returns a text of the table with its values inserted, beginning with a capital letter.
 std::string filledIn(std::string_view words, const std::vector<std::string>& values);
 
-/// One line in plain English: level, what, where in brackets, what to do.
+/// Returns one line in plain English: level, finding, place in brackets, recommended action.
 std::string findingLine(const Finding& finding);
 
 } // namespace dewpoint::setup

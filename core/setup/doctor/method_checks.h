@@ -5,7 +5,7 @@
 
 namespace dewpoint::setup {
 
-/// Whether the method can work with the project, and what else it is given: the volume of interest,
+/// Checks whether the method can work with the project, and its further inputs: volume of interest,
 /// corrections, true positions.
 void checkMethod(Examination& examination);
 

@@ -5,7 +5,7 @@
 
 namespace dewpoint::setup {
 
-/// Whether there is room for results where they would go.
+/// Checks whether there is disk space for results in the output folder.
 void checkOutput(Examination& examination);
 
 } // namespace dewpoint::setup

@@ -5,8 +5,8 @@
 
 namespace dewpoint::setup {
 
-/// Each camera's recording: there, readable, of the right size, complete. Fills in the footage of
-/// the cameras.
+/// Checks that each camera's recording exists, is readable, has the correct size and is complete.
+/// Fills in the footage of the cameras.
 void checkRecordings(Examination& examination);
 
 } // namespace dewpoint::setup

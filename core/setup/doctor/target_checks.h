@@ -5,8 +5,8 @@
 
 namespace dewpoint::setup {
 
-/// What is tracked: colors that were never learned, match nothing, or match everything; boxes and
-/// radii.
+/// Checks the targets: colors that were never learned, match nothing, or match everything; boxes
+/// and radii.
 void checkTargets(Examination& examination);
 
 } // namespace dewpoint::setup

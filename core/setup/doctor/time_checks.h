@@ -5,7 +5,7 @@
 
 namespace dewpoint::setup {
 
-/// When the images were taken: rates, tables of times, delays.
+/// Checks the times of the images: frame rates, tables of times, delays.
 void checkTimes(Examination& examination);
 
 } // namespace dewpoint::setup

@@ -13,27 +13,27 @@
 
 namespace dewpoint::simulation {
 
-/// A moving object at one instant: a ball, a box of any orientation, or a body of parts. World
+/// A moving object at one instant: a ball, a box of any orientation, or a body made of parts. World
 /// frame, meters.
 struct Body {
   bool box = false;
   Vector3f center;
-  float radius = 0.0F;                                ///< of the ball, or around the box
-  Vector3f color;                                     ///< BGR in full light, [0, 255]
-  Vector3f halfSize{0.0F, 0.0F, 0.0F};                ///< of the box, along its own axes
+  float radius = 0.0F;                 ///< of the ball, or of a sphere around the box
+  Vector3f color;                      ///< BGR in full light, [0, 255]
+  Vector3f halfSize{0.0F, 0.0F, 0.0F}; ///< of the box, along its own axes
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< of the box; rows: its axes in the world
-  bool present = true;                                ///< false: not in the scene just now
-  const LightField* light = nullptr;                  ///< null: the room's lamp alone lights it
-  /// Of a body of parts, which is drawn from them alone; as many at every instant. Such a body
-  /// casts the shadow of a ball of their volume around `center`.
+  bool present = true;                                ///< false: not in the scene at this time
+  const LightField* light = nullptr;                  ///< null: lit only by the lamp of the room
+  /// Parts of a body, which is drawn from them alone; their number is the same at every instant.
+  /// The body casts the shadow of a ball of their total volume around `center`.
   std::vector<MovingPart> parts{};
 };
 
-/// All bodies at an instant, seconds; the same number in the same order at every instant.
+/// Returns all bodies at an instant in seconds, in the same number and order at every instant.
 using BodiesAt = std::function<std::vector<Body>(double)>;
 
-/// Draws bodies, their soft shadows on z = 0 and their motion blur into `image` (CV_32FC3), which
-/// shows the room at rest as `view` sees it. Presence is that at the center of the exposure.
+/// Draws bodies with motion blur, and their soft shadows on z = 0, into `image` (CV_32FC3), which
+/// shows the room at rest as seen by `view`. Presence is evaluated at the center of the exposure.
 void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure& exposure,
                  cv::Mat& image);
 

@@ -7,8 +7,8 @@
 
 namespace dewpoint::simulation {
 
-/// When the shutter is open: centered on `time`, for `seconds`; and for which rows of the image,
-/// [firstRow, endRow), cut by the image.
+/// Time during which the shutter is open: `seconds` long, centered on `time` (seconds). It applies
+/// to the image rows [firstRow, endRow), clipped to the image.
 struct Exposure {
   double time = 0.0;
   double seconds = 0.0;

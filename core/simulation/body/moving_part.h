@@ -10,49 +10,49 @@
 
 namespace dewpoint::simulation {
 
-/// The shapes that a moving body is made of. All are convex.
+/// Shapes of the parts of a moving body. All are convex.
 enum class MovingShape {
   Ellipsoid, ///< size: its semi-axes
-  Capsule,   ///< a rod with round ends along Z; size: (radius, unused, half the rod without them)
-  Frustum,   ///< a cone or a cylinder along Z; size: (radius at -Z, radius at +Z, half height)
-  Box,       ///< size: its half sizes
+  Capsule, ///< a rod with round ends along Z; size: (radius, unused, half length without the ends)
+  Frustum, ///< a cone or a cylinder along Z; size: (radius at -Z, radius at +Z, half height)
+  Box,     ///< size: its half sizes
 };
 
-/// One part of a body at one instant. Meters.
+/// One part of a body at one instant, in meters.
 struct MovingPart {
   MovingShape shape = MovingShape::Ellipsoid;
   Vector3f center{0.0F, 0.0F, 0.0F};
   Vector3f size{0.01F, 0.01F, 0.01F};                 ///< see MovingShape; along its own axes
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< rows: its own axes in the world
   Vector3f color{128.0F, 128.0F, 128.0F};             ///< BGR in full light, [0, 255]
-  std::shared_ptr<const SurfacePattern> pattern;      ///< none: `color` all over
+  std::shared_ptr<const SurfacePattern> pattern;      ///< null: `color` everywhere
   Gloss gloss;
-  bool target = false; ///< belongs to what is tracked, where that is not the whole body's center
+  bool target = false; ///< belongs to the target, if that is not the center of the whole body
 
-  /// The color of its surface where the normal (unit vector, world) is `normal`.
+  /// Returns the color of its surface where the normal (unit vector, world frame) is `normal`.
   Vector3f colorAt(const Vector3f& normal) const {
     return pattern ? pattern->colorAt(axes * normal, color) : color;
   }
 };
 
-/// Radius of a sphere around a part's center that holds the part, meters.
+/// Returns the radius in meters of a sphere around a part's center that contains the part.
 float boundOf(const MovingPart& part);
 
-/// Cubic meters.
+/// Returns the volume in cubic meters.
 double volumeOf(const MovingPart& part);
 
-/// True if a point (world, meters) is in the part or on its surface.
+/// Returns whether a point (world frame, meters) is in the part or on its surface.
 bool contains(const MovingPart& part, const Vector3f& point);
 
-/// Where a ray first meets one of several parts.
+/// First intersection of a ray with one of several parts.
 struct PartHit {
   float distance = std::numeric_limits<float>::infinity(); ///< along the unit direction, meters
-  Vector3f normal{0.0F, 0.0F, 1.0F};                       ///< world, outwards
-  const MovingPart* part = nullptr;                        ///< null: none of them
+  Vector3f normal{0.0F, 0.0F, 1.0F};                       ///< world frame, outward
+  const MovingPart* part = nullptr;                        ///< null: no intersection
 };
 
-/// Makes `part` the hit when the ray enters it nearer than the hit so far. `direction` is a unit
-/// vector; nothing is hit by a ray that begins inside.
+/// Sets the hit to `part` if the ray enters it before the present hit. `direction` is a unit
+/// vector. A ray that begins inside a part does not hit it.
 void castPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
               PartHit& hit);
 

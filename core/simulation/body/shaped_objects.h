@@ -8,28 +8,29 @@
 
 namespace dewpoint::simulation {
 
-// Everyday objects that are no balls, around the origin of axes of their own: X forward, Z up;
-// meters. What has `color` (BGR in full light) is marked as target; the rest is what carries it.
+// Everyday objects that are not balls, around the origin of their own axes: X forward, Z up;
+// meters. Parts with `color` (BGR in full light) are marked as target; the others carry them.
 
-/// A peaked cap on a head with a neck; the origin is in the crown.
+/// Returns a peaked cap on a head with a neck; the origin is in the crown.
 std::vector<MovingPart> capOnHead(const Vector3f& color);
 
-/// A hand in a glove, open (0) to closed (1), on a bare forearm; the origin is in the palm.
+/// Returns a hand in a glove, open (0) to closed (1), on a bare forearm; the origin is in the palm.
 std::vector<MovingPart> glovedHand(double closed, const Vector3f& color);
 
-/// The sleeve of a forearm, 24 cm long, with a bare hand.
+/// Returns the sleeve of a forearm, 24 cm long, with a bare hand.
 std::vector<MovingPart> sleevedArm(const Vector3f& color);
 
-/// A cone 18 cm high and 12 cm wide.
+/// Returns a cone 18 cm high and 12 cm wide.
 std::vector<MovingPart> cone(const Vector3f& color);
 
-/// A stick 30 cm long and 16 mm thick, along X.
+/// Returns a stick 30 cm long and 16 mm thick, along X.
 std::vector<MovingPart> stick(const Vector3f& color);
 
-/// A computer mouse, 12 x 6.4 cm and 4 cm high.
+/// Returns a computer mouse, 12 x 6.4 cm and 4 cm high.
 std::vector<MovingPart> computerMouse(const Vector3f& color);
 
-/// A walking person's parts in the world; those in the color of the shirt are marked as target.
+/// Returns a walking person's parts in the world frame; those with the color of the shirt are
+/// marked as target.
 std::vector<MovingPart> shirtOnPerson(const Walker& walker, double time);
 
 } // namespace dewpoint::simulation

@@ -15,16 +15,16 @@
 
 namespace dewpoint::simulation {
 
-/// Four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m high,
-/// looking at its center.
+/// Returns four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m), 2.4 m
+/// high, looking at its center.
 CameraRig officeRig();
 
-/// People in the simulated office: shadows, furniture that hides them in part, clothes that may
-/// look like the room (so that their masks fall apart).
+/// People in the simulated office, with shadows, furniture that partly hides them, and clothes that
+/// may resemble the room (so that their masks break into pieces).
 struct OfficeScene {
   CameraRig cameras = officeRig();
   std::vector<simulation::Walker> people;
-  std::vector<MovableFurniture> furniture; ///< beside what always stands there
+  std::vector<MovableFurniture> furniture; ///< in addition to the fixed furniture
   double framesPerSecond = 15.0;
   std::int64_t frameCount = 150;
   std::uint64_t seed = 1;               ///< of the sensor noise
@@ -36,29 +36,31 @@ struct OfficeScene {
 /// Renders an office scene.
 class OfficeRenderer {
 public:
-  /// The views of the empty office come from `views`, so that many scenes share them.
+  /// The views of the empty office are taken from `views`, so that many scenes can share them.
   OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
-  /// With the views of the scene's cameras on the room at rest, in their order.
+  /// `views` are those of the scene's cameras on the room at rest, in their order.
   OfficeRenderer(OfficeScene scene, std::vector<std::shared_ptr<const simulation::RoomView>> views);
 
   const OfficeScene& scene() const { return scene_; }
-  /// CV_8UC3, BGR: a pure function of its arguments. `who`: as paintPeople().
+  /// Renders an image, CV_8UC3, BGR: a pure function of its arguments. `who` as for paintPeople().
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
-  /// Who is seen where, without rendering the image: as `who` of paintPeople().
+  /// Returns which person is visible at each pixel, as `who` of paintPeople(), without rendering
+  /// the image.
   cv::Mat visible(std::size_t camera, std::int64_t frame) const;
-  /// The whole silhouette of a person, whether or not something hides it: CV_8UC1, 255 on the body,
-  /// without a load; all 0 while the person is not there. What is visible of it: `who` of render().
+  /// Returns the complete silhouette of a person, whether or not something hides it: CV_8UC1, 255
+  /// on the body, without a load; all 0 while the person is absent. The visible part is in `who` of
+  /// render().
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
-  /// The office without anybody, as it is at time 0, without noise: CV_8UC3.
+  /// Returns the office without people, as at time 0, without noise: CV_8UC3.
   cv::Mat emptyRoom(std::size_t camera) const;
-  /// Whether the person is there, and inside the office's walls.
+  /// Returns whether the person is present and inside the walls of the office.
   bool inside(std::size_t person, double time) const;
-  /// Point of the floor below the person and half as high as the top of its head: the center of the
-  /// body, meters.
+  /// Returns the center of the body in meters: above the floor position, at half the height of the
+  /// top of the head.
   Eigen::Vector3d middle(std::size_t person, double time) const;
 
 private:
-  /// The light at the sensor (CV_32FC3).
+  /// Returns the light at the sensor (CV_32FC3).
   cv::Mat painted(std::size_t camera, std::int64_t frame, cv::Mat* who) const;
 
   OfficeScene scene_;

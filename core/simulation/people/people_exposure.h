@@ -11,21 +11,22 @@
 
 namespace dewpoint::simulation {
 
-/// The parts of everybody at a time, seconds; see paintPeople().
+/// Returns the parts of all people at a time in seconds; see paintPeople().
 using PeopleAt = std::function<std::vector<std::vector<BodyPart>>(double time)>;
 
-/// A part of the time for which a shutter is open.
+/// A part of the time during which a shutter is open.
 struct ExposureStep {
-  double time = 0.0;         ///< its center, seconds from the frame's time
-  std::vector<float> shares; ///< of each row's exposure that falls into it; over all steps: 1
+  double time = 0.0; ///< center of the step, seconds from the frame's time
+  /// Share of each row's exposure that falls into this step; the sum over all steps is 1.
+  std::vector<float> shares;
 };
 
-/// Steps in which somebody who walks moves by a pixel or less, in the order of time.
+/// Returns steps in which a walking person moves by at most a pixel, in order of time.
 std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows);
 
-/// Draws people as paintPeople() does in all of the light, as a shutter sees them whose frame is
-/// taken at `light.field.time`: each row collects light for its own exposure, so that those who
-/// move are blurred, and slanted by a rolling shutter. `image` (CV_32FC3): the room at that time.
+/// Draws people as paintPeople() does with all lights, as recorded by a shutter for a frame at
+/// `light.field.time`. Each row collects light during its own exposure, so moving people are
+/// blurred, and slanted with a rolling shutter. `image` (CV_32FC3) shows the room at that time.
 void exposePeople(const RoomView& view, const PeopleAt& people, const PeopleLight& light,
                   const Shutter& shutter, cv::Mat& image);
 

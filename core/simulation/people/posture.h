@@ -7,34 +7,34 @@
 
 namespace dewpoint::simulation {
 
-/// How a body is held.
+/// Posture of a body.
 enum class Posture { Standing, Sitting, Crouching };
 
-/// Seconds in which somebody sits down, crouches or rises; chosen: unhurried.
+/// Time in seconds for sitting down, crouching or rising; chosen: unhurried.
 inline constexpr double kPostureSeconds = 1.0;
 
-/// From `time` on (seconds) a body takes another posture; it is reached kPostureSeconds later.
+/// Beginning of a change of posture, in seconds; it is complete kPostureSeconds later.
 struct PostureChange {
   double time = 0.0;
   Posture posture = Posture::Standing;
 };
 
-/// Angles of the joints of a body, radians, positive forward; all 0 for somebody who stands.
+/// Angles of the joints of a body, radians, positive forward; all 0 for a standing person.
 struct JointAngles {
   float lean = 0.0F;    ///< of the trunk about the hips, from upright
   float thigh = 0.0F;   ///< of both thighs, from hanging
   float shin = 0.0F;    ///< of both shins, from hanging
   float arm = 0.0F;     ///< of both upper arms, from hanging
-  float forearm = 0.0F; ///< of both forearms, further than the upper arms
+  float forearm = 0.0F; ///< of both forearms, relative to the upper arms
 
   bool upright() const { return lean == 0.0F && thigh == 0.0F && shin == 0.0F; }
 };
 
-/// The angles of a posture.
+/// Returns the angles of a posture.
 JointAngles anglesOf(Posture posture);
 
-/// The angles at `time`, of somebody who stands before the first of `changes`, which are in the
-/// order of their times; smooth in between, and exactly those of the posture once it is reached.
+/// Returns the angles at `time` of a person who stands before the first of `changes`, which are in
+/// order of time. They are smooth during a change, and exactly those of the posture after it.
 JointAngles anglesAt(const std::vector<PostureChange>& changes, double time);
 
 } // namespace dewpoint::simulation

@@ -14,25 +14,25 @@
 
 namespace dewpoint::simulation {
 
-/// Where a walker is to be at a time. Seconds; world x and y, meters.
+/// Position of a walker at a time. Seconds; world x and y, meters.
 struct Waypoint {
   double time = 0.0;
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
 };
 
-/// What a walker wears; BGR in full light, [0, 255].
+/// Clothes of a walker; BGR in full light, [0, 255].
 struct Clothes {
   Vector3f shirt = rgb(60, 90, 170);
   Vector3f trousers = rgb(60, 62, 74);
   Vector3f hair = rgb(52, 38, 30);
   Vector3f skin = rgb(222, 172, 142);
-  Cloth shirtCloth; ///< what is on the shirt beside its color
+  Cloth shirtCloth; ///< pattern of the shirt, in addition to its color
 };
 
-/// What a walker carries, and how.
+/// Object carried by a walker.
 struct Load {
   enum class Kind {
-    Box, ///< before the chest, with both arms
+    Box, ///< in front of the chest, with both arms
     Bag, ///< hangs from the right hand
   };
   Kind kind = Kind::Box;
@@ -40,55 +40,61 @@ struct Load {
   Vector3f color = rgb(168, 132, 92);
 };
 
-/// Height of the body that all others are scaled from, meters; chosen: an adult's.
+/// Height of the reference body, which is scaled to other heights, in meters; chosen: an adult's.
 inline constexpr double kReferenceHeight = 1.75;
 
-/// A person of the simulation, who goes from waypoint to waypoint.
+/// A simulated person who walks from waypoint to waypoint.
 struct Walker {
   std::string name;
   double height = kReferenceHeight; ///< meters
   Clothes clothes;
   std::vector<Waypoint> way;
-  std::vector<PostureChange> postures; ///< in the order of their times; none: always stands
+  std::vector<PostureChange> postures; ///< in order of time; empty: always standing
   std::optional<Load> load;
-  double from = -std::numeric_limits<double>::infinity(); ///< is there from this time on, seconds
-  double until = std::numeric_limits<double>::infinity(); ///< and before this one
+  double from = -std::numeric_limits<double>::infinity(); ///< present from this time on, seconds
+  double until = std::numeric_limits<double>::infinity(); ///< present before this time, seconds
 
   bool presentAt(double time) const { return time >= from && time < until; }
-  /// The point of the floor below the center of the body: the way with its corners rounded off.
+  /// Returns the point on the floor below the center of the body, on the path through the waypoints
+  /// with rounded corners.
   Eigen::Vector2d position(double time) const;
-  /// How high the top of the head is above the floor, meters: `height` for somebody who stands.
+  /// Returns the height of the top of the head above the floor in meters; `height` for a standing
+  /// person.
   double top(double time) const;
 };
 
-/// Height of an adult's head as a part of the height: 0.25 m of 1.75 m; drawing books say a seventh
-/// to an eighth.
+/// Height of an adult's head relative to the body height: 0.25 m of 1.75 m; drawing manuals state a
+/// seventh to an eighth.
 inline constexpr double kAdultHeadShare = 1.0 / 7.0;
-/// Up to this height a body has a child's proportions, meters; chosen: about that of a child of 13.
+/// Body height in meters up to which a body has the proportions of a child; chosen: about that of a
+/// child of 13.
 inline constexpr double kAdultHeight = 1.6;
 
-/// Height of the head as a part of the height: an adult's from kAdultHeight on, and growing evenly
-/// below it to 0.19 of the height at 0.9 m and less. Chosen, near the drawing rule that the
-/// head of a small child is about a fifth of its height.
+/// Returns the height of the head relative to the body height: an adult's from kAdultHeight on,
+/// increasing linearly below it to 0.19 at 0.9 m and less. Chosen, close to the drawing rule that
+/// the head of a small child is about a fifth of its height.
 double headShare(double height);
 
-/// How high a seat is that fits a person of `height`, meters.
+/// Returns the height of a seat that fits a person of `height`, in meters.
 double seatHeight(double height);
 
+/// Shape of a part of a body.
 enum class PartShape { Ellipsoid, Box };
 
-/// A part of a body, of a load or of furniture: an ellipsoid or a box of any orientation.
+/// A part of a body, a load or furniture: an ellipsoid or a box of any orientation.
 struct BodyPart {
-  Vector3f center;                                    ///< world, meters
+  Vector3f center;                                    ///< world frame, meters
   Vector3f halfSize;                                  ///< semi-axes along its own axes, meters
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< rows: its own axes in the world
   Vector3f color;                                     ///< BGR in full light
   PartShape shape = PartShape::Ellipsoid;
-  bool ofBody = true; ///< false: a load or furniture, which hides bodies and is no silhouette
+  /// False: a load or furniture, which hides bodies but is not part of a silhouette.
+  bool ofBody = true;
   Cloth cloth = {};
 };
 
-/// Head, hair, trunk, arms and legs at a time, then the load; the limbs swing with the steps.
+/// Returns head, hair, trunk, arms and legs at a time in seconds, then the load; the limbs swing
+/// with the steps.
 std::vector<BodyPart> bodyParts(const Walker& walker, double time);
 
 } // namespace dewpoint::simulation

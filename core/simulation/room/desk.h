@@ -5,9 +5,9 @@
 
 namespace dewpoint::simulation {
 
-/// Furnishing::Desk: the desk, and pictures on the walls behind it.
+/// Furnishing::Desk: adds the desk, and pictures on the walls behind it.
 void furnishDesk(Furniture& room);
-/// Furnishing::ClutteredDesk: what lies and stands on that desk besides.
+/// Furnishing::ClutteredDesk: adds the objects on that desk.
 void clutterDesk(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -7,13 +7,13 @@
 
 namespace dewpoint::simulation {
 
-/// The solids that a room is furnished with, in the order in which they were put there.
+/// Solids that furnish a room, in the order in which they were added.
 class Furniture {
 public:
-  /// Sizes and positions in meters, world frame; `yaw` in radians about Z.
+  /// Adds a solid. Sizes and positions in meters, world frame; `yaw` in radians about Z.
   void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
            float yaw = 0.0F);
-  /// A book that lies or stands: its cover and its pages.
+  /// Adds a lying or standing book: its cover and its pages.
   void addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color, float yaw);
 
   const std::vector<Solid>& solids() const { return solids_; }

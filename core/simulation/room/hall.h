@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// Furnishing::Hall: a living room with a free center.
+/// Furnishing::Hall: adds the furniture of a living room with a free center.
 void furnishHall(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// Furnishing::Office: desks, cupboards and a partition.
+/// Furnishing::Office: adds desks, cupboards and a partition.
 void furnishOffice(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -12,12 +12,12 @@
 
 namespace dewpoint::simulation {
 
-/// Center of the `sample`-th of side x side equal parts of a pixel, row by row: right and down from
-/// the pixel's own center, in pixels.
+/// Returns the center of the `sample`-th of side x side equal parts of a pixel, row by row, in
+/// pixels to the right of and below the pixel's center.
 std::array<float, 2> subpixel(int sample, int side);
 
-/// What one camera sees of a room at rest: everything that does not change from frame to frame. All
-/// arrays are row by row, one entry per pixel.
+/// View of a camera on a room at rest: everything that does not change from frame to frame. All
+/// arrays have one entry per pixel, row by row.
 struct RoomView {
   RoomView(const Camera& camera, const Room& room);
 
@@ -25,19 +25,21 @@ struct RoomView {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(column);
   }
-  /// Unit direction in the world through a point of the image, to first order around a pixel.
+  /// Returns the unit direction in the world frame through an image point at an offset (pixels)
+  /// from a pixel, to first order.
   Vector3f direction(int column, int row, float right, float down) const;
-  /// The pixels that can show a sphere: its silhouette's bounds, cut by the image.
+  /// Returns the pixels that can show a sphere: the bounds of its silhouette, clipped to the image.
   cv::Rect boundsOfSphere(const Eigen::Vector3d& center, double radius) const;
 
   Projector projector;
   int width = 0;
   int height = 0;
-  Vector3f center;                  ///< world, meters
-  std::vector<Vector3f> directions; ///< unit vectors, world; zero where the lens shows nothing
-  std::vector<float> distances;     ///< to the room at rest along the ray, meters
-  std::vector<float> lit;           ///< share of the pixel's light that comes from the lamp
-  cv::Mat background;               ///< CV_32FC3, BGR, [0, 255]
+  Vector3f center; ///< optical center, world frame, meters
+  /// Unit vectors, world frame; zero where the lens shows nothing.
+  std::vector<Vector3f> directions;
+  std::vector<float> distances; ///< to the room at rest along the ray, meters
+  std::vector<float> lit;       ///< share of the pixel's light that comes directly from the lamp
+  cv::Mat background;           ///< CV_32FC3, BGR, [0, 255]
 
 private:
   void castRays(const Camera& camera);

@@ -11,19 +11,20 @@
 
 namespace dewpoint::simulation {
 
-/// A ball that hides a round lamp from what lies on the floor or desk (world z = 0). Meters, world.
+/// A ball that hides a round lamp from points on the floor or desk (world z = 0). Meters, world
+/// frame.
 struct ShadowCaster {
   Eigen::Vector3f center;
   float radius = 0.0F;
   Eigen::Vector3f lamp; ///< center of the lamp
   float lampRadius = 0.0F;
-  float leastBlur = 0.0F; ///< half width of the edge, however near the ball
-  float highest = 0.0F;   ///< points above are not on the floor
+  float leastBlur = 0.0F; ///< smallest half width of the edge, even for a ball close to the floor
+  float highest = 0.0F;   ///< higher points do not count as the floor
 };
 
-/// Calls `shade(row, column, pixel, covered, blur)` for the pixels of `area` that lie on the floor
-/// below the ball: `covered` is the share of the lamp that an edge of half width `blur` leaves
-/// hidden there, 0 to 1, smooth; `pixel` is view.index(column, row).
+/// Calls `shade(row, column, pixel, covered, blur)` for the pixels of `area` that show the floor
+/// below the ball. `covered` is the share of the lamp that is hidden there, 0 to 1, with a smooth
+/// edge of half width `blur`; `pixel` is view.index(column, row).
 template <class Shade>
 void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const ShadowCaster& caster,
                         const Shade& shade) {

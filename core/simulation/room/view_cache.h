@@ -10,10 +10,11 @@
 
 namespace dewpoint::simulation {
 
-/// The views of cameras on rooms at rest, each rendered once: many seeds of a scenario share one
-/// background. May be used by several threads; a view does not change once it exists.
+/// Cache of the views of cameras on rooms at rest, each rendered once, so that many seeds of a
+/// scenario share one background. Thread-safe; a view does not change after it was created.
 class ViewCache {
 public:
+  /// Returns the view of a camera on a room, and renders it on first use.
   std::shared_ptr<const RoomView> view(const Camera& camera, Furnishing furnishing);
 
 private:

@@ -5,15 +5,15 @@
 
 namespace dewpoint::simulation {
 
-/// The demo's two cameras and a third, aside and above, that looks at the same point.
+/// Returns the demo's two cameras and a third, to the side and above, that looks at the same point.
 CameraRig threeCameraDeskRig();
 
-/// The first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the center of
-/// the volume (0.5, 0.5, 0.15), in an order in which neighbors are far apart.
+/// Returns the first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the
+/// center of the volume (0.5, 0.5, 0.15), in an order in which consecutive cameras are far apart.
 CameraRig deskRing(int count);
 
-/// The first `count` (2 to 4) of four 640x480 cameras in the corners of the hall, 1.9 m high,
-/// looking at its center; focal lengths 400 px.
+/// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall, 1.9 m
+/// high, looking at its center; focal lengths 400 px.
 CameraRig hallRig(int count);
 
 } // namespace dewpoint::simulation

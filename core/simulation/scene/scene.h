@@ -14,33 +14,34 @@
 
 namespace dewpoint::simulation {
 
-/// How a ball of the simulation moves.
+/// Motion of a simulated ball.
 enum class Motion {
   Still,  ///< stays at its position
   Smooth, ///< a closed three-dimensional Lissajous path around its position
   Fast,   ///< the same path, five times as fast
-  Jump,   ///< stays, then is somewhere else from one frame to the next, once per period
+  Jump,   ///< stays, then changes its position from one frame to the next, once per period
 };
 
-/// The center of the volume at the desk, which all its cameras look at: world, meters. Chosen: half
-/// a meter before both cameras of demoRig().
+/// Center of the volume at the desk, at which all its cameras look: world frame, meters. Chosen:
+/// half a meter in front of both cameras of demoRig().
 inline const Eigen::Vector3d kDeskMiddle{0.5, 0.5, 0.15};
 
 /// Focal length of the cameras at the desk, pixels: 49 degrees across 320 pixels; chosen.
 inline constexpr double kDeskFocal = 350.0;
 
-/// A ball whose true position is known at every instant.
+/// A ball with a known true position at every instant.
 struct SceneBall {
   std::string name = "pink ball";
   double radius = kUsualBallRadius;        ///< meters
   Eigen::Vector3d color = kUsualBallColor; ///< BGR in full light, [0, 255]
   Motion motion = Motion::Smooth;
-  Eigen::Vector3d position = kDeskMiddle;   ///< where it starts, and the center of its path; meters
+  /// Initial position and center of its path; world frame, meters.
+  Eigen::Vector3d position = kDeskMiddle;
   Eigen::Vector3d extent{0.12, 0.08, 0.05}; ///< half size of the path along X, Y, Z; meters
-  double period = 6.0;                      ///< seconds per smooth round, or between two jumps
-  double stillSeconds = 0.0;                ///< it rests this long before it starts to move
+  double period = 6.0;       ///< seconds per round of a smooth path, or between two jumps
+  double stillSeconds = 0.0; ///< time at rest before it starts to move
 
-  // The HSI ranges that hold the ball's rendered pixels and next to nothing else; hue in degrees,
+  // HSI ranges that contain the ball's rendered pixels and almost nothing else. Hue in degrees,
   // circular (hueMin > hueMax wraps through 0); saturation and intensity in [0, 1].
   double hueMin = 320.0;
   double hueMax = 352.0;
@@ -50,19 +51,19 @@ struct SceneBall {
   double intensityMax = 0.90;
 };
 
-/// The light at one instant; it changes evenly from one to the next (the brightness by equal
-/// factors in equal times) and is as the first says before it, and as the last says after it.
+/// Light at one instant. It is interpolated between instants (the brightness on a logarithmic
+/// scale), and constant before the first and after the last one.
 struct SceneLight {
   double time = 0.0;               ///< seconds
   double brightness = 1.0;         ///< factor; 1 is full light
   double kelvin = kBalancedKelvin; ///< color temperature; the cameras are balanced for 5500 K
 };
 
-/// The most distractors: as many positions as there are for them on the desk.
+/// Largest number of distractors: there are as many positions for them on the desk.
 inline constexpr int kMaxDistractors = 4;
 
-/// A simulated scene: everything that decides its images and its truth. Frame f is taken at
-/// f / framesPerSecond seconds; its exposure is centered on that instant.
+/// A simulated scene: everything that determines its images and its truth. Frame f is taken at f /
+/// framesPerSecond seconds; its exposure is centered on that instant.
 struct Scene {
   std::string name = "demo";
   CameraRig cameras;
@@ -70,35 +71,37 @@ struct Scene {
   std::int64_t frameCount = 300;
   std::uint64_t seed = 1;
   std::vector<SceneBall> balls;
-  /// Distractors: further balls of the first ball's color, at rest; up to kMaxDistractors.
+  /// Number of distractors: additional balls of the first ball's color, at rest; up to
+  /// kMaxDistractors.
   int distractors = 0;
   bool occluder = false;          ///< a box that passes between the first ball and the first camera
   bool clutter = true;            ///< books, boxes, wood- and skin-colored objects on the desk
-  std::vector<SceneLight> lights; ///< in the order of their times; none: full light of 5500 K
+  std::vector<SceneLight> lights; ///< in order of time; empty: full light of 5500 K
   double noiseSigma = kUsualNoiseSigma;    ///< standard deviation of the sensor noise, gray levels
-  double exposureSeconds = kUsualExposure; ///< how long the shutter is open: the motion blur
+  double exposureSeconds = kUsualExposure; ///< exposure time, which determines the motion blur
 };
 
-/// The set-up of Barrera, Cañas and Matellán (2005): two cameras at the paper's positions, looking
-/// at (0.5, 0.5, 0.15), camera 2 with an upright (portrait) image; focal lengths 350 px.
+/// Returns the setup of Barrera, Cañas and Matellán (2005): two cameras at the paper's positions,
+/// looking at (0.5, 0.5, 0.15), camera 2 with a portrait image; focal lengths 350 px.
 CameraRig demoRig();
 
-/// The embedded default: the demo rig; the ball is still for 60 frames, then on a smooth path.
+/// Returns the built-in default scene: the demo rig; the ball is still for 60 frames, then on a
+/// smooth path.
 Scene demoScene();
 
-/// The true center of a ball at `time` seconds, world frame, meters.
+/// Returns the true center of a ball at `time` seconds, world frame, meters.
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time);
 
-/// Where distractor `index` rests, world frame, meters.
+/// Returns the position of distractor `index`, world frame, meters.
 Eigen::Vector3d distractorPosition(const Scene& scene, int index);
 
-/// The center of the occluder at `time` seconds, world frame, meters.
+/// Returns the center of the occluder at `time` seconds, world frame, meters.
 Eigen::Vector3d occluderPosition(const Scene& scene, double time);
 
-/// The light at `time` seconds, as a factor per channel (BGR).
+/// Returns the light at `time` seconds, as a factor per channel (BGR).
 Eigen::Vector3d lightGain(const Scene& scene, double time);
 
-/// Seconds at which frame `frame` is taken.
+/// Returns the time in seconds of frame `frame`.
 double frameTime(const Scene& scene, std::int64_t frame);
 
 } // namespace dewpoint::simulation

@@ -9,11 +9,12 @@
 
 namespace dewpoint::simulation {
 
-/// Names of the built-in scenes: demo, converge (the demo, slowly: a filter can be watched),
-/// one-camera (the demo's first camera alone), still, smooth, fast, jump, look-alikes, occluder.
+/// Returns the names of the built-in scenes: `demo`, `converge` (the demo in slow motion, to watch
+/// the filter converge), `one-camera` (only the demo's first camera), `still`, `smooth`, `fast`,
+/// `jump`, `look-alikes`, `occluder`.
 const std::vector<std::string>& sceneNames();
 
-/// A built-in scene by name, else a scene TOML file by path.
+/// Returns the built-in scene of this name, or reads a scene from this TOML file.
 Result<Scene> sceneNamed(const std::string& nameOrTomlFile);
 
 } // namespace dewpoint::simulation

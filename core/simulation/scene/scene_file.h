@@ -8,11 +8,11 @@
 
 namespace dewpoint::simulation {
 
-/// Parses scene TOML text. Absent keys keep the values of demoScene(); unknown keys, wrong types
-/// and senseless values are errors that name `file` and the key.
+/// Parses the TOML text of a scene. Missing keys keep the values of demoScene(); unknown keys,
+/// wrong types and invalid values are errors that name `file` and the key.
 Result<Scene> parseScene(const std::string& text, const std::string& file);
 
-/// The scene as TOML text, every key written; parseScene() reads the same scene from it.
+/// Returns the scene as TOML text with every key; parseScene() reads the same scene from it.
 std::string sceneToml(const Scene& scene);
 
 } // namespace dewpoint::simulation

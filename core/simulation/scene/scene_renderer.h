@@ -10,8 +10,8 @@
 
 namespace dewpoint::simulation {
 
-/// Renders the images of a scene by ray casting. What does not move is rendered once per camera,
-/// at construction; a frame then costs little more than its moving parts and its noise.
+/// Renders the images of a scene by ray casting. Everything at rest is rendered once per camera in
+/// the constructor; a frame then requires little more than its moving parts and its noise.
 class SceneRenderer {
 public:
   explicit SceneRenderer(Scene scene);
@@ -21,8 +21,8 @@ public:
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-  /// The image of one camera at one frame: CV_8UC3, BGR. A pure function of (scene, camera, frame),
-  /// so it may be called from several threads and in any order.
+  /// Renders the image of one camera in one frame: CV_8UC3, BGR. A pure function of (scene, camera,
+  /// frame), so it may be called from several threads and in any order.
   cv::Mat render(int camera, std::int64_t frame) const;
 
   const Scene& scene() const;

@@ -10,49 +10,51 @@
 
 namespace dewpoint::simulation {
 
-/// A camera's control of one quantity: a slow integrator that sees its own effect late. The
-/// defaults are chosen: settled within half a second, without overshooting.
+/// A camera's control of one quantity: a slow integrator with delayed effect. The defaults are
+/// chosen: settled within half a second, without overshoot.
 struct ControlLoop {
   double speed = 0.15;    ///< share of the error corrected per frame; 0: no control
-  int lagFrames = 2;      ///< from a measurement to its effect
-  double deadband = 0.03; ///< stops (factors of two): smaller errors are left alone
-  double limit = 1.5;     ///< stops to both sides of 0 that the control can reach
+  int lagFrames = 2;      ///< frames from a measurement to its effect
+  double deadband = 0.03; ///< smaller errors are not corrected; stops (factors of two)
+  double limit = 1.5;     ///< limit of the correction in both directions, stops
 };
 
-/// The correction at every frame, in stops, of a disturbance (stops, one per frame; 0: none)
-/// that the loop wants to cancel; the first is `start`. Fast loops with a long lag overshoot.
+/// Returns the correction in every frame, in stops, of a disturbance (stops, one per frame; 0:
+/// none) that the loop compensates for; the first is `start`. Fast loops with a long lag overshoot.
 /// Stable while speed < 2 sin(pi / (4 lag + 2)) (the discrete integrator with delay).
 std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
                                 double start);
 
-/// What a camera's automatics set for one frame: factors on linear light.
+/// Factors on linear light set by a camera's automatic control for one frame.
 struct CameraGain {
   double exposure = 1.0;                                  ///< before noise
   Eigen::Vector3d whiteBalance = Eigen::Vector3d::Ones(); ///< BGR, after noise; green is 1
 };
 
-/// Gains over a run; after the last frame they stay.
+/// Gains over a run; the last ones also apply after the last frame.
 struct GainCurve {
   double framesPerSecond = kUsualFrameRate;
-  std::vector<CameraGain> frames; ///< none: all gains are 1
+  std::vector<CameraGain> frames; ///< empty: all gains are 1
+  /// Returns the gains at a time in seconds.
   CameraGain at(double time) const;
 };
 
-/// Automatic exposure and white balance of one camera, settled in the light of the first frame but
-/// for the errors below.
+/// Automatic exposure and white balance of one camera, settled in the light of the first frame
+/// except for the errors below.
 struct AutomaticGain {
   ControlLoop exposure;
   ControlLoop whiteBalance;
-  double firstStops = 0.0;    ///< error of the exposure at frame 0, stops
-  double levelStops = 0.0;    ///< what the exposure settles at, stops from the nominal one
-  double huntingStops = 0.0;  ///< amplitude of what misleads the meter (objects that come and go)
-  double huntingPeriod = 4.0; ///< seconds
-  double huntingPhase = 0.0;  ///< radians
-  Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero(); ///< lasting error of blue and red
+  double firstStops = 0.0; ///< error of the exposure at frame 0, stops
+  double levelStops = 0.0; ///< settled exposure relative to the nominal one, stops
+  /// Amplitude of the metering error due to objects that come and go, stops.
+  double huntingStops = 0.0;
+  double huntingPeriod = 4.0;                                  ///< seconds
+  double huntingPhase = 0.0;                                   ///< radians
+  Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero(); ///< constant error of blue and red
 };
 
-/// The gains of a run in light whose channels (BGR) are `lightStops` stops from the nominal, one
-/// per frame. A function of its arguments only.
+/// Returns the gains of a run, one per frame, for light whose channels (BGR) differ from the
+/// nominal light by `lightStops` stops. A pure function of its arguments.
 GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Vector3d> lightStops,
                          double framesPerSecond);
 

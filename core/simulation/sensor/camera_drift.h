@@ -8,25 +8,27 @@
 
 namespace dewpoint::simulation {
 
-/// A camera that slowly rotates about its own center, as on a mount that warms up: by nothing at
-/// time 0, towards `rotation` with the time constant `settleSeconds`.
+/// A camera that slowly rotates about its own center, as on a mount that warms up: from zero at
+/// time 0 toward `rotation` with the time constant `settleSeconds`.
 struct CameraDrift {
-  /// Axis times angle in the world frame, radians: a direction d from the camera is seen where
+  /// Rotation as axis times angle in the world frame, radians: the camera sees a direction d where
   /// the camera at rest would see the rotated direction.
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
   double settleSeconds = 5.0;
 };
 
-/// The rotation reached at `time`, seconds; the identity before 0.
+/// Returns the rotation reached at `time`, seconds; the identity before 0.
 Eigen::Matrix3d rotationAt(const CameraDrift& drift, double time);
 
-/// Where a point of the world has to be for the camera at rest to see it as the rotated one does.
+/// Returns the position at which the camera at rest sees a point of the world as the rotated camera
+/// does.
 Eigen::Vector3d rotatedAbout(const Eigen::Vector3d& center, const Eigen::Matrix3d& rotation,
                              const Eigen::Vector3d& point);
 
-/// The image (CV_32FC3) of `view`'s camera rotated by `rotation`, from that of the camera at rest:
-/// a homography, exact for a pinhole and to a few hundredths of a pixel for a lens and the few
-/// milliradians that this is meant for. The border repeats its last pixels.
+/// Returns the image (CV_32FC3) of `view`'s camera rotated by `rotation`, from that of the camera
+/// at rest. It uses a homography, which is exact for a pinhole camera, and accurate to a few
+/// hundredths of a pixel for a lens and the intended rotations of a few milliradians. The border
+/// repeats its last pixels.
 cv::Mat rotatedImage(const RoomView& view, const cv::Mat& image, const Eigen::Matrix3d& rotation);
 
 } // namespace dewpoint::simulation

@@ -8,11 +8,11 @@
 
 namespace dewpoint::simulation {
 
-/// Entries of normalTable(): as many as 16 random bits choose between.
+/// Number of entries of normalTable(): as many as 16 random bits can select.
 inline constexpr std::size_t kNormalCount = 65536;
 
-/// Standard normal numbers to pick from at random: drawing them again for every pixel would cost
-/// more than all the rest of a frame. Always the same ones.
+/// Returns standard normal numbers for random selection, because drawing new ones for every pixel
+/// would take longer than the rest of a frame. The numbers are always the same.
 const std::vector<float>& normalTable();
 
 } // namespace dewpoint::simulation

@@ -7,9 +7,9 @@
 
 namespace dewpoint::simulation {
 
-/// The image (CV_32F) as a lens that is not quite sharp gives it: its point spread function is a
-/// Gaussian of `sigmaPx` pixels, the same all over. The border repeats its last pixels; 0 pixels
-/// leave the image as it is.
+/// Returns the image (CV_32F) of a slightly blurred lens: its point spread function is a Gaussian
+/// of `sigmaPx` pixels, the same everywhere. The border repeats its last pixels; 0 pixels leave the
+/// image unchanged.
 cv::Mat blurred(const cv::Mat& image, double sigmaPx);
 
 } // namespace dewpoint::simulation

@@ -12,27 +12,27 @@
 
 namespace dewpoint::simulation {
 
-/// A camera from its lens to the stream that it sends. The default is an ideal one: a global
-/// shutter of 10 ms, sharp, true colors for every pixel, nothing compressed.
+/// Model of a camera from its lens to its image stream. The default is an ideal one: a global
+/// shutter of 10 ms, sharp, true colors for every pixel, no compression.
 struct SensorModel {
   Shutter shutter;
-  Flicker flicker; ///< of the light, which every shutter sees in its own way
+  Flicker flicker; ///< of the light; its effect depends on the shutter
   CameraDrift drift;
   GainCurve gains;         ///< automatic exposure and white balance over the run
   double psfSigmaPx = 0.0; ///< blur of the lens: a Gaussian, pixels
-  PixelNoise noise;        ///< with a full well: a color filter array and its noise
-  double contrast = 1.0;   ///< exponent upon the nominal tone curve
+  PixelNoise noise;        ///< a positive full well selects a color filter array with its noise
+  double contrast = 1.0;   ///< exponent applied to the nominal tone curve
   Sharpening sharpening;
   int jpegQuality = 0; ///< 1 to 100; 0: not compressed
 
-  /// True where something happens to the light before it becomes numbers.
+  /// Returns whether the model changes the light before it is converted to numbers.
   bool worksOnLight() const;
 };
 
-/// The image (CV_8UC3) that a camera sends of `light`: CV_32FC3, BGR, in the renderer's levels, as
-/// it falls on an ideal sensor at `time`. Blur, flicker, exposure, Bayer mosaic with its noise,
-/// white balance, tone curve, sharpening, JPEG, in this order. A model without a full well gets
-/// normal noise of `noiseSigma` levels in the end instead.
+/// Returns the image (CV_8UC3) that a camera sends for `light`: CV_32FC3, BGR, in the renderer's
+/// levels, as on an ideal sensor at `time`. Applies blur, flicker, exposure, Bayer mosaic with its
+/// noise, white balance, tone curve, sharpening and JPEG, in this order. A model without a full
+/// well gets normal noise of `noiseSigma` levels at the end instead.
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,
                     const RandomStream& stream);
 

@@ -5,13 +5,13 @@
 
 namespace dewpoint::simulation {
 
-// Cameras where nothing else is said. Chosen once for the demo; every figure of grade `ideal` was
-// measured with them.
+// Defaults of a camera. Chosen once for the demo; all results of grade `ideal` were measured with
+// them.
 
-/// Frames per second: what nearly all webcams offer.
+/// Frames per second: offered by nearly all webcams.
 inline constexpr double kUsualFrameRate = 30.0;
-/// Exposure, seconds: that of a webcam in a well lit room. A ball at 1 m/s, half a meter away, is
-/// blurred over 7 pixels of a focal length of 350 pixels.
+/// Exposure in seconds: that of a webcam in a well-lit room. A ball at 1 m/s, half a meter away, is
+/// blurred over 7 pixels at a focal length of 350 pixels.
 inline constexpr double kUsualExposure = 0.01;
 /// Standard deviation of the sensor noise, gray levels (from about 1 in the sun to 8 in the dark).
 inline constexpr double kUsualNoiseSigma = 3.0;

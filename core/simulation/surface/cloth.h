@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// What is on a piece of cloth.
+/// Pattern of a piece of cloth.
 enum class ClothPattern {
   Plain,   ///< one color
   Stripes, ///< bands of two colors across the length of a part
@@ -13,15 +13,15 @@ enum class ClothPattern {
   Blotches ///< irregular spots of a second color
 };
 
-/// A color, or two of them in a pattern; BGR in full light, [0, 255].
+/// A color, or two in a pattern; BGR in full light, [0, 255].
 struct Cloth {
   ClothPattern pattern = ClothPattern::Plain;
   Vector3f second{0.0F, 0.0F, 0.0F}; ///< the other color; the first one is that of the part
-  float width = 0.06F;               ///< of a band, field or spot, meters
+  float width = 0.06F;               ///< width of a band, field or spot, meters
 };
 
-/// The color of a part whose first color is `first`, at a point in the part's own axes, meters:
-/// `first` itself where the cloth is plain.
+/// Returns the color of a part whose first color is `first`, at a point in the part's own axes,
+/// meters. Returns `first` if the cloth is plain.
 Vector3f clothColor(const Cloth& cloth, const Vector3f& first, const Vector3f& position);
 
 } // namespace dewpoint::simulation

@@ -9,19 +9,21 @@ namespace dewpoint::simulation {
 
 using Eigen::Vector3f;
 
+/// Pattern of a solid's surface.
 enum class Pattern { Plain, Wood, Plaster, Skin, Floor, Pages };
 
-/// What a surface is made of; `color` is BGR in full light, [0, 255].
+/// Material of a surface; `color` is BGR in full light, [0, 255].
 struct Material {
   Pattern pattern = Pattern::Plain;
   Vector3f color{128.0F, 128.0F, 128.0F};
 };
 
-/// A color given as people write it.
+/// Returns a BGR color from its red, green and blue values.
 inline Vector3f rgb(float red, float green, float blue) {
   return {blue, green, red};
 }
 
+/// Shape of a solid at rest.
 enum class Shape { Box, Ellipsoid, Cylinder };
 
 /// An object at rest: a box, an ellipsoid or an upright cylinder, rotated about the vertical.
@@ -36,17 +38,17 @@ struct Solid {
   float bound = 0.0F; ///< radius of a sphere around it
 };
 
-/// Makes a solid with all that follows from its size and its turn.
+/// Creates a solid, including everything derived from its size and rotation.
 Solid solidOf(Shape shape, const Vector3f& center, const Vector3f& halfSize,
               const Material& material, float yaw);
 
-/// A vector of the world in the solid's own axes.
+/// Converts a vector from the world frame to the solid's own axes.
 inline Vector3f toSolid(const Solid& solid, const Vector3f& v) {
   return {solid.cosine * v.x() + solid.sine * v.y(), -solid.sine * v.x() + solid.cosine * v.y(),
           v.z()};
 }
 
-/// A vector in the solid's own axes, in the world.
+/// Converts a vector from the solid's own axes to the world frame.
 inline Vector3f toWorld(const Solid& solid, const Vector3f& v) {
   return {solid.cosine * v.x() - solid.sine * v.y(), solid.sine * v.x() + solid.cosine * v.y(),
           v.z()};

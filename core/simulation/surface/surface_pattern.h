@@ -7,43 +7,45 @@
 
 namespace dewpoint::simulation {
 
-/// A patch of another color: where the surface's normal is within an angle of an axis. On a ball
-/// that is a spherical cap.
+/// A patch of another color where the angle between the surface normal and an axis is below a
+/// limit. On a ball, this is a spherical cap.
 struct SurfacePatch {
   Vector3f axis{0.0F, 0.0F, 1.0F};  ///< unit vector in the body's own axes
-  float cosine = 1.0F;              ///< of the greatest angle; 0: half of the ball
+  float cosine = 1.0F;              ///< cosine of the largest angle; 0: half of the ball
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR in full light, [0, 255]
 };
 
 /// A band of another color around a great circle.
 struct SurfaceSeam {
-  Vector3f axis{0.0F, 0.0F, 1.0F}; ///< of the circle; unit vector in the body's own axes
-  float sine = 0.0F;               ///< of the greatest angle to the circle's plane
+  Vector3f axis{0.0F, 0.0F, 1.0F}; ///< axis of the circle; unit vector in the body's own axes
+  float sine = 0.0F;               ///< sine of the largest angle to the circle's plane
   Vector3f color{0.0F, 0.0F, 0.0F};
 };
 
-/// What is painted on a surface beside its color. The patches lie over the seams, and the first
-/// patch over the others.
+/// Pattern painted on a surface in addition to its color. Patches cover seams, and earlier patches
+/// cover later ones.
 struct SurfacePattern {
   std::vector<SurfacePatch> patches;
   std::vector<SurfaceSeam> seams;
 
-  /// The color where the normal is `normal` (unit vector, the body's own axes); `plain` where
-  /// nothing is painted.
+  /// Returns the color where the normal is `normal` (unit vector in the body's own axes); `plain`
+  /// where nothing is painted.
   Vector3f colorAt(const Vector3f& normal, const Vector3f& plain) const;
 };
 
-/// How a surface mirrors the lamp: white light of `peak` gray levels times cos^power of the angle
-/// between the normal and the half way between lamp and camera (Blinn, SIGGRAPH 1977). Where the
-/// sum reaches 255 the highlight is clipped.
+/// Reflection of the lamp on a surface: white light of `peak` gray levels times cos^power of the
+/// angle between the normal and the bisector of the directions to lamp and camera (Blinn, SIGGRAPH
+/// 1977). The highlight is clipped where the sum reaches 255.
 struct Gloss {
   float peak = 0.0F;
   float power = 12.0F;
 
+  /// Returns the gray levels of the highlight. All vectors are unit vectors; `direction` is from
+  /// the camera to the surface.
   float at(const Vector3f& normal, const Vector3f& towardsLamp, const Vector3f& direction) const;
 };
 
-/// That of the plain balls; chosen: rubber, on which one just sees where the lamp is.
+/// Gloss of the plain balls; chosen: rubber, on which the lamp is barely visible.
 inline constexpr Gloss kBallGloss{12.0F, 12.0F};
 
 } // namespace dewpoint::simulation

@@ -7,13 +7,13 @@
 
 namespace dewpoint::simulation {
 
-/// A well-mixed word from three integers.
+/// Returns a hash of three integers.
 std::uint32_t hashed(std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
-/// Value noise in [-1, 1]: smooth between random values at the points of the integer grid.
+/// Returns value noise in [-1, 1]: smooth between random values at the points of the integer grid.
 float valueNoise(const Vector3f& position);
 
-/// The color of a patterned surface at a point in the solid's own frame, meters; BGR.
+/// Returns the color of a patterned surface at a point in the solid's own frame, meters; BGR.
 Vector3f texture(Pattern pattern, const Vector3f& color, const Vector3f& position);
 
 } // namespace dewpoint::simulation

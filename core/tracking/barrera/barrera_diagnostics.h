@@ -11,17 +11,18 @@
 
 #include <cstddef>
 
-// What method `barrera` reports about its target beside the estimate, from one camera's image
+// Reports of method `barrera` about its target besides the estimate, from one camera's image
 // (CV_8UC3; empty: none) and the target's color.
 namespace dewpoint::tracking {
 
-/// Why camera number `camera` does, or does not, confirm the target of an estimate.
+/// Returns whether camera number `camera` confirms the target of an estimate, and the reason if it
+/// does not.
 CameraReport explainByColor(const cv::Mat& image, const ColorClassifier& color,
                             const Projector& projector, const SphereEstimate& estimate,
                             std::size_t camera);
 
-/// The log likelihood of the color window (ColorWindow) around each pixel, up to `reach` pixels
-/// from the projection of a position (meters, world frame) in each direction. Empty when the
+/// Returns the log likelihood of the color window (ColorWindow) around each pixel, up to `reach`
+/// pixels from the projection of a position (meters, world frame) in each direction. Empty if the
 /// position is not in view.
 LikelihoodMap windowLikelihoodMap(const cv::Mat& image, const ColorClassifier& color,
                                   const Projector& projector, const Eigen::Vector3d& position,

@@ -7,7 +7,8 @@
 
 namespace dewpoint::tracking {
 
-/// Parameters of the method of Barrera et al. 2005; defaults are the paper's where it states them.
+/// Returns the parameters of the method of Barrera et al. 2005. The defaults are those of the paper
+/// where it states them.
 std::span<const ParameterDeclaration> barreraParameters();
 
 } // namespace dewpoint::tracking

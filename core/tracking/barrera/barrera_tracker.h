@@ -11,32 +11,33 @@
 
 namespace dewpoint::tracking {
 
-/// The 3D color particle filter of Barrera, Cañas and Matellán (2005): isotropic random walk, color
-/// window in every camera, multinomial resampling at every iteration. A TargetFilter.
+/// The 3D color particle filter of Barrera, Cañas and Matellán (2005): isotropic random walk, a
+/// color window in every camera, and multinomial resampling at every iteration. A TargetFilter.
 class BarreraTracker final : public RandomWalkTracker {
 public:
   BarreraTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
 
   void setTarget(const Target& target);
-  /// Another calibration of the same cameras, from the next iteration on; the particles stay.
+  /// Sets another calibration of the same cameras from the next iteration on; the particles are
+  /// kept.
   void setCameras(const CameraRig& rig);
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
-  /// As RandomWalkTracker::correct(), with what the cameras see there.
+  /// As RandomWalkTracker::correct(), with the evidence of the cameras at this position.
   SphereEstimate correct(const Gaussian3& position);
-  /// About how many bytes a copy takes.
+  /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;
-  /// Why each camera does, or does not, confirm the target.
+  /// Returns for each camera whether it confirms the target, and the reason if it does not.
   std::vector<CameraReport> explain() const;
-  /// Around the estimate, up to `reach` pixels in each direction; one per camera.
+  /// Returns one map per camera around the estimate, up to `reach` pixels in each direction.
   std::vector<LikelihoodMap> likelihoodMaps(int reach) const;
 
 private:
   void showImages();
-  /// Per camera the window at a point (meters, world frame); the odds are those of its likelihood
-  /// against that of a window with no matching pixel, 1/25.
+  /// Returns the evidence of the window at a point (meters, world frame) in each camera. The odds
+  /// compare its likelihood with that of a window without matching pixels, 1/25.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;
-  /// Adds to an estimate what the cameras see at its mean.
+  /// Adds the evidence of the cameras at the mean to an estimate.
   void addEvidence(SphereEstimate& estimate) const;
 
   std::vector<Projector> projectors_;

@@ -10,8 +10,8 @@
 
 namespace dewpoint::tracking {
 
-/// An observation model by which nothing lies outside the bounds. States: columns 0 to 2 are x, y,
-/// z in meters, world frame. Refers to both, which must outlive it.
+/// Observation model with zero likelihood outside the bounds. In a state, columns 0 to 2 are x, y,
+/// z in meters, world frame. It refers to both members, which must outlive it.
 template <ObservationModel O> struct BoundedObservation {
   const O& observation;
   const WorldBox& bounds;

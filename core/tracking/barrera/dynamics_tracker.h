@@ -12,25 +12,26 @@
 
 namespace dewpoint::tracking {
 
-/// The particle filter over 3D positions with which Barrera, Cañas and Matellán (2005, section
-/// III-C) study the dynamics: an isotropic random walk, and a Gaussian around a measured position.
-/// The position is that of the target's pixels in all cameras (their centers of mass,
-/// triangulated), unless it is given. A TargetFilter; no camera has a likelihood of its own.
+/// Particle filter over 3D positions with which Barrera, Cañas and Matellán (2005, section III-C)
+/// study the dynamics: an isotropic random walk, and a Gaussian around a measured position. The
+/// measured position is given, or triangulated from the centroids of the target's pixels in all
+/// cameras. A TargetFilter; the cameras have no likelihoods of their own.
 class DynamicsTracker final : public RandomWalkTracker {
 public:
   DynamicsTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
 
   void setTarget(const Target& target);
   void setCameras(const CameraRig& rig);
-  /// Measures the position in the images.
+  /// Sets the images, and measures the position in them.
   void beginFrame(FrameSetPtr frames);
-  /// The position of frame `frame` from elsewhere (world, meters), in place of beginFrame();
-  /// nothing when it is not known: the cloud spreads.
+  /// Sets the position measured in frame `frame` (world frame, meters) instead of images. Without a
+  /// position, the cloud spreads.
   void beginFrame(std::int64_t frame, const std::optional<Eigen::Vector3d>& measured);
   SphereEstimate iterate(ThreadTeam& team);
-  /// What each camera has to say on the target being held or not.
+  /// Returns for each camera whether it confirms the target, and the reason if it does not.
   std::vector<CameraReport> explain() const;
 
+  /// Returns the measured position of this frame (world frame, meters); nothing if there is none.
   const std::optional<Eigen::Vector3d>& measured() const { return measured_; }
 
 private:
@@ -38,7 +39,7 @@ private:
 
   std::vector<Unprojector> unprojectors_;
   ColorClassifier classifier_;
-  std::vector<bool> seen_; ///< per camera: it shows the target's color
+  std::vector<bool> seen_; ///< per camera, whether it shows the target's color
   std::optional<Eigen::Vector3d> measured_;
 };
 

@@ -16,40 +16,42 @@
 
 namespace dewpoint::tracking {
 
-/// What the particle filters of Barrera et al. have in common: an isotropic random walk,
-/// multinomial resampling at every iteration, a start volume. What is observed is left to the
-/// method.
+/// Common part of the particle filters of Barrera et al.: an isotropic random walk, multinomial
+/// resampling at every iteration, and a start volume. Derived methods provide the observation
+/// model.
 class RandomWalkTracker {
 public:
-  /// Particle count, motion and iterations act at the next iteration; the start at the next
-  /// restart.
+  /// Sets the parameters. Particle count, motion and iterations take effect at the next iteration,
+  /// the start volume at the next restart.
   void configure(const ParameterValues& parameters);
-  /// Where the target may be, from the next iteration on; nothing: anywhere. Restarts the particles
-  /// in it if the estimate lies outside.
+  /// Limits the positions of the target from the next iteration on; nothing: unlimited. If the
+  /// estimate lies outside, the particles restart inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume);
-  /// Forgets everything and starts from scratch.
+  /// Discards everything and starts from scratch.
   void restart(std::uint64_t seed);
   int iterationsPerFrame() const;
   void beginFrame(FrameSetPtr frames);
-  /// Draws the particles again, from a Gaussian (world, m, m²) that a person gave: the estimate.
+  /// Draws the particles again from a Gaussian given by the user (world frame, m, m²). Returns the
+  /// estimate.
   SphereEstimate correct(const Gaussian3& position);
-  /// At most `limit` particles, evenly picked: rows x y z (meters), with linear weights that sum to
-  /// 1 over all particles.
+  /// Returns an even selection of at most `limit` particles: rows of x, y, z (meters), with linear
+  /// weights that sum to 1 over all particles.
   void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
-  /// About how many bytes a copy takes.
+  /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;
 
 protected:
   /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
   explicit RandomWalkTracker(const ParameterValues& parameters);
 
-  /// One iteration; of the result the cameras and what follows from them are still missing.
+  /// Runs one iteration. In the result, the cameras and what follows from them are still missing.
   template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
-  /// Whether a position (world, meters) lies in the volume of interest, if there is one.
+  /// Returns whether a position (world frame, meters) lies in the volume of interest, if there is
+  /// one.
   bool isOfInterest(const Eigen::Vector3d& position) const {
     return !volume_ || volume_->contains(position);
   }
-  /// The image a camera shows; empty when there is none.
+  /// Returns the image of a camera; empty if there is none.
   cv::Mat imageOf(std::size_t camera) const;
 
   ParameterValues parameters_;
@@ -59,7 +61,7 @@ protected:
 private:
   Eigen::ArrayXXd drawStart() const;
 
-  std::optional<WorldBox> volume_; ///< of interest
+  std::optional<WorldBox> volume_; ///< volume of interest
   ParticleFilter filter_;
   RandomKey key_;
   bool started_ = false; ///< an iteration has run since the last restart

@@ -16,32 +16,32 @@
 
 namespace dewpoint::tracking {
 
-/// A filter that follows one box through the images of one camera: what BoxTargets makes a method
-/// of. Not thread safe; the same seed gives the same bits for any size of the ThreadTeam.
+/// A filter that tracks one box in the images of one camera. BoxTargets combines such filters into
+/// a method. Not thread-safe; the same seed gives the same bits for any size of the ThreadTeam.
 template <class F>
 concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, ParameterValues> &&
     requires(F filter, const F& finished, const ParameterValues& parameters, const cv::Mat& bgr,
              const ImageBox& box, std::uint64_t seed, ThreadTeam& team, Eigen::ArrayXXd& centers,
              Eigen::ArrayXd& weights) {
-  // Other parameters, from the next image on.
+  // Sets other parameters from the next image on.
   filter.configure(parameters);
-  // Takes what is in the box of an image (CV_8UC3) as what is to be followed,
-  // and forgets everything else. BadValue names "image" or "box".
+  // Starts tracking the content of a box in an image (CV_8UC3), and discards everything else.
+  // BadValue names "image" or "box".
   { filter.start(bgr, box, seed) } -> std::same_as<Status>;
-  // The next image, of the same size; start() must have succeeded.
+  // Processes the next image, which has the same size; start() must have succeeded.
   { filter.step(bgr, team) } -> std::same_as<BoxEstimate>;
-  // The centers of at most that number of particles, evenly picked, as last weighted:
-  // rows x y, with linear weights that sum to 1 over all particles.
+  // Returns the centers of an even selection of at most this number of particles with their last
+  // weights: rows of x and y, and linear weights that sum to 1 over all particles.
   finished.particles(0, centers, weights);
-  // About how many bytes a copy takes.
+  // Returns the approximate size of a copy in bytes.
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };
 
-/// The color image a filter needs and a box of at least 2 x 2 pixels that lies in it, at least
-/// with its center: BadValue names "image" or "box".
+/// Checks that the image is a color image, and that the box has at least 2 x 2 pixels and its
+/// center in the image. BadValue names "image" or "box".
 Status checkBox(const cv::Mat& bgr, const ImageBox& box);
 
-/// The box around the object that was clicked (see clickBox()): BadValue names "pixel" or "image".
+/// Returns the box around a clicked object (see clickBox()). BadValue names "pixel" or "image".
 Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y);
 
 } // namespace dewpoint::tracking

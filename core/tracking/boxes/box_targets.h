@@ -16,10 +16,10 @@
 
 namespace dewpoint::tracking {
 
-/// A method that follows boxes, in a run of several cameras and targets: one filter per target, on
-/// the images of the camera of its box. A target is followed from the frame of its box on: from
-/// when a run passes it, or at once where the box is of the frame the run stands at; before it is
-/// absent. One step per image.
+/// Method that tracks boxes in a run with several cameras and targets: one filter per target, on
+/// the images of its box's camera. A target is tracked from the frame of its box on. It starts when
+/// the run reaches this frame, or at once if the run is at this frame; before that it is absent.
+/// One step per image.
 template <BoxFilter F>
 class BoxTargets final : public Tracker,
                          public Configurable,
@@ -36,13 +36,13 @@ public:
   }
 
   void configure(const ParameterValues& parameters) override;
-  /// Another number of targets, too: those of a name that was there before go on. A target with
-  /// another box than before forgets the old one.
+  /// Sets the targets, also in another number. Targets with a known name continue. A target with a
+  /// changed box discards its former track.
   void setTargets(const std::vector<Target>& targets) override;
   bool takesAnyNumber() const override { return true; }
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
-  /// A target whose box is of this frame has it at once, before any iteration.
+  /// A target whose box belongs to this frame is present at once, before any iteration.
   void beginFrame(FrameSetPtr frames) override;
   void iterate(ThreadTeam& team) override;
   std::size_t trackCount() const override { return followed_.size(); }
@@ -62,15 +62,15 @@ private:
   struct Followed {
     std::string name;
     std::optional<TargetBox> box;
-    std::optional<F> filter; ///< nothing before the frame of the box
+    std::optional<F> filter; ///< empty before the frame of the box
     std::int64_t startedAt = -1;
     BoxEstimate estimate;
-    std::vector<double> reference; ///< histogram of the box at its own frame
+    std::vector<double> reference; ///< histogram of the box in its own frame
   };
 
-  /// Null when the camera of the box delivered nothing.
+  /// Returns null if the camera of the box delivered no image.
   const cv::Mat* imageOf(const TargetBox& box) const;
-  /// Begins to follow a target whose box is of the frame that the run stands at.
+  /// Starts tracking a target whose box belongs to the run's present frame.
   void start(std::size_t target);
   void step(Followed& one, ThreadTeam& team) const;
 
@@ -91,7 +91,7 @@ template <BoxFilter F> void BoxTargets<F>::configure(const ParameterValues& para
 
 template <BoxFilter F> void BoxTargets<F>::setTargets(const std::vector<Target>& targets) {
   std::vector<Followed> before = std::exchange(followed_, {});
-  const bool sameNumber = before.size() == targets.size(); // then one may have got another name
+  const bool sameNumber = before.size() == targets.size(); // then a target may have been renamed
   for (std::size_t k = 0; k < targets.size(); ++k) {
     const auto old = sameNumber ? before.begin() + static_cast<std::ptrdiff_t>(k)
                                 : std::ranges::find(before, targets[k].name, &Followed::name);
@@ -138,7 +138,7 @@ template <BoxFilter F> void BoxTargets<F>::start(std::size_t target) {
     return;
   }
   if (const cv::Mat* image = imageOf(*one.box)) {
-    // A box beyond the image: there is nothing to follow.
+    // The box is outside the image: there is nothing to track.
     (void)follow(target, *image, *one.box, derivedSeed(seed_, static_cast<std::uint32_t>(target)));
   }
 }
@@ -166,13 +166,13 @@ Status BoxTargets<F>::follow(std::size_t target, const cv::Mat& bgr, const Targe
 
 template <BoxFilter F> void BoxTargets<F>::step(Followed& one, ThreadTeam& team) const {
   if (!one.filter || one.startedAt == frames_->index) {
-    return; // the box as it was given is what is known of its own image
+    return; // in its own image, the target is at the box as defined
   }
   if (const cv::Mat* image = imageOf(*one.box)) {
     one.estimate = one.filter->step(*image, team);
     one.estimate.camera = one.box->camera;
   } else {
-    one.estimate.visible = false; // the camera delivered nothing
+    one.estimate.visible = false; // the camera delivered no image
   }
 }
 
@@ -203,7 +203,7 @@ template <BoxFilter F> std::vector<CameraReport> BoxTargets<F>::explain(std::siz
   const Followed& one = followed_.at(track);
   std::vector<CameraReport> reports;
   if (one.filter && frames_) {
-    reports.resize(frames_->frames.size()); // the other cameras do not look for it
+    reports.resize(frames_->frames.size()); // the other cameras do not search for it
     reports.at(static_cast<std::size_t>(one.box->camera)).status =
         imageOf(*one.box) == nullptr ? CameraStatus::NoImage
         : isHeld(one.estimate)       ? CameraStatus::None

@@ -7,9 +7,10 @@
 
 namespace dewpoint::tracking {
 
-/// Centers of the boxes of one size that hold most of the target's colors, the best first: at most
-/// `most` of them, no two overlapping by more than a quarter in each direction, each with a sum of
-/// at least `least`. All positions on a grid of a quarter of the box are tried.
+/// Returns the centers of the boxes of one size that contain most of the target's colors, best
+/// first. Returns at most `most`, no two overlapping by more than a quarter in each direction, each
+/// with a sum of at least `least`. Tries all positions on a grid with a spacing of a quarter of the
+/// box.
 std::vector<Eigen::Vector2d> colorPeaks(const TargetMap& map, double width, double height,
                                         std::size_t most, double least);
 

@@ -7,8 +7,8 @@
 
 namespace dewpoint::tracking {
 
-/// Parameters of method `histogram`. Lengths are shares of the target's size, the square root of
-/// its box's area, so that they serve targets of any size.
+/// Returns the parameters of method `histogram`. Lengths are relative to the target's size (the
+/// square root of its box's area), so they suit targets of any size.
 std::span<const ParameterDeclaration> histogramParameters();
 
 } // namespace dewpoint::tracking

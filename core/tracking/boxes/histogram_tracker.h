@@ -11,15 +11,15 @@
 
 namespace dewpoint::tracking {
 
-/// Method `histogram`: what Sugandi et al. (2009) name as future work, and more, on the same idea.
-/// The state is (x, y, vx, vy, s, a), pixels and pixels per image, s the logarithm of the scale
-/// and a of the aspect, width over height. Color
-/// histograms of six parts of the box are weighed against those of its surroundings; some particles
-/// are tried where else the colors are; histograms follow slow changes; a hidden target is held and
-/// found again. See docs/method-sugandi.md.
+/// Method `histogram`: implements, and extends, what Sugandi et al. (2009) list as future work. The
+/// state is (x, y, vx, vy, s, a) in pixels and pixels per image; s is the logarithm of the scale
+/// and a that of the aspect ratio, width over height. The color histograms of six parts of the box
+/// are compared with those of its surroundings. Some particles jump to other positions with these
+/// colors. The histograms adapt to slow changes. A hidden target keeps its position and is found
+/// again. See docs/method-sugandi.md.
 class HistogramTracker final {
 public:
-  /// Of the method's parameters (asserted).
+  /// `parameters` are those of the method (asserted).
   explicit HistogramTracker(const ParameterValues& parameters);
 
   void configure(const ParameterValues& parameters);
@@ -57,13 +57,14 @@ private:
   double sharpness_ = 0.0;
   double adaptation_ = 0.0;
   double hiddenBelow_ = 0.0;
-  Eigen::Index particleCount_ = 0; ///< of the next image; states_ has those of this one
+  Eigen::Index particleCount_ = 0; ///< for the next image; states_ has those of the present one
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;
-  double shrink_ = 1.0; ///< the images are worked on at this share of their size
-  ImageBox drawn_;      ///< as given, in the working image, as all below
-  ImageBox first_;      ///< the figure in it, see figureBox(): what is followed
-  ImageBox box_;        ///< where the target was last seen
+  double shrink_ = 1.0; ///< images are scaled by this factor before processing
+  /// Initial box in the scaled image; all following boxes are also in the scaled image.
+  ImageBox drawn_;
+  ImageBox first_; ///< the object in the initial box, see figureBox(): the box that is tracked
+  ImageBox box_;   ///< last box in which the target was visible
   int hiddenFrames_ = 0;
   double widthExponent_ = 0.0; ///< see settle()
   double heightExponent_ = 0.0;
@@ -71,9 +72,9 @@ private:
   double firstLikeness_ = 1.0; ///< of the first image, see TargetColors::likeness()
   TargetColors colors_;
   TargetMap map_;
-  Eigen::ArrayXXd states_;   ///< rows x y vx vy s a
-  Eigen::ArrayXXd weighted_; ///< the states before resampling
-  Eigen::ArrayXd weights_;   ///< of those
+  Eigen::ArrayXXd states_;   ///< rows of x, y, vx, vy, s, a
+  Eigen::ArrayXXd weighted_; ///< states before resampling
+  Eigen::ArrayXd weights_;   ///< weights of `weighted_`
   bool degenerate_ = false;
 };
 

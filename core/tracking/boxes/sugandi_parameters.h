@@ -7,8 +7,8 @@
 
 namespace dewpoint::tracking {
 
-/// Parameters of the method of Sugandi et al. 2009; the defaults are the paper's where it states
-/// them (300 particles; its other numbers, 8 x 8 x 8 bins, are fixed).
+/// Returns the parameters of the method of Sugandi et al. 2009. The defaults are those of the paper
+/// where it states them (300 particles; its 8 x 8 x 8 bins are fixed).
 std::span<const ParameterDeclaration> sugandiParameters();
 
 } // namespace dewpoint::tracking

@@ -10,11 +10,11 @@
 namespace dewpoint::tracking {
 
 /// Method `sugandi`: the particle filter on color histograms of Sugandi, Kim, Tan and Ishikawa
-/// (2009), exactly as published. The state is (x_k, y_k, x_k-1, y_k-1), pixels; the box keeps its
-/// size, and the reference histogram that of the first image.
+/// (2009), exactly as published. The state is (x_k, y_k, x_k-1, y_k-1) in pixels. The size of the
+/// box and the reference histogram are those of the first image.
 class SugandiTracker final {
 public:
-  /// Of the method's parameters (asserted).
+  /// `parameters` are those of the method (asserted).
   explicit SugandiTracker(const ParameterValues& parameters);
 
   void configure(const ParameterValues& parameters);
@@ -32,14 +32,14 @@ private:
 
   double positionSigma_ = 0.0;
   double likelihoodSigma_ = 0.0;
-  Eigen::Index particleCount_ = 0; ///< of the next image; states_ has those of this one
+  Eigen::Index particleCount_ = 0; ///< for the next image; states_ has those of the present one
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;
-  ImageBox box_; ///< as given
+  ImageBox box_; ///< initial box
   std::optional<HistogramSimilarity> similarity_;
-  Eigen::ArrayXXd states_;   ///< rows x_k y_k x_k-1 y_k-1
-  Eigen::ArrayXXd weighted_; ///< the states before resampling
-  Eigen::ArrayXd weights_;   ///< of those
+  Eigen::ArrayXXd states_;   ///< rows of x_k, y_k, x_k-1, y_k-1
+  Eigen::ArrayXXd weighted_; ///< states before resampling
+  Eigen::ArrayXd weights_;   ///< weights of `weighted_`
   bool degenerate_ = false;
 };
 

@@ -17,126 +17,129 @@ namespace dewpoint::tracking {
 
 class Tracker;
 
-/// What says in a project which targets there are.
+/// How a project defines its targets.
 enum class TargetsFrom {
   Color, ///< each target has a color and a size
   Box,   ///< each target has a box in one frame of one camera
-  Images ///< nothing: the method finds by itself who is there
+  Images ///< not at all: the method finds the targets automatically
 };
 
-/// The tables that are written of a run.
+/// Kind of tables written for a run.
 enum class RunTables {
   Trajectory, ///< positions in the room
   Boxes,      ///< boxes in images
-  People      ///< positions in the room, and the bodies of people
+  People      ///< positions in the room, and bodies of people
 };
 
-/// The properties of a kind of methods, known before any of them runs: a row of the catalog's table
-/// of families. They are independent: a new kind has values of its own, and code that reads one of
-/// them need not know the kind. Read properties, do not compare kinds: tests/architecture counts
-/// where a kind is named.
+/// Properties of a family of methods, known before any of them runs: one row of the catalog's table
+/// of families. The properties are independent. A new family has its own values, and code that
+/// reads a property need not know the family. Read properties instead of comparing families:
+/// tests/architecture counts where a family is named.
 struct MethodFamily {
   TargetsFrom targets = TargetsFrom::Color;
-  /// What these methods are for, as the heading of their choices.
+  /// Purpose of these methods, used as the heading of their group in a list.
   std::string_view heading;
-  /// Estimates positions in the room, by calibrated cameras; else in the images of one camera,
-  /// about which nothing need be known.
+  /// True if the method estimates positions in the room with calibrated cameras; otherwise it works
+  /// in the images of one camera and needs no calibration.
   bool needsCalibration = true;
-  /// With fewer cameras nothing is ever found.
+  /// Smallest number of cameras with which a target can be found.
   int fewestCameras = 1;
   RunTables tables = RunTables::Trajectory;
   /// Trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
-  /// Masks and maps show what moves, in every frame with images, tracked or not.
+  /// Masks and maps show motion in every frame with images, tracked or not.
   bool masksMotion = false;
-  /// A target may be edited in a frame that was tracked already: the frames from there on are
-  /// tracked again at once, and past frames show the targets that there are now.
+  /// Targets can be edited in frames that were already tracked. The frames from there on are
+  /// tracked again at once, and past frames show the present targets.
   bool tracksAgainOnEdit = false;
-  /// What a target is to the method, in words.
+  /// Describes a target in words, as the method uses it.
   std::string (*describe)(const Target& target) = nullptr;
-  /// Whether a target of the project has all that tracking it needs.
+  /// Returns whether a target of the project has everything required for tracking.
   bool (*isDefined)(const Target& target) = [](const Target&) { return true; };
-  /// Why nothing can be tracked while lacksTargets(), in words.
+  /// Returns the reason in words why nothing can be tracked while lacksTargets().
   std::string (*lack)(std::string_view method) = nullptr;
-  /// The frame at which a run has to begin so that it is right at `frame`: at most that one.
+  /// Returns the frame, at most `frame`, at which a run must begin so that its result at `frame` is
+  /// correct.
   std::int64_t (*beginFor)(const std::vector<Target>& targets, std::int64_t frame) =
       [](const std::vector<Target>&, std::int64_t frame) { return frame; };
 
-  /// Finds by itself which targets there are: the project names none of them, and a truth has none
-  /// of their names.
+  /// Returns whether the method finds its targets automatically: the project defines none, and a
+  /// truth does not use their names.
   bool findsTargets() const { return targets == TargetsFrom::Images; }
-  /// The pixels that have the color of a target are masked.
+  /// Returns whether masks show the pixels that have the color of a target.
   bool masksColors() const { return targets == TargetsFrom::Color; }
-  /// Whether there is nothing to track with these targets of a project.
+  /// Returns whether there is nothing to track with these targets of a project.
   bool lacksTargets(const std::vector<Target>& projectTargets) const;
-  /// Whether the other methods track the same targets, so that a run by one of them can go on from
-  /// where the other was.
+  /// Returns whether other methods track the same targets, so that one of them can continue a run
+  /// of the other.
   bool tracksSameTargetsAs(const MethodFamily& other) const { return targets == other.targets; }
-  /// Positions are written, row by row while the run goes on.
+  /// Returns whether positions are written, row by row during the run.
   bool writesPositions() const { return tables != RunTables::Boxes; }
-  /// The bodies of the targets are kept and written, too.
+  /// Returns whether the bodies of the targets are also stored and written.
   bool writesBodies() const { return tables == RunTables::People; }
 };
 
-/// What a user reads of a method before choosing it.
+/// Description of a method for a user who chooses one.
 struct MethodText {
-  std::string_view title;      ///< by its use: what it follows
-  std::string_view sentence;   ///< what it is for, or what sets it apart, in one line
-  std::string_view paper = {}; ///< the method is exactly the one of this paper; empty: our own
+  std::string_view title;      ///< named after its use: what it tracks
+  std::string_view sentence;   ///< its purpose or distinguishing feature, in one line
+  std::string_view paper = {}; ///< paper that the method implements exactly; empty: our own method
 };
 
 /// A tracking method: one row of the catalog.
 struct Method {
-  std::string_view name; ///< in project files and on the command line
+  std::string_view name; ///< name in project files and on the command line
   MethodFamily family;
   MethodText text;
-  /// The declarations live for ever.
+  /// Returns the declarations, which exist for the whole lifetime of the program.
   std::span<const ParameterDeclaration> (*parameters)();
-  /// The parameters are the method's own (asserted).
+  /// Creates a tracker. The parameters must be those of the method (asserted).
   std::unique_ptr<Tracker> (*make)(const ParameterValues& parameters, const CameraRig& rig,
                                    const std::vector<Target>& targets);
-  /// Trajectories have columns of their own for what the images of a frame alone say.
+  /// Trajectories have additional columns for measurements from the images of a frame alone.
   bool writesMeasurements = false;
-  /// Trajectories have a column that says where something else may be the target about as well.
+  /// Trajectories have a column that marks where another object may be the target about as well.
   bool statesAmbiguity = false;
-  /// Trajectories have columns for the extent of targets that are no balls.
+  /// Trajectories have columns for the extent of targets that are not balls.
   bool learnsShapes = false;
 };
 
-/// All methods a project may choose, the default first; of each family its default first.
+/// Returns all methods that a project may choose, the default first, and in each family its default
+/// first.
 std::span<const Method> methods();
-/// Null for an unknown name.
+/// Returns the method of this name; null for an unknown name.
 const Method* findMethod(std::string_view name);
 
-/// methods() as they are listed for a choice: those of papers, which are for teaching and
-/// comparison, behind all others. Those with the same headingOf() follow each other.
+/// Returns methods() in the order of a list of choices. Methods of papers, which are intended for
+/// teaching and comparison, are last. Methods with the same headingOf() are adjacent.
 std::vector<const Method*> methodsByUse();
-/// What the methods among which it stands there are for.
+/// Returns the heading of the method's group: the purpose of the methods in it.
 std::string_view headingOf(const Method& method);
 
-/// Names of methods(), in their order.
+/// Returns the names of methods(), in their order.
 std::vector<std::string> methodNames();
-/// Names of the methods whose targets come from there.
+/// Returns the names of the methods whose targets are defined in this way.
 std::vector<std::string> methodNames(TargetsFrom targets);
-/// Names of the methods of which such tables are written.
+/// Returns the names of the methods that write these tables.
 std::vector<std::string> methodNames(RunTables tables);
-/// Of an unknown method that of the default one.
+/// Returns the family of a method; for an unknown method, that of the default method.
 MethodFamily methodFamily(std::string_view method);
-/// Empty texts for an unknown method.
+/// Returns empty texts for an unknown method.
 MethodText methodText(std::string_view method);
-/// Empty for an unknown method.
+/// Returns an empty text for an unknown method.
 std::string_view methodSentence(std::string_view method);
-/// Empty for an unknown method.
+/// Returns no declarations for an unknown method.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
-/// The defaults of a method, but with the values under the same keys that were changed from their
-/// defaults in `previous`, as far as they are allowed. A default that was given in `previous` gives
-/// the method's own: it does not come from the cameras.
+/// Returns the defaults of a method, with the values of equal keys that were changed from their
+/// defaults in `previous`, limited to their allowed ranges. A default that was given in `previous`
+/// becomes the given default of this method, so it is not derived from the cameras.
 ParameterValues carriedOver(const ParameterValues& previous, std::string_view method);
-/// MissingKey when the method has a parameter that `parameters` do not declare.
+/// Returns MissingKey if the method has a parameter that `parameters` do not declare.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);
 
-/// A tracker of the named method; `targets` mean nothing to methods that find them. NotFound for an
-/// unknown method, MissingKey when `parameters` are not the method's.
+/// Creates a tracker of the named method. `targets` are ignored by methods that find targets
+/// automatically. Returns NotFound for an unknown method, and MissingKey if `parameters` are not
+/// those of the method.
 Result<std::unique_ptr<Tracker>> makeTracker(std::string_view method,
                                              const ParameterValues& parameters,
                                              const CameraRig& rig,

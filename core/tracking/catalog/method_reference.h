@@ -8,12 +8,12 @@
 
 namespace dewpoint::tracking {
 
-/// A declared parameter in one line, without its key: "0.03 m (0 to 10). Standard deviation of
-/// ..."; a value that comes from the cameras unless it is given says so.
+/// Returns a declared parameter in one line, without its key: "0.03 m (0 to 10). Standard deviation
+/// of ...". The text mentions whether the value is derived from the cameras if it is not given.
 std::string parameterText(const ParameterDeclaration& declaration);
 
-/// A method in plain text: what it follows, what sets it apart, its paper, and its parameters, a
-/// line each. Ends with a line break.
+/// Returns the description of a method in plain text: what it tracks, its distinguishing feature,
+/// its paper, and its parameters, one per line. Ends with a line break.
 std::string methodReference(const Method& method);
 
 } // namespace dewpoint::tracking

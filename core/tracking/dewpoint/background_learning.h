@@ -13,24 +13,27 @@
 
 namespace dewpoint::tracking {
 
-// What the backgrounds may be learned from, by what is believed of the targets
+// Selection of what the backgrounds are learned from, given the present estimates of the targets
 // (docs/method-dewpoint.md, section 2).
 
-/// Where in the image of a camera nothing is learned: the targets and distractors, their shadows
-/// and reflections.
+/// Returns the areas of a camera's image in which nothing is learned: targets and distractors,
+/// their shadows and reflections.
 std::vector<BackgroundModel::Hidden> hiddenByObjects(const TrackedObjects& objects,
                                                      std::size_t camera);
 
-/// Whether every target is so surely where it is that whatever else has its color is no target.
+/// Returns whether the positions of all targets are so certain that anything else of their color is
+/// not a target.
 bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
                          const std::vector<SphereEstimate>& estimates);
 
-/// A target is at this position (meters, world): what was found to be empty there is not.
+/// Marks a position (meters, world frame) as occupied by a target: it is no longer known to be
+/// empty.
 void forgetEmptyPlacesAt(const TrackedObject& object, const Eigen::Vector3d& position,
                          FrameImages& images);
 
-/// Counts for how long each target has not been found; `interval` seconds since the last frame.
-/// Once one has not been for `patience` seconds it may have been anywhere all the time.
+/// Measures for how long each target has not been found; `interval` is the time in seconds since
+/// the last frame. A target not found for `patience` seconds may have been anywhere, so no position
+/// is known to be empty for it.
 void forgetEmptyPlacesOfLost(TrackedObjects& objects, FrameImages& images, double interval,
                              double patience);
 

@@ -9,10 +9,10 @@
 
 namespace dewpoint::tracking {
 
-/// Adapts the colors of targets to slow changes of light: in every camera that shows a target whole
-/// and alone, `share` (0 to 1) of the way to the color that it has in this frame. Targets whose
-/// estimate is not certain keep their colors; distractors take those of the target they look like.
-/// `estimates`: those of the targets in this frame.
+/// Adapts the colors of targets to slow changes of light. In every camera that shows a target
+/// completely and alone, the color moves by `share` (0 to 1) toward the color in this frame.
+/// Targets with an uncertain estimate keep their colors. Distractors use the colors of the target
+/// that they resemble. `estimates` are those of the targets in this frame.
 void adaptColors(TrackedObjects& objects, const FrameImages& images,
                  const std::vector<SphereEstimate>& estimates, double share);
 

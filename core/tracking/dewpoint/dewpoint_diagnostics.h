@@ -10,21 +10,22 @@
 #include <cstddef>
 #include <vector>
 
-// What method `dewpoint` reports about a target beside its estimate. Nothing here changes what is
-// tracked next.
+// Reports of method `dewpoint` about a target besides its estimate. They do not affect tracking.
 namespace dewpoint::tracking {
 
-/// Why each camera does, or does not, confirm a target: as CameraExplaining::explain().
+/// Returns for each camera whether it confirms a target, and the reason if it does not; see
+/// CameraExplaining::explain().
 std::vector<CameraReport> explainCameras(const TrackedObjects& objects, const FrameImages& images,
                                          const SphereEstimate& estimate, std::size_t target);
 
-/// The hypotheses of a target, and the positions of other objects of its color: as
+/// Returns the hypotheses of a target, and the positions of other objects of its color; see
 /// PositionProposing::proposals().
 std::vector<CandidatePosition> candidatePositions(const TrackedObjects& objects,
                                                   std::size_t target);
 
-/// The log likelihood ratio of SphereEvidence for a target's outline moved to each pixel around the
-/// estimate, up to `reach` pixels in each direction: as LikelihoodMapping::likelihoodMaps().
+/// Returns the log likelihood ratio of SphereEvidence with the target's outline moved to each pixel
+/// around the estimate, up to `reach` pixels in each direction; see
+/// LikelihoodMapping::likelihoodMaps().
 std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
                                             const FrameImages& images,
                                             const SphereEstimate& estimate, std::size_t target,

@@ -7,7 +7,7 @@
 
 namespace dewpoint::tracking {
 
-/// Parameters of the project's own method, `dewpoint`.
+/// Returns the parameters of method `dewpoint`.
 std::span<const ParameterDeclaration> dewpointParameters();
 
 } // namespace dewpoint::tracking

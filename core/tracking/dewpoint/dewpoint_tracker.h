@@ -14,9 +14,9 @@
 
 namespace dewpoint::tracking {
 
-/// The project's own method: every target is a sphere of one color, detected by its outline in all
-/// cameras (docs/method-dewpoint.md). Targets of one color are told apart by where they were, and
-/// no two of them can be at one position.
+/// Method `dewpoint`, developed for this project. It detects every target by its outline in all
+/// cameras, as a sphere of one color (docs/method-dewpoint.md). Targets of the same color are
+/// distinguished by their former positions, and no two targets can be at one position.
 class DewpointTracker final : public Tracker,
                               public Configurable,
                               public TargetFollowing,
@@ -30,18 +30,20 @@ class DewpointTracker final : public Tracker,
                               public LikelihoodMapping,
                               public Copying {
 public:
-  /// `parameters` are dewpointParameters().
+  /// `parameters` must be dewpointParameters().
   DewpointTracker(const ParameterValues& parameters, const CameraRig& rig,
                   const std::vector<Target>& targets);
   DewpointTracker& operator=(const DewpointTracker&) = delete;
   ~DewpointTracker() override = default;
 
-  /// The start volume takes effect at the next restart, everything else at the next iteration.
+  /// Sets the parameters. The start volume takes effect at the next restart, everything else at the
+  /// next iteration.
   void configure(const ParameterValues& parameters) override;
   void setTargets(const std::vector<Target>& targets) override;
   bool takesAnyNumber() const override { return false; }
   void setCameras(const CameraRig& rig) override;
-  /// Distractors are tracked anywhere: what they explain in the images is no evidence inside.
+  /// Limits the positions of targets. Distractors are tracked everywhere, so that what they explain
+  /// in the images is not counted as evidence inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
   void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) override;
   void setEmptyRooms(const std::vector<cv::Mat>& images) override;
@@ -66,13 +68,13 @@ private:
   BernoulliTrackSettings trackSettings() const;
   double secondsSinceLastFrame() const;
   void predictTracks();
-  /// Takes the colors of targets that are not tracked for what they mean in the light of now.
+  /// Adapts the colors of targets that are not tracked to the present light.
   void reachColors();
   /// Measurement updates of all tracks, the most probable objects first.
   void updateTracks(ThreadTeam& team);
   void updateTrack(std::size_t index, ThreadTeam& team);
   void updateAsBall(std::size_t index, ThreadTeam& team);
-  /// Learns the shape of a target, and updates the track of one that is no ball.
+  /// Learns the shape of a target, and updates the track of a target that is not a ball.
   void updateShape(std::size_t target, ThreadTeam& team);
   void searchDistractors(ThreadTeam& team);
   void updateEstimates();
@@ -86,7 +88,7 @@ private:
   CandidateSearch search_;
   DistractorSearch distractors_;
   TimeBudget budget_;
-  std::optional<TimeStamp> lastTime_; ///< of the last frame that was tracked
+  std::optional<TimeStamp> lastTime_; ///< time of the last tracked frame
   RandomKey key_;
   std::vector<SphereEstimate> estimates_; ///< one per target
 };

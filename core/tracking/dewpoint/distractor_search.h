@@ -13,35 +13,35 @@
 
 namespace dewpoint::tracking {
 
-/// Finds objects that look like a target and are none, and has them tracked while all targets are
-/// visible: so none of them can be taken for a target when one hides the other.
+/// Finds objects that look like a target but are not targets, and starts tracking them while all
+/// targets are visible. They are then not mistaken for a target when one hides the other.
 class DistractorSearch {
 public:
-  /// What one search works with. References are valid during the call only.
+  /// Inputs of a search. The references are valid during the call only.
   struct Context {
     TrackedObjects& objects;
     const FrameImages& images;
     const CandidateSearch& candidates;
     TimeBudget& budget;
-    BernoulliTrackSettings settings; ///< of the tracks of new distractors
-    RandomKey key;                   ///< of the run, in this frame
+    BernoulliTrackSettings settings; ///< for the tracks of new distractors
+    RandomKey key;                   ///< key of the run in this frame
   };
 
   DistractorSearch() = default;
-  /// A copy has no search under way: it begins again. A run with a time budget cannot be repeated
-  /// bit by bit anyway.
+  /// A copy has no search in progress and starts a new one. A run with a time budget is not
+  /// reproducible bit by bit anyway.
   DistractorSearch(const DistractorSearch& other);
   DistractorSearch& operator=(const DistractorSearch&) = delete;
   ~DistractorSearch() = default;
 
-  /// A new run with this many targets.
+  /// Starts a new run with this number of targets.
   void restart(std::size_t targetCount);
-  /// Ends the search under way.
+  /// Cancels the search in progress.
   void cancel() { sliced_.reset(); }
-  /// Removes distractors that are lost, or hardly visible after some updates.
+  /// Removes distractors that are lost, or hardly visible after several updates.
   static void removeLost(TrackedObjects& objects);
-  /// Once per frame, after all updates: searches the images every few frames, and adds at most one
-  /// distractor per color. Within a time budget a search is spread over several frames.
+  /// Searches the images every few frames and adds at most one distractor per color. Called once
+  /// per frame, after all updates. With a time budget, a search is spread over several frames.
   void search(const Context& context, ThreadTeam& team);
 
 private:
@@ -51,10 +51,10 @@ private:
            ThreadTeam& team);
 
   std::int64_t frameCount_ = 0;  ///< since the restart
-  std::uint32_t nextStream_ = 0; ///< of the next distractor
+  std::uint32_t nextStream_ = 0; ///< stream of the next distractor
   std::unique_ptr<SlicedSearch> sliced_;
-  std::size_t slicedTarget_ = 0;     ///< whose distractors `sliced_` searches for
-  std::int64_t nextSlicedFrame_ = 0; ///< frame count before which no sliced search begins
+  std::size_t slicedTarget_ = 0;     ///< target whose distractors `sliced_` searches for
+  std::int64_t nextSlicedFrame_ = 0; ///< frame count before which no new sliced search begins
 };
 
 } // namespace dewpoint::tracking

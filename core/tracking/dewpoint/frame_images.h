@@ -14,41 +14,45 @@
 
 namespace dewpoint::tracking {
 
-/// The images of the frame that is being tracked, and what each camera usually shows.
+/// Images of the frame being tracked, and the background of each camera.
 class FrameImages {
 public:
   explicit FrameImages(std::size_t cameraCount) : backgrounds_(cameraCount) {}
 
   std::size_t cameraCount() const { return backgrounds_.size(); }
-  /// The images of a frame; null for none.
+  /// Sets the images of a frame; null for none.
   void setFrames(FrameSetPtr frames);
   const FrameSetPtr& frames() const { return frames_; }
-  /// A camera's image; null when there is none.
+  /// Returns the image of a camera; null if there is none.
   FramePtr frame(std::size_t camera) const;
-  /// Seconds by which a camera's image was taken after the frame's time.
+  /// Returns the time in seconds from the frame's time to the capture of a camera's image.
   double timeOffset(std::size_t camera) const;
-  /// Shows the images to an observation. They, the backgrounds and the color must outlive its use.
+  /// Passes the images to an observation. The images, the backgrounds and the color must outlive
+  /// its use.
   void showTo(SphereObservation& observation, const AdaptiveColor& color) const;
 
   void showTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
-  /// Images without targets, per camera; empty where not known. Known from the next
-  /// resetBackgrounds() on.
+  /// Sets one background image per camera; empty if unknown. They take effect at the next
+  /// resetBackgrounds().
   void setEmptyRooms(const std::vector<cv::Mat>& images);
+  /// Discards the learned backgrounds and starts from the background images.
   void resetBackgrounds();
-  /// The light of now becomes the one that colors are relative to.
+  /// Makes the present light the reference for colors.
   void resetReferenceLight();
-  /// Adapts the backgrounds to the light of the frame; before it is shown to any observation.
+  /// Adapts the backgrounds to the light of the frame. Call it before the images are passed to an
+  /// observation.
   void followLight();
-  /// Learns a camera's background from the frame, but not inside `hidden`, as
-  /// BackgroundModel::learn(). There must be an image.
+  /// Learns a camera's background from the frame, except inside `hidden`, as
+  /// BackgroundModel::learn(). The camera must have an image.
   void learnBackground(std::size_t camera, const std::vector<BackgroundModel::Hidden>& hidden,
                        bool noTargetElsewhere);
-  /// BackgroundModel::forgetEmptyPlaces() of all cameras, and inside a circle in one.
+  /// Calls BackgroundModel::forgetEmptyPlaces() for all cameras, or for a circle in the image of
+  /// one camera.
   void forgetEmptyPlaces();
   void forgetEmptyPlaces(std::size_t camera, const BackgroundModel::Hidden& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
-  /// Bytes of the backgrounds.
+  /// Returns the size of the backgrounds in bytes.
   std::size_t memoryBytes() const;
 
 private:

@@ -11,13 +11,13 @@
 
 namespace dewpoint::tracking {
 
-/// What else a target may be than a ball: the belief about its shape, and its track as something of
-/// any shape, which holds while it is believed to be that.
+/// Shape of a target: the belief about whether it is a ball, and a track of it as an object of any
+/// shape, which is used while it is believed not to be a ball.
 class ShapeTracking {
 public:
   ShapeTracking(const Target& target, const CameraRig& rig)
       : belief_(target), track_(target), observation_(rig) {}
-  /// A copy has no images: they are shown again.
+  /// A copy has no images; they must be passed to it again.
   ShapeTracking(const ShapeTracking& other, const CameraRig& rig)
       : belief_(other.belief_), track_(other.track_), observation_(rig),
         sinceLearned_(other.sinceLearned_), frames_(other.frames_) {}
@@ -33,16 +33,16 @@ public:
   RegionObservation& observation() { return observation_; }
   const RegionObservation& observation() const { return observation_; }
 
-  /// Whether the images of this frame are needed while the target is taken for a ball that was
-  /// found, or was not.
+  /// Returns whether the images of this frame are needed while the target is assumed to be a ball;
+  /// `ballFound` states whether the ball was found.
   bool wantsImages(bool ballFound) const;
-  /// Learns about the shape from what lies where a ball was found. Where it turns out to be none,
-  /// the track begins there.
+  /// Learns the shape from the regions at the position of a ball that was found. If it is not a
+  /// ball, the track begins there.
   void lookAtBall(const TrackHypothesis& ball, const RandomKey& key, ThreadTeam& team);
-  /// Updates the track by the images, and learns from it about the shape.
+  /// Updates the track with the images, and learns the shape from it.
   void update(const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
-  /// The target is at a position that was given by hand; `radius` in meters, where its extent is
-  /// not known yet.
+  /// Sets the position of the target as given by the user; `radius` in meters is used if its extent
+  /// is unknown.
   void correct(const Gaussian3& position, double radius, const RandomKey& key, ThreadTeam& team);
 
 private:

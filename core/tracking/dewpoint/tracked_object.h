@@ -13,27 +13,29 @@
 
 namespace dewpoint::tracking {
 
-/// A target, or a distractor: an object that looks like one.
+/// A target or a distractor (another object that looks like a target).
 struct TrackedObject {
   BernoulliTrack track;
   SphereObservation observation;
   AdaptiveColor color;
-  std::unique_ptr<SlicedSearch> search; ///< under way within a time budget; else null
-  std::uint32_t stream = 0;             ///< keeps its random numbers apart from those of others
-  int unseenFrames = 0;                 ///< since it was tracked last
-  std::unique_ptr<ShapeTracking> shape = nullptr; ///< null of distractors, which are balls
-  double unseenSeconds = 0.0;                     ///< since it was tracked last
+  /// Search in progress within a time budget; otherwise null.
+  std::unique_ptr<SlicedSearch> search;
+  std::uint32_t stream = 0; ///< separates its random numbers from those of others
+  int unseenFrames = 0;     ///< since it was tracked last
+  /// Null for distractors, which are assumed to be balls.
+  std::unique_ptr<ShapeTracking> shape = nullptr;
+  double unseenSeconds = 0.0; ///< since it was tracked last
 
-  /// Whether it is taken for a ball.
+  /// Returns whether it is assumed to be a ball.
   bool isBall() const { return !shape || shape->belief().isBall(); }
 
-  /// The key of its random numbers in a frame and an iteration of a run.
+  /// Returns the key of its random numbers in a frame and an iteration of a run.
   RandomKey keyIn(const RandomKey& run) const {
     return {derivedSeed(run.seed, stream), run.frame, run.iteration};
   }
 };
 
-/// Whether two objects are told apart by nothing but their positions.
+/// Returns whether two objects can be distinguished only by their positions.
 inline bool haveSameColor(const TrackedObject& one, const TrackedObject& other) {
   return one.track.target().colors() == other.track.target().colors();
 }

@@ -9,10 +9,10 @@
 
 namespace dewpoint::tracking {
 
-/// Methods `mohedano-ms` and `mohedano-msc`: one particle filter per person over x y z vx vy vz
-/// (MS) and h s (MS+C), each knowing nothing of the others (Mohedano, García, Salgado and
-/// Jaureguizar 2009). Creation and removal of tracks and the background are PeopleTrackLifecycle's:
-/// the paper says nothing about them.
+/// Methods `mohedano-ms` and `mohedano-msc`: one independent particle filter per person over x y z
+/// vx vy vz (MS), with h s added (MS+C) (Mohedano, García, Salgado and Jaureguizar 2009).
+/// PeopleTrackLifecycle handles the background, and creation and removal of tracks, which the paper
+/// does not describe.
 class MohedanoTracker final : public PeopleTrackLifecycle {
 public:
   MohedanoTracker(const ParameterValues& parameters, const CameraRig& rig, bool color);
@@ -37,15 +37,15 @@ private:
     return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};
   }
 
-  /// Hue and saturation at a position, in one of the cameras with motion there; `pick`, within 0 to
-  /// 1, chooses it.
+  /// Returns hue and saturation at a position in one of the cameras with motion there; `pick`, from
+  /// 0 to 1, selects the camera.
   Eigen::Vector2d colorAt(const Eigen::Vector3d& position, double pick) const;
   PersonObservation observation() const;
   void describe(const StateEstimate& estimate, const Belief& belief, PersonEstimate& person) const;
 
   ParameterValues parameters_;
   bool color_;
-  std::vector<Belief> beliefs_; ///< in the order of people_
+  std::vector<Belief> beliefs_; ///< in the order of `people_`
   std::vector<cv::Mat> likelihoods_;
 };
 

@@ -17,39 +17,41 @@
 
 namespace dewpoint::tracking {
 
-/// The cameras as the methods for people see them: reduced images, their motion masks, and
-/// projectors of that size.
+/// Cameras as used by methods for people: reduced images, their motion masks, and projectors for
+/// this image size.
 class PeopleCameras {
 public:
   PeopleCameras(const CameraRig& rig, const PeopleSettings& settings);
 
-  /// Whether all background models can be copied; a copy of others would have none.
+  /// Returns whether all background models can be copied. Otherwise a copy would have none.
   bool canBeCopied() const;
-  /// About how many bytes a copy takes.
+  /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;
 
   void setRig(const CameraRig& rig);
   void configure(const PeopleSettings& settings) { settings_ = settings; }
   void setEmptyRooms(const std::vector<cv::Mat>& rooms) { emptyRooms_ = rooms; }
-  /// The next frame is the first one.
+  /// Prepares for the first frame of a run.
   void restart();
-  /// Makes the masks of a frame. `keep`: per camera where not to learn, of mask size, or empty.
+  /// Computes the masks of a frame. `keep` has one image per camera, of the mask's size or empty,
+  /// that marks where nothing is learned.
   void begin(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
 
   std::size_t count() const { return views_.size(); }
   const Projector& projector(std::size_t camera) const { return views_[camera].projector; }
-  /// The optical center (world, meters), the axis, and the focal length in pixels.
+  /// Returns the camera of the reduced images, with optical center (world frame, meters), axis, and
+  /// focal length in pixels.
   const Camera& camera(std::size_t camera) const { return views_[camera].camera; }
   bool usable(std::size_t camera) const { return states_[camera].usable; }
   const cv::Mat& image(std::size_t camera) const { return views_[camera].image; }
   const cv::Mat& mask(std::size_t camera) const { return views_[camera].mask; }
   const std::vector<PeopleCameraState>& states() const { return states_; }
-  /// Seconds between the last two frames.
+  /// Returns the seconds between the last two frames.
   double interval() const { return interval_; }
   std::int64_t frame() const { return frame_; }
 
 private:
-  /// A background model that is copied with its owner.
+  /// A background model that is copied together with its owner.
   class Model {
   public:
     Model() = default;
@@ -68,7 +70,7 @@ private:
   struct View {
     Camera camera; ///< of the reduced images
     Projector projector;
-    cv::Mat image; ///< its pixels are never written again, nor those of the mask
+    cv::Mat image; ///< its pixels and those of the mask are never changed afterward
     cv::Mat mask;
     Model model;
     int learnedFrames = 0;

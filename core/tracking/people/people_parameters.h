@@ -11,31 +11,33 @@
 
 namespace dewpoint::tracking {
 
-/// The floor that people walk on: a rectangle, meters, world.
+/// Floor on which people walk: a rectangle, meters, world frame.
 struct PeopleArea {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Vector2d half{3.5, 3.5};
-  double floor = 0.0; ///< its z
+  double floor = 0.0; ///< height z of the floor
 
   bool contains(const Eigen::Vector2d& position) const {
     return ((position - center).cwiseAbs() - half).maxCoeff() <= 0.0;
   }
 };
 
-/// What all methods for people have in common.
+/// Settings shared by all methods for people.
 struct PeopleSettings {
   PeopleArea area;
-  ForegroundSettings foreground; ///< in frames of 1/30 s until a rate is known
+  ForegroundSettings foreground; ///< in frames of 1/30 s until the frame rate is known
   double learningTime = 1.0;     ///< seconds
   double memory = 40.0;          ///< seconds
-  int imageWidth = 0;            ///< images are made no wider than this; 0: taken as they are
-  double birthTime = 0.2;        ///< seconds
-  double survivalTime = 0.6;     ///< seconds
+  int imageWidth = 0;        ///< largest width of the images, which are reduced to it; 0: unchanged
+  double birthTime = 0.2;    ///< seconds
+  double survivalTime = 0.6; ///< seconds
   bool births = true;
 };
 
+/// Returns the common settings from the parameters of a method for people.
 PeopleSettings peopleSettings(const ParameterValues& parameters);
 
+/// Return the parameters of methods `mohedano-ms`, `mohedano-msc` and `people`.
 std::span<const ParameterDeclaration> mohedanoMsParameters();
 std::span<const ParameterDeclaration> mohedanoMscParameters();
 std::span<const ParameterDeclaration> peopleParameters();

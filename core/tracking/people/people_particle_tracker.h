@@ -11,10 +11,10 @@
 
 namespace dewpoint::tracking {
 
-/// Method `people`, the project's own: one particle filter per person over position and velocity on
-/// the floor and height, weighted by how well a standing body fits the masks of all cameras. Pixels
-/// that others cover are theirs, two people cannot stand at one position, and clothes distinguish
-/// people who have met.
+/// Method `people`, developed for this project. It has one particle filter per person over position
+/// and velocity on the floor and height, weighted by how well a standing body fits the masks of all
+/// cameras. Pixels covered by other people are assigned to them, two people cannot stand at one
+/// position, and clothes distinguish people who have met.
 class PeopleParticleTracker final : public PeopleTrackLifecycle {
 public:
   PeopleParticleTracker(const ParameterValues& parameters, const CameraRig& rig);
@@ -29,8 +29,8 @@ private:
     ParticleFilter filter;
     ClothesModel clothes;
   };
-  /// Two people who are, or were, near each other: the evidence of their clothes about an exchange
-  /// of identities, and the time since they were near.
+  /// Two people who are or were near each other: the evidence from their clothes, which is negative
+  /// if their identities seem to be exchanged, and the time in seconds since they were near.
   struct Meeting {
     double evidence = 0.0;
     double sinceNear = 0.0;
@@ -54,7 +54,7 @@ private:
   bool near(std::size_t one, std::size_t other) const;
 
   ParameterValues parameters_;
-  std::vector<Belief> beliefs_; ///< in the order of people_
+  std::vector<Belief> beliefs_; ///< in the order of `people_`
   std::map<std::pair<int, int>, Meeting> meetings_;
 };
 

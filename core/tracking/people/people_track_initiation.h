@@ -11,28 +11,28 @@
 
 namespace dewpoint::tracking {
 
-/// A standing body, drawn into a mask (CV_8UC1) with this value.
+/// Draws a standing body into a mask (CV_8UC1) with this value.
 void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::Mat& mask);
 
-/// Finds new people: foreground that nobody explains, and that the views of several cameras agree
-/// on. A standing body is tried at every point of a grid on the floor (as the occupancy map of
-/// Fleuret et al. 2008 does, without its inference). A position must hold for some time to become a
-/// person.
+/// Finds new people: foreground that no tracked person explains and on which the views of several
+/// cameras agree. A standing body is tried at every point of a grid on the floor (as in the
+/// occupancy map of Fleuret et al. 2008, without its inference). A position must persist for some
+/// time to become a person.
 class PeopleTrackInitiation {
 public:
-  /// Prepares the grid; keeps what is under way.
+  /// Prepares the grid; candidates are kept.
   void setCameras(const PeopleCameras& cameras, const PeopleArea& area, double height);
   void restart() { candidates_.clear(); }
-  /// About how many bytes a copy takes.
+  /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const {
     return cells_.empty() ? 0
                           : cells_.size() * (sizeof(Cell) + cells_.front().silhouettes.size() *
                                                                 sizeof(BodySilhouette));
   }
 
-  /// Takes the masks of a frame. `explained`: per camera, what is already explained (CV_8UC1), or
-  /// empty; `taken`: positions of the people who are tracked. Returns at most one position (world
-  /// x, y), where a track is to be created.
+  /// Processes the masks of a frame. `explained` has one mask per camera of what is already
+  /// explained (CV_8UC1), or is empty; `taken` has the positions of the tracked people. Returns at
+  /// most one position (world x, y) at which to create a track.
   std::vector<Eigen::Vector2d> update(const PeopleCameras& cameras,
                                       const std::vector<cv::Mat>& explained,
                                       const std::vector<Eigen::Vector2d>& taken, double birthTime);

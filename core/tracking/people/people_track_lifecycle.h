@@ -11,10 +11,11 @@
 
 namespace dewpoint::tracking {
 
-/// The base of all methods for people: masks, creation and removal of tracks, visibility,
-/// identities. A method adds what it believes about each person. The person of identity N is track
-/// N - 1, from its creation on and, absent, after its removal. One iteration per frame is all there
-/// is; further ones change nothing. The choice of background model acts from the next restart on.
+/// Base class of all methods for people: masks, creation and removal of tracks, visibility,
+/// identities. A derived method adds its belief about each person. The person with identity N is
+/// track N - 1 from its creation on; after its removal the track is absent. There is one iteration
+/// per frame; further ones have no effect. The choice of background model takes effect at the next
+/// restart.
 class PeopleTrackLifecycle : public Tracker,
                              public Configurable,
                              public CameraCalibrated,
@@ -49,31 +50,33 @@ public:
   std::size_t memoryBytes() const override;
 
 protected:
-  PeopleTrackLifecycle(const PeopleTrackLifecycle&) = default; ///< by clone()
+  PeopleTrackLifecycle(const PeopleTrackLifecycle&) = default; ///< for clone()
 
-  /// How a motion likelihood image D is made of a mask: g and p_B of Mohedano et al. 2009.
+  /// Parameters of the motion likelihood image D made from a mask: g and p_B of Mohedano et al.
+  /// 2009.
   struct MotionSmoothing {
     double sigma = 4.0; ///< pixels of the mask
     double floor = 0.2;
   };
-  /// How a camera sees a person.
+  /// Visibility of a person in a camera.
   struct Sight {
     bool inView = false;
-    double score = 0.0; ///< 1: all that can be seen of the person is foreground
-    double free = 0.0;  ///< share of the silhouette that nobody else covers
+    double score = 0.0; ///< 1: all of the person's visible part is foreground
+    double free = 0.0;  ///< share of the silhouette that no other person covers
   };
 
-  /// Makes the method's own belief about a new person, who is the last of people_.
+  /// Creates the method's belief about a new person, the last of `people_`.
   virtual void createBelief(const PersonEstimate& person, const RandomKey& key) = 0;
-  /// people_[index] is about to be removed.
+  /// Removes the belief about people_[index], which is about to be removed.
   virtual void removeBelief(std::size_t index) = 0;
   virtual void forgetAll() = 0;
-  /// About how many bytes a copy of a belief takes.
+  /// Returns the approximate size of a copy of a belief in bytes.
   virtual std::size_t beliefBytes() const = 0;
-  /// New images are there: moves and weighs everybody, and fills in what people_ says.
+  /// Processes new images: moves and weights all particles, and fills in `people_`.
   virtual void update(ThreadTeam& team) = 0;
   virtual MotionSmoothing motionSmoothing() const { return {}; }
-  /// Whether foreground that other people cover is left out when it is decided if a person is seen.
+  /// Returns whether foreground covered by other people is ignored when deciding whether a person
+  /// is visible.
   virtual bool sharesMasks() const = 0;
 
   RandomKey keyOf(int identity) const;
@@ -95,7 +98,7 @@ private:
   void step(const FrameSet& frames, ThreadTeam& team);
   int enter(const Eigen::Vector3d& center);
   void leave(int identity);
-  /// Gives those who are there their tracks.
+  /// Assigns tracks to all present people.
   void nameEverybody();
   void prepare();
   Sight sightOf(std::size_t person, std::size_t camera) const;
@@ -115,9 +118,9 @@ private:
   std::uint64_t seed_ = 0;
   int nextIdentity_ = 1;
   FrameSetPtr frames_;
-  bool stepped_ = false; ///< on this frame
+  bool stepped_ = false; ///< the frame was processed
   std::vector<Target> everybody_;
-  mutable std::map<int, BodyCloud> bodies_; ///< of this frame, those that were requested
+  mutable std::map<int, BodyCloud> bodies_; ///< of this frame, only those requested
 };
 
 } // namespace dewpoint::tracking

@@ -7,22 +7,23 @@
 
 namespace dewpoint::tracking {
 
-/// P_H of Mohedano et al. 2009: the share of the occupancy density that a person's volume holds.
+/// P_H of Mohedano et al. 2009: the share of the occupancy density inside a person's volume.
 inline constexpr double kVolumeProbability = 0.95;
-/// Standard deviation of the Gaussian kernel on every particle, meters; the paper gives none.
+/// Standard deviation of the Gaussian kernel of every particle, in meters; the paper does not give
+/// one.
 inline constexpr double kBodyKernel = 0.06;
 
-/// The occupancy density of a person (Mohedano et al. 2009, section 3): a Gaussian of `sigma`
-/// meters on every point of the body; per m³, at the points themselves.
+/// Returns the occupancy density of a person (Mohedano et al. 2009, section 3) at the points of the
+/// body, per m³: a Gaussian with standard deviation `sigma` (meters) at every point.
 Eigen::ArrayXd densityAtPoints(const BodyCloud& body, double sigma = kBodyKernel);
 
-/// The smallest volume that holds `probability` of a person, as the convex hull of the points of
-/// highest density (section 2, equation 2). Empty for an empty body.
+/// Returns the smallest volume that contains `probability` of a person, as the convex hull of the
+/// points of highest density (section 2, equation 2). Empty for an empty body.
 ConvexHull bodyHull(const BodyCloud& body, double probability = kVolumeProbability,
                     double sigma = kBodyKernel);
 
-/// The occupancy density projected on the ground, per m², on a grid that reaches three sigmas
-/// beyond the points.
+/// Returns the occupancy density projected on the ground, per m², on a grid that extends three
+/// sigmas beyond the points.
 GroundGrid groundDensity(const BodyCloud& body, double step = 0.05, double sigma = kBodyKernel);
 
 } // namespace dewpoint::tracking

@@ -9,10 +9,10 @@
 
 namespace dewpoint::trajectory {
 
-/// All export formats, in the order of menus.
+/// Returns all export formats, in menu order.
 std::span<const ExportFormat> exportFormats();
 
-/// The format of that id; NotFound lists the known ones.
+/// Returns the format with this id. NotFound lists the known ids.
 Result<const ExportFormat*> exportFormat(std::string_view id);
 
 } // namespace dewpoint::trajectory

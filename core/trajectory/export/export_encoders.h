@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formats, one file each; export_catalog.h lists them. Text is the same in any locale.
+// Encoders of the export formats, one file each; export_catalog.h lists them. The text is the same
+// in every locale.
 #pragma once
 
 #include "core/trajectory/export/export_formats.h"
@@ -8,27 +9,31 @@ namespace dewpoint::trajectory::encoders {
 
 using Files = Result<std::vector<ExportFile>>;
 
+/// One row per target and frame, comma-separated.
 Files tidyCsv(const ExportTable& table, const std::string& name);
+/// One row per frame with columns for all targets, comma-separated.
 Files wideCsv(const ExportTable& table, const std::string& name);
-/// One file per target: `timestamp tx ty tz qx qy qz qw`, without rotation, known rows only
-/// (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
+/// One file per target with lines `timestamp tx ty tz qx qy qz qw`, without rotation and only for
+/// known positions (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
 Files tum(const ExportTable& table, const std::string& name);
-/// Motion Analysis's track row column, as OpenSim reads it.
+/// TRC (track row column) of Motion Analysis, as OpenSim reads it.
 Files trc(const ExportTable& table, const std::string& name);
-/// Points only, floating-point, little-endian (the C3D file format user guide, Motion Lab Systems).
+/// C3D with points only, floating-point, little-endian (C3D file format user guide, Motion Lab
+/// Systems).
 Files c3d(const ExportTable& table, const std::string& name);
-/// NumPy arrays in a ZIP file without compression (NEP 1; PKWARE's APPNOTE 6.3).
+/// NumPy arrays in a ZIP file without compression (NEP 1; APPNOTE 6.3 of PKWARE).
 Files npz(const ExportTable& table, const std::string& name);
-/// VTK's XML PolyData in ASCII: a line per stretch without gaps, with values at its points.
+/// XML PolyData of VTK in ASCII: one line per stretch without gaps, with values at its points.
 Files vtp(const ExportTable& table, const std::string& name);
-/// A ParaView collection of one PolyData file per row, so that time can be played.
+/// ParaView collection with one PolyData file per row, which ParaView can play over time.
 Files pvd(const ExportTable& table, const std::string& name);
 /// One JSON object per row.
 Files jsonLines(const ExportTable& table, const std::string& name);
 
-/// `# ` lines: what the file is, units and axes, and the table's entries.
+/// Returns the header as `# ` lines: description of the file, units and axes, and the entries of
+/// the table.
 std::string commentHeader(const ExportTable& table);
-/// Lengths with nine significant digits, times with nine, covariances with six.
+/// Format a length with nine significant digits, a time with nine, a covariance with six.
 std::string lengthText(double value);
 std::string timeText(double value);
 std::string covarianceText(double value);

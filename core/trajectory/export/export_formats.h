@@ -10,27 +10,28 @@
 
 namespace dewpoint::trajectory {
 
-/// One file of an export. The main one is named as the user wants; others are named after it.
+/// One file of an export. The main file has the name that the user chose; the names of the others
+/// are derived from it.
 struct ExportFile {
-  std::string nameEnd; ///< behind the chosen name without its suffix; empty: the main file
+  std::string nameEnd; ///< appended to the chosen name without its suffix; empty for the main file
   std::string bytes;
 };
 
-/// A file format of other programs: a row of the catalog (export_catalog.h).
+/// An export file format: one row of the catalog (export_catalog.h).
 struct ExportFormat {
-  std::string_view id;     ///< as on the command line
-  std::string_view title;  ///< for people
-  std::string_view suffix; ///< of the file name, with its dot
-  std::string_view fields; ///< one sentence: what it holds
-  TableRequest table;      ///< its usual axes, unit and rows
-  bool covariance = false; ///< whether it can hold the whole of it
-  bool binary = false;     ///< no text: the preview describes it
-  /// The table as files, `name` (the chosen file's name without suffix) for those that hold one.
-  /// BadValue when the format cannot hold the table.
+  std::string_view id;     ///< name on the command line
+  std::string_view title;  ///< name shown to the user
+  std::string_view suffix; ///< of the file name, including the dot
+  std::string_view fields; ///< contents of the file in one sentence
+  TableRequest table;      ///< default axes, unit and rows
+  bool covariance = false; ///< whether the file holds the full covariance
+  bool binary = false;     ///< not text: the preview describes the file
+  /// Encodes the table as one or more files. `name` is the name of the chosen file without suffix,
+  /// for formats that store a name. Returns BadValue if the format cannot hold the table.
   Result<std::vector<ExportFile>> (*encode)(const ExportTable& table, const std::string& name);
 };
 
-/// Units and axes of a table in one sentence: "Lengths in mm, times in s; Y points up ...".
+/// Returns units and axes of a table in one sentence: "Lengths in mm, times in s; Y points up ...".
 std::string unitsSentence(const ExportTable& table);
 
 } // namespace dewpoint::trajectory

@@ -10,40 +10,42 @@
 
 namespace dewpoint::trajectory {
 
+/// Treatment of frames in which the position of a target is unknown.
 enum class GapRule {
-  Leave, ///< what is not known stays empty
-  Fill   ///< it is interpolated between its neighbors, or smoothed, and marked
+  Leave, ///< left empty
+  Fill   ///< interpolated between neighbors, or smoothed, and marked as filled
 };
 
-/// Which axis of the file points up. Both are right-handed.
+/// Upward axis of the file. Both choices are right-handed.
 enum class WorldAxes {
-  ZUp, ///< as in the program
-  YUp  ///< (x, y, z) of the file is (y, z, x) of the program, as Pose2Sim and OpenSim have it
+  ZUp, ///< as in Dewpoint
+  YUp  ///< (x, y, z) of the file is (y, z, x) of Dewpoint, as in Pose2Sim and OpenSim
 };
 
+/// Unit of lengths in the file.
 enum class LengthUnit { Meter, Millimeter };
 
-/// One end of what is exported, both ends included: a time in seconds, or a frame number.
+/// First or last row of an export, included: a time in seconds, or a frame number.
 struct SpanEnd {
   double value = 0.0;
   bool isFrame = false;
 };
 
-/// The user's choices for an export. What is left out is as the format has it.
+/// The user's choices for an export. Values that are not set take the default of the format.
 struct ExportOptions {
   std::string format = "csv";       ///< an id of exportFormats()
-  std::vector<std::string> targets; ///< all if empty
-  std::optional<SpanEnd> from;      ///< from the beginning
-  std::optional<SpanEnd> to;        ///< to the end
-  std::optional<double> rate;       ///< rows per second; as recorded
+  std::vector<std::string> targets; ///< empty: all targets
+  std::optional<SpanEnd> from;      ///< not set: from the beginning
+  std::optional<SpanEnd> to;        ///< not set: to the end
+  std::optional<double> rate;       ///< rows per second; not set: as recorded
   GapRule gaps = GapRule::Leave;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;
-  bool header = true;      ///< metadata, where the format can do without
-  bool smooth = false;     ///< what is known after the run instead of what was known live
-  double longestGap = 1.0; ///< seconds that are filled at most
-  std::string date;        ///< of the export, for the header; none if empty
-  bool replaces = true;    ///< false: files that are there already are left alone
+  bool header = true;      ///< whether to write metadata, if the format does not require them
+  bool smooth = false;     ///< smoothed estimates after the run instead of the live estimates
+  double longestGap = 1.0; ///< longest gap that is filled, in seconds
+  std::string date;        ///< date of the export for the header; empty: none
+  bool replaces = true;    ///< false: existing files are not overwritten
 };
 
 } // namespace dewpoint::trajectory

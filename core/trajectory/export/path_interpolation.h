@@ -10,15 +10,15 @@
 
 namespace dewpoint::trajectory {
 
-/// A position at a time.
+/// Position at a time in seconds.
 struct TimedPosition {
   double time = 0.0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The position between `begin` and `end`, which have different times: a cubic Hermite polynomial
-/// whose slopes are those of the parabolas through three neighbors; `before` and `after` may be
-/// missing.
+/// Returns the position at `time` between `begin` and `end`, which have different times. The curve
+/// is a cubic Hermite polynomial whose slopes are those of the parabolas through three neighbors;
+/// `before` and `after` may be missing.
 Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,
                              const TimedPosition& end, const std::optional<TimedPosition>& after,
                              double time);

@@ -10,17 +10,17 @@
 
 namespace dewpoint::trajectory {
 
-/// A file within an archive.
+/// A file in an archive.
 struct ZipEntry {
   std::string name;
   std::string bytes;
 };
 
-/// CRC-32 as ZIP has it (ISO 3309, polynomial 0xEDB88320 reflected).
+/// Returns the CRC-32 used by ZIP (ISO 3309, polynomial 0xEDB88320 reflected).
 std::uint32_t crc32(std::string_view bytes);
 
-/// A ZIP archive without compression (APPNOTE 6.3), dated 1980-01-01 so that the same content gives
-/// the same bytes. BadValue beyond 4 GiB or 65,535 entries.
+/// Returns a ZIP archive without compression (APPNOTE 6.3). Entries are dated 1980-01-01, so the
+/// same content gives the same bytes. Returns BadValue beyond 4 GiB or 65,535 entries.
 Result<std::string> storedZip(const std::vector<ZipEntry>& entries);
 
 } // namespace dewpoint::trajectory

@@ -13,24 +13,26 @@
 
 namespace dewpoint::trajectory {
 
-/// Called now and then with how much is done, 0 to 1; false ends the export.
+/// Called from time to time with the progress, 0 to 1; returning false cancels the export.
 using ExportProgress = std::function<bool(double)>;
 
+/// Outcome of an export.
 struct ExportSummary {
-  std::vector<std::filesystem::path> files; ///< written, the main one last
+  std::vector<std::filesystem::path> files; ///< files written, the main one last
   std::size_t rows = 0;
   std::size_t targets = 0;
   std::size_t gaps = 0; ///< target and row pairs left empty
   bool cancelled = false;
-  std::filesystem::path occupied; ///< is there already and may not be replaced: nothing was written
+  /// Existing file that may not be replaced; if set, nothing was written.
+  std::filesystem::path occupied;
 };
 
-/// What an export would write.
+/// Preview of an export.
 struct ExportPreview {
-  std::string units; ///< units and axes, one sentence
-  std::string size;  ///< targets, rows, rate, gaps, one sentence
-  std::string text;  ///< the first lines, or what the bytes hold
-  // The same as values, for messages in another language.
+  std::string units; ///< units and axes in one sentence
+  std::string size;  ///< targets, rows, rate and gaps in one sentence
+  std::string text;  ///< first lines of a text file, or a description of a binary one
+  // The same as values, for messages in other languages.
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
   std::size_t targets = 0;
@@ -39,21 +41,21 @@ struct ExportPreview {
   double rate = 0.0; ///< rows per second
 };
 
-/// Writes the trajectory as `options.format` to `file` (formats of several files put the others
-/// beside it). The file is written beside, flushed and renamed, as the last one. A cancelled or
-/// failed export takes the files away again that it has made. FileUnwritable, and the errors of
-/// makeExportTable() and of the format.
+/// Writes the trajectory as `options.format` to `file`. Additional files of the format go to the
+/// same folder. The main file is written last: to a temporary file, which is flushed and renamed. A
+/// canceled or failed export removes the files that it created. Returns FileUnwritable, and the
+/// errors of makeExportTable() and of the format.
 Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const ExportOptions& options,
                                        const std::filesystem::path& file,
                                        const ExportProgress& progress = {});
 
-/// The first `lineCount` lines as exportTrajectory() would write them. Cancelled when `progress`
-/// says so.
+/// Returns the first `lineCount` lines that exportTrajectory() would write. Returns Cancelled if
+/// `progress` returns false.
 Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
                                     const std::filesystem::path& file, std::size_t lineCount = 40,
                                     const ExportProgress& progress = {});
 
-/// Reads the trajectory of an export's source: a trajectory file, or a run's folder with one.
+/// Reads the trajectory of an export from a trajectory file or from the folder of a run.
 Result<Trajectory> readExportSource(const std::filesystem::path& fileOrFolder);
 
 } // namespace dewpoint::trajectory

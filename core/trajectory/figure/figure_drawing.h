@@ -15,19 +15,20 @@ namespace dewpoint::trajectory {
 /// Texts of a figure, in the user's language.
 struct FigureTexts {
   std::string title;
-  std::string time;    ///< "time (s)"
-  std::string topView; ///< "from above"
+  std::string time;    ///< label of the time axis: "time (s)"
+  std::string topView; ///< title of the top view: "from above"
 };
 
-/// Project and method of a run, from the entries of its header; empty without them.
+/// Returns the project and method of a run, from the entries of its header; empty if there are
+/// none.
 std::string figureTitle(const std::vector<std::pair<std::string, std::string>>& entries);
 
-/// A figure of a trajectory for print, laid out on a page: x, y and z over time with a band of two
-/// standard deviations, the path from above beside them, a legend. Lengths in units of the page, x
-/// right, y down. Drawn by figureSvg() and by the window.
+/// A figure of a trajectory laid out on a page for print: x, y and z over time with a band of two
+/// standard deviations, the path from above next to them, and a legend. Lengths are in units of the
+/// page, x to the right, y down. figureSvg() and the window draw it.
 struct FigureDrawing {
   static constexpr double kWidth = 1000.0;
-  static constexpr double kHeight = 707.0; ///< A4 is 1.414 : 1
+  static constexpr double kHeight = 707.0; ///< aspect ratio of A4, 1.414 : 1
   static constexpr double kFontSize = 13.0;
 
   enum class Align { Left, Center, Right };
@@ -40,30 +41,32 @@ struct FigureDrawing {
     Eigen::AlignedBox2d box;
   };
   struct Label {
-    Eigen::AlignedBox2d box; ///< what is too long for it sticks out
+    Eigen::AlignedBox2d box; ///< text that is too long extends beyond the box
     Align align = Align::Left;
-    bool isCentered = false; ///< vertically; else at the top of the box
+    bool isCentered = false; ///< vertically centered; otherwise at the top of the box
     std::string text;
   };
   struct Curve {
     std::size_t target = 0;
-    Eigen::AlignedBox2d within; ///< what lies outside is not drawn
+    Eigen::AlignedBox2d within; ///< clipping rectangle
     std::vector<Eigen::Vector2d> path;
-    std::vector<Eigen::Vector2d> band; ///< a closed outline, below the path; may be empty
+    std::vector<Eigen::Vector2d> band; ///< closed outline, drawn below the path; may be empty
   };
-  /// A bar in the color of a target.
+  /// Bar in the legend with the color of a target.
   struct LegendKey {
     std::size_t target = 0;
     Eigen::AlignedBox2d box;
   };
   using Item = std::variant<GridLine, Frame, Label, Curve, LegendKey>;
 
-  std::vector<Item> items; ///< in the order of drawing
+  std::vector<Item> items; ///< in drawing order
 };
 
+/// Lays out the figure of a table.
 FigureDrawing figureDrawing(const ExportTable& table, const FigureTexts& texts);
 
-/// The drawing as an SVG file, dark on white, with colors that the color-blind tell apart.
+/// Returns the drawing as an SVG file, dark on white, with colors that color-blind people can
+/// distinguish.
 std::string figureSvg(const FigureDrawing& drawing, const std::string& title);
 
 } // namespace dewpoint::trajectory

@@ -11,40 +11,40 @@
 
 namespace dewpoint::trajectory {
 
-/// A finished job and what its comparison with the truth said, if there was one.
+/// A finished job, and its comparison with the truth if there was one.
 struct GatheredJob {
-  std::string folder; ///< as it was given
+  std::string folder; ///< as given by the user
   JobRecord record;
   std::vector<Evaluation> evaluations; ///< without cameras and bias; empty: not evaluated
 };
 
-/// The results of many jobs, each once, in the order of their identities, whatever order they were
-/// given in or finished in.
+/// Results of many jobs, each once, ordered by identity. The order in which the jobs were given or
+/// finished does not matter.
 struct GatheredJobs {
   std::vector<GatheredJob> jobs;
-  std::vector<std::string> missing;    ///< folders that are not there
-  std::vector<std::string> unfinished; ///< folders whose job did not come to its end
-  /// Folders with the same result: the one that counts, and the other.
+  std::vector<std::string> missing;    ///< folders that do not exist
+  std::vector<std::string> unfinished; ///< folders whose job did not finish
+  /// Pairs of folders with the same result: the one that is used, and the other.
   std::vector<std::pair<std::string, std::string>> repeated;
 
   bool isComplete() const { return missing.empty() && unfinished.empty(); }
 };
 
-/// Reads the output folders of jobs. Mismatch where two folders have different results of the same
-/// job, or an evaluation is of another trajectory; NotParsed.
+/// Reads the output folders of jobs. Returns Mismatch if two folders have different results of the
+/// same job or an evaluation belongs to another trajectory, and NotParsed for an invalid file.
 Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders);
 
-/// What `dewpoint-cli evaluate` leaves in an output folder: the numbers, and the checksum of the
-/// trajectory that they are of.
+/// Returns the text of the file that `dewpoint-cli evaluate` writes to an output folder: the
+/// numbers, and the checksum of the evaluated trajectory.
 std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
                                const std::string& trajectorySha256);
 
-/// One row per job and target, CSV. The same bytes for the same results.
+/// Returns a CSV table with one row per job and target. The same results give the same bytes.
 std::string gatheredTable(const GatheredJobs& gathered);
-/// How long each job took, CSV; this differs from run to run.
+/// Returns a CSV table with the duration of each job, which differs from run to run.
 std::string gatheredTimes(const GatheredJobs& gathered);
-/// A page about them, Markdown: each method's results, the worst ones, what is missing. The same
-/// bytes for the same results.
+/// Returns a Markdown page about the results: those of each method, the worst ones, and missing
+/// jobs. The same results give the same bytes.
 std::string gatheredReport(const GatheredJobs& gathered);
 
 } // namespace dewpoint::trajectory

@@ -10,14 +10,15 @@
 
 namespace dewpoint::trajectory {
 
-/// What is known of one target in one job.
+/// Result of one target in one job.
 struct GatheredRow {
   const GatheredJob* job = nullptr;
-  std::string target; ///< empty: the job found nothing
+  std::string target; ///< empty: the job found no target
   std::int64_t validFrames = 0;
-  const Evaluation* evaluation = nullptr; ///< null: no truth
+  const Evaluation* evaluation = nullptr; ///< null if there is no truth
 
-  /// Share of the job's frames in which the target had a valid position; 0 without frames.
+  /// Returns the share of the job's frames in which the target had a valid position; 0 without
+  /// frames.
   double coverage() const {
     return job->record.frames > 0
                ? static_cast<double>(validFrames) / static_cast<double>(job->record.frames)
@@ -25,7 +26,7 @@ struct GatheredRow {
   }
 };
 
-/// The rows of all jobs: the targets of a job in the order of their names. The result points into
+/// Returns the rows of all jobs; the targets of a job are ordered by name. The result points into
 /// `gathered`.
 std::vector<GatheredRow> rowsOf(const GatheredJobs& gathered);
 

@@ -10,26 +10,28 @@
 
 namespace dewpoint::trajectory {
 
-/// Lies in an output folder while its job runs, and stays there when the job is killed.
+/// File that marks the output folder of an unfinished job. It exists while the job runs, and
+/// remains if the job is killed.
 inline constexpr const char* kUnfinishedFile = "unfinished";
 
-/// The output folder of a job. From begin() to finish() it holds a file `unfinished`; done.json is
-/// written as the last file, so that a job that was killed is never taken for one that is done.
+/// Output folder of a job. It holds a file `unfinished` from begin() to finish(). The file
+/// done.json is written last, so a killed job is never mistaken for a finished one.
 class JobFolder {
 public:
-  /// What the folder says of a finished job with this key, whose files are all there with their
-  /// sizes; nothing otherwise, and for an empty key.
+  /// Returns the record of a finished job with this key if all its files exist with their recorded
+  /// sizes. Otherwise, and for an empty key, returns nothing.
   static std::optional<JobRecord> finished(const std::filesystem::path& folder,
                                            const std::string& key);
 
-  /// Makes the folder and takes away what a former job has left there, done.json first, and the
-  /// files of these names, which this job will write; other files stay. FileUnwritable.
+  /// Creates the folder. Removes done.json first, then the other files of an earlier job and the
+  /// files of these names, which this job will write. Other files are kept. Returns FileUnwritable
+  /// if this fails.
   static Result<JobFolder> begin(const std::filesystem::path& folder,
                                  const std::vector<std::string>& names);
 
-  /// Says that the job is done, and that it wrote the files of these names. Their sizes and
-  /// checksums go into the record. FileUnwritable also where another process has begun a job in
-  /// the same folder since: the folder is that one's.
+  /// Marks the job as finished. The files of these names are recorded with their sizes and
+  /// checksums. Returns FileUnwritable, also if another process has since begun a job in the same
+  /// folder; the folder is then left unchanged.
   Status finish(JobRecord record, const std::vector<std::string>& names) const;
 
 private:
@@ -37,7 +39,7 @@ private:
       : folder_(std::move(folder)), token_(std::move(token)) {}
 
   std::filesystem::path folder_;
-  std::string token_; ///< the content of `unfinished`, different for each job
+  std::string token_; ///< content of `unfinished`, different for each job
 };
 
 } // namespace dewpoint::trajectory

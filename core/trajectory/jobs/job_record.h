@@ -12,12 +12,12 @@
 
 namespace dewpoint::trajectory {
 
-/// The file that a finished job leaves in its output folder, as the last one.
+/// Name of the file that a finished job writes last to its output folder.
 inline constexpr const char* kDoneFile = "done.json";
-/// What `dewpoint-cli evaluate` leaves there of the comparison with the truth.
+/// Name of the file in which `dewpoint-cli evaluate` stores the comparison with the truth.
 inline constexpr const char* kEvaluationFile = "evaluation.json";
 
-/// A file that a job has written: its name in the output folder, and its content.
+/// A file that a job has written: its name in the output folder, its size and its checksum.
 struct JobFile {
   std::string name;
   std::uintmax_t bytes = 0;
@@ -26,7 +26,7 @@ struct JobFile {
   bool operator==(const JobFile&) const = default;
 };
 
-/// In how many of a job's frames a target had a valid position.
+/// Number of a job's frames in which a target had a valid position.
 struct JobTarget {
   std::string name;
   std::int64_t validFrames = 0;
@@ -34,45 +34,49 @@ struct JobTarget {
   bool operator==(const JobTarget&) const = default;
 };
 
-/// What a job is: two of the same identity have to give the same result.
+/// Identity of a job: two jobs with the same identity must give the same result.
 struct JobIdentity {
-  std::string recording; ///< as its user calls it
-  std::string command;   ///< of dewpoint-cli: track, people
+  std::string recording; ///< name given by the user
+  std::string command;   ///< command of dewpoint-cli: track, people
   std::string method;
   std::uint64_t seed = 0;
-  std::string settings; ///< what differs from the method's defaults: "particles=200 kld_error=0"
-  std::string frames;   ///< which: "0:60"; empty: all
-  std::string version;  ///< of the program
+  /// Parameters that differ from the method's defaults: "particles=200 kld_error=0"
+  std::string settings;
+  std::string frames;  ///< range of frames: "0:60"; empty: all
+  std::string version; ///< of Dewpoint
 
   auto operator<=>(const JobIdentity&) const = default;
 };
 
-/// A finished job: what done.json says.
+/// Record of a finished job, stored in done.json.
 struct JobRecord {
   JobIdentity identity;
-  std::string key; ///< of all that the result depends on, see jobKey(); empty: it is not repeatable
+  /// Checksum of everything that the result depends on, see jobKey(); empty: not repeatable.
+  std::string key;
   std::int64_t frames = 0;
-  double seconds = 0.0; ///< wall clock of the tracking
+  double seconds = 0.0; ///< wall-clock time of the tracking
   int threads = 1;
   std::vector<JobTarget> targets;
-  std::vector<JobFile> files; ///< which do not change when the job is repeated
+  std::vector<JobFile> files; ///< files that are the same when the job is repeated
 
   bool operator==(const JobRecord&) const = default;
 };
 
 /// A file that a job reads.
 struct JobInput {
-  std::string name; ///< as the job calls it; no path of one machine
+  std::string name; ///< name used by the job, independent of the machine
   std::filesystem::path path;
 };
 
-/// A checksum of all that a result depends on: of `description` (project, method, parameters, seed,
-/// frames) and, of each input, its size and when it was changed; of a folder, those of all its
-/// files. Small inputs (up to 1 MB) are compared by content instead. FileMissing, FileUnreadable.
+/// Returns a checksum of everything that a result depends on: `description` (project, method,
+/// parameters, seed, frames), and size and modification time of each input. A folder counts with
+/// all its files. Small inputs (up to 1 MB) count with their content instead. Returns FileMissing
+/// or FileUnreadable.
 Result<std::string> jobKey(const std::string& description, const std::vector<JobInput>& inputs);
 
+/// Returns the text of done.json.
 std::string jobRecordText(const JobRecord& record);
-/// NotParsed with the file's name where it is none of ours.
+/// Reads done.json. Returns NotParsed with the name of the file if it has another format.
 Result<JobRecord> readJobRecord(const std::filesystem::path& file);
 
 } // namespace dewpoint::trajectory

@@ -12,18 +12,17 @@
 
 namespace dewpoint::tracking {
 
-/// A position at which regions of the color in two or more images may show one object.
+/// Position at which color regions in two or more images may show the same object.
 struct RegionCandidate {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
-  double radius = 0.0;    ///< meters, of a ball as large as what the images show
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world frame
+  double radius = 0.0;    ///< meters, of a ball as large as the regions in the images
   double misfit = 0.0;    ///< sum of squared deviations of rays and sizes, in standard deviations
-  double logRarity = 0.0; ///< how much rarer regions as large as these are than the smallest
+  double logRarity = 0.0; ///< how much rarer regions of this size are than the smallest ones
 };
 
 /// Searches whole images for an object of any shape: pairs the regions of the target's color
-/// between the cameras by their rays and their size. `radius`, in meters, is the size if it is
-/// roughly known; 0: it is not. The best candidates, at most `limit`. Makes the labels of the whole
-/// images.
+/// between cameras by their rays and sizes. `radius` is the approximate size in meters, or 0 if it
+/// is unknown. Returns the best candidates, at most `limit`. Labels the whole images.
 std::vector<RegionCandidate> findRegionCandidates(RegionObservation& observation, double radius,
                                                   const std::optional<WorldBox>& bounds,
                                                   std::size_t limit);

@@ -12,23 +12,23 @@
 
 namespace dewpoint::tracking {
 
-/// Particles that search for a target of which no position is confirmed: a particle filter with a
-/// random walk. Views show them; no hypothesis depends on them.
+/// Particles that search for a target without a confirmed position: a particle filter with a random
+/// walk. They are shown in views; no hypothesis depends on them.
 class SearchParticles {
 public:
-  /// Draws `count` particles from the prior, equally likely. Those outside the bounds are moved to
-  /// the nearest point inside.
+  /// Draws `count` particles with equal weights from the prior. Particles outside the bounds are
+  /// moved to the nearest point inside.
   void restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key,
                const std::optional<WorldBox>& bounds);
-  /// Resamples, moves and weights the particles by the images of a frame, for a sphere of `radius`
-  /// meters. Draws them again where their number is not `count`.
+  /// Resamples, moves and weights the particles with the images of a frame, for a sphere of
+  /// `radius` meters. Draws new particles if their number is not `count`.
   void update(const SearchPrior& prior, Eigen::Index count, double radius,
               const std::optional<WorldBox>& bounds, SphereObservation& observation,
               const RandomKey& key, ThreadTeam& team);
 
-  /// Rows x y z, meters, world frame.
+  /// Returns rows of x, y, z; meters, world frame.
   const Eigen::ArrayXXd& states() const { return states_; }
-  /// Linear, sum 1.
+  /// Returns linear weights with sum 1.
   const Eigen::ArrayXd& weights() const { return weights_; }
 
 private:

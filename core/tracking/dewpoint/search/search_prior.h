@@ -10,28 +10,28 @@
 
 namespace dewpoint::tracking {
 
-/// Where a target is expected to appear: in the start volume until it was tracked for the first
-/// time, afterwards around its last confirmed position, the less precisely the longer ago that was.
-/// World frame, meters.
+/// Prior for the position at which a target appears: the start volume until the target is tracked
+/// for the first time, afterward a Gaussian around its last confirmed position, which widens with
+/// time. World frame, meters.
 class SearchPrior {
 public:
-  /// Forgets the last confirmed position; the target is expected in `start` again.
+  /// Discards the last confirmed position; the target is expected in `start` again.
   void restart(const StartVolume& start);
-  /// The position was confirmed in this frame.
+  /// Sets the position confirmed in this frame.
   void confirm(const Gaussian3& position);
-  /// No position was confirmed for `interval` seconds more: widens the Gaussian around the last one
-  /// until its standard deviation is `maxSigma` meters. Does nothing before the first confirm().
+  /// Widens the Gaussian after another `interval` seconds without a confirmed position, up to a
+  /// standard deviation of `maxSigma` meters. Does nothing before the first confirm().
   void widen(double interval, double maxSigma);
 
-  /// Probability density (1/m³) with which a target that appears does so at this position: half of
-  /// it by this prior, half of it anywhere in a cube with edges of `searchSize` meters; 0 outside
-  /// the bounds.
+  /// Returns the probability density (1/m³) that a target that appears does so at this position:
+  /// half from this prior, half uniform in a cube with edges of `searchSize` meters; 0 outside the
+  /// bounds.
   double birthDensity(const Eigen::Vector3d& position, double searchSize,
                       const std::optional<WorldBox>& bounds = std::nullopt) const;
-  /// `count` positions, rows x y z. Position i is drawn from element i of the stream.
+  /// Draws `count` positions, rows of x, y, z. Position i is drawn from element i of the stream.
   Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
-  /// The last confirmed position; nothing before the first one, or once the standard deviation has
-  /// grown beyond 1 m.
+  /// Returns the last confirmed position; nothing before the first one, or after the standard
+  /// deviation has grown beyond 1 m.
   std::optional<Eigen::Vector3d> lastPosition() const;
 
 private:

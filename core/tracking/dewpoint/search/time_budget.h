@@ -11,20 +11,20 @@
 
 namespace dewpoint::tracking {
 
-/// The clock of one iteration that must not take longer than a budget. Work that can wait is done
-/// when the time that such work took recently (a running median) still fits, and deferred
-/// otherwise; work that cannot wait becomes cheaper by fewer particles. Without a budget everything
-/// is done at once, no clock is read, and a run can be repeated bit by bit.
+/// Clock of an iteration with a limited duration. Deferrable work is done if the time that it
+/// recently took (a running median) still fits, otherwise it is deferred. Other work is reduced by
+/// using fewer particles. Without a budget, everything is done at once, no clock is read, and a run
+/// is reproducible bit by bit.
 class TimeBudget {
 public:
-  /// Work that can wait.
+  /// Kind of deferrable work.
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
-  /// Deferrals after which work is done anyway: a budget that leaves no time for it slows it down,
-  /// but does not stop it. A judgment (docs/method-dewpoint.md, section 10).
+  /// Number of deferrals after which work is done anyway: a budget without time for it slows it
+  /// down but does not stop it. The value is a judgment (docs/method-dewpoint.md, section 10).
   static constexpr int kMaxDeferrals = 30;
 
-  /// Sets the milliseconds per iteration; 0 is no limit. A change forgets all measured times.
+  /// Sets the milliseconds per iteration; 0 means no limit. A change discards all measured times.
   void set(double milliseconds);
   bool limited() const { return limit_ > 0.0; }
   /// Starts the clock of an iteration.
@@ -42,14 +42,14 @@ public:
     return true;
   }
 
-  /// Adapts the number of particles to the time that the work took which cannot wait. After it.
-  /// `most`: particles per target without a budget.
+  /// Adapts the number of particles to the time that the work that cannot be deferred took; call it
+  /// after that work. `most` is the number of particles per target without a budget.
   void endOfUpdates(double most);
-  /// Particles per target that fit, at least ten; nothing without a limit.
+  /// Returns the number of particles per target that fit, at least ten; nothing without a limit.
   std::optional<double> particles() const;
 
 private:
-  /// The last times of one part, in milliseconds.
+  /// Last durations of one kind of work, in milliseconds.
   struct History {
     std::vector<double> times;
     std::size_t next = 0;
@@ -58,13 +58,13 @@ private:
 
   bool affords(Part part);
   void record(Part part, double milliseconds);
-  /// Milliseconds since begin(); 0 without a limit.
+  /// Returns the milliseconds since begin(); 0 without a limit.
   double elapsed() const;
 
   double limit_ = 0.0;
   std::chrono::steady_clock::time_point begin_;
   std::array<History, kPartCount> histories_;
-  double optional_ = 0.0;  ///< milliseconds of this iteration for work that could have waited
+  double optional_ = 0.0;  ///< milliseconds of this iteration spent on deferrable work
   double particles_ = 0.0; ///< 0: not yet known
 };
 

@@ -12,24 +12,26 @@
 
 namespace dewpoint::tracking {
 
-/// The estimate of a target from its likeliest hypothesis, which has particles. Its mean is that of
-/// the particles, its covariance that of the hypothesis' Gaussian and of the `errors`.
+/// Returns the estimate of a target from its most likely hypothesis, which has particles. The mean
+/// is that of the particles, the covariance that of the hypothesis' Gaussian plus the `errors`.
 ///
-/// `existenceProbability` is the probability that the target is at the estimate: the hypothesis'
-/// probability, times 1 - `identityAmbiguity` (0 to 1, probability that the hypothesis is an
-/// identical object), times, while no camera sees the target, the probability that it is within its
-/// radius of the estimate. `valid`: likelier than not there, the identity left aside, and known
-/// well enough to be of use. Sets the radius of the observation.
+/// `existenceProbability` is the probability that the target is at the estimate. It is the product
+/// of the hypothesis' probability and 1 - `identityAmbiguity` (0 to 1, the probability that the
+/// hypothesis is an identical object). While no camera sees the target, it is also multiplied by
+/// the probability that the target is within its radius of the estimate. `valid`: the target is
+/// more likely there than not, apart from its identity, and the position is known precisely enough
+/// to be useful. Sets the radius of the observation.
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                                   const SystematicErrors& errors, SphereObservation& observation);
 
-/// The same without what the cameras show: `seeingCenters` are the optical centers of those that
-/// see the target (meters, world), and `ofShape` (m²) is a systematic error more.
+/// As above, without the images: `seeingCenters` are the optical centers of the cameras that see
+/// the target (meters, world frame), and `ofShape` (m²) is an additional systematic error.
 SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                             const std::vector<Eigen::Vector3d>& seeingCenters,
                             const SystematicErrors& errors, const Eigen::Matrix3d& ofShape);
 
-/// The estimate of a target that is searched for: moments of the particles; not valid.
+/// Returns the estimate of a target that is being searched for: mean and covariance of the
+/// particles; not valid.
 SphereEstimate sphereEstimateFrom(const SearchParticles& particles);
 
 } // namespace dewpoint::tracking

@@ -11,72 +11,75 @@
 
 namespace dewpoint::tracking {
 
-/// A sphere that another target occupies: nothing else can be there. Meters, world frame.
+/// Sphere occupied by another target, which excludes other objects. Meters, world frame.
 struct OccupiedSphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0.0;
 };
 
-// The arithmetic of the Bernoulli filter of method `dewpoint`, on hypotheses as values: no images.
-// The mass of a hypothesis is its probability before the measurement times the factor by which the
-// measurement changes it against "not there"; "not there" itself keeps its probability. Masses are
-// passed as logarithms, one per hypothesis, and do not sum to one.
+// Computations of the Bernoulli filter of method `dewpoint` on hypotheses as values, without
+// images. The mass of a hypothesis is its probability before the measurement times the factor by
+// which the measurement changes it relative to absence; absence itself keeps its probability.
+// Masses are passed as logarithms, one per hypothesis, and do not sum to one.
 
-/// Probability that the target is at none of these positions; at least 1e-9, so that it has a
-/// logarithm.
+/// Returns the probability that the target is at none of these positions; at least 1e-9, so that it
+/// has a logarithm.
 double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Probability that the target is at none of the positions that more than one camera can see now:
-/// what one camera alone shows does not keep the target from being found where two show it.
+/// Returns the probability that the target is at none of the positions now visible to more than one
+/// camera. A hypothesis seen by one camera alone therefore does not prevent the target from being
+/// found where two cameras see it.
 double absenceFromSharedViews(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Takes from each hypothesis that one camera alone can see now what it has gained since more than
-/// one could: one camera's evidence counts up to its prior.
+/// Removes from each hypothesis now visible to one camera alone what it has gained since more than
+/// one camera could see it: the likelihood from one camera can restore a hypothesis only up to its
+/// prior.
 void limitOneCamera(std::vector<TrackHypothesis>& hypotheses);
 
-/// What may be a part of something larger (TrackHypothesis::hasRim() is false) is not stated with
-/// more than 0.9.
+/// Limits the probability of a hypothesis that may be part of a larger object
+/// (TrackHypothesis::hasRim() is false) to 0.9.
 void limitWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
-/// The part of the log likelihood ratio above TrackHypothesis::kSaturationShare, which does not
-/// count.
+/// Returns the part of the log likelihood ratio above TrackHypothesis::kSaturationShare, which is
+/// not counted.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
-/// Probability of the likeliest of some hypotheses, which compete with each other and with "not
-/// there": exp(m) / (absence + the sum of exp(m) over all). `logMasses`: at least one; `absence` is
-/// linear. Of several that are equal the first counts as the likeliest and the rest as its rivals.
+/// Returns the probability of the most likely of some hypotheses, which compete with each other and
+/// with absence: exp(m) / (absence + the sum of exp(m) over all). `logMasses` has at least one
+/// element; `absence` is linear. If several are equal, the first counts as the most likely one and
+/// the others as its rivals.
 double shareOfLargest(std::span<const double> logMasses, double absence);
 
-/// Whether the images have to be searched for the target: the likeliest hypothesis has less than
-/// 0.98 of all mass, or less than 0.55 of the evidence it would have if it were fully seen, or
-/// there is none.
+/// Returns whether the images must be searched for the target: there is no hypothesis, or the most
+/// likely one has less than 0.98 of all mass or less than 0.55 of the log likelihood ratio it would
+/// have if fully visible.
 bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
                 const std::vector<double>& logMasses);
 
-/// Sets the probabilities to the masses divided by their sum, absence included.
+/// Sets the probabilities to the masses divided by their sum, including absence.
 void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
                      const std::vector<double>& logMasses);
 
-/// Whether hypotheses other than the first, the likeliest, fit about as well, if it is likelier
-/// than not that the target is at one of them.
+/// Returns whether hypotheses other than the first (the most likely) fit about as well, given that
+/// the target is more likely than not at one of them.
 bool isUndecided(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Covariance (m²) of the target's position about that of the first hypothesis, by all of them:
-/// their mixture.
+/// Returns the covariance (m²) of the target's position about that of the first hypothesis, for the
+/// mixture of all hypotheses.
 Eigen::Matrix3d mixtureCovariance(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Puts the likeliest first, adds the probability of those closer than half a radius to the
-/// likelier one, and keeps at most six, none less likely than 1e-8.
+/// Moves the most likely hypothesis to the front, merges hypotheses closer than half a radius into
+/// the more likely one, and keeps at most six, none less likely than 1e-8.
 void mergeAndPrune(std::vector<TrackHypothesis>& hypotheses);
 
-/// Whether a sphere of this position and radius would overlap an occupied one: spheres of radii a
-/// and b cannot be closer than a + b; 0.7 of that is allowed for errors of both.
+/// Returns whether a sphere with this position and radius would overlap an occupied one. Spheres of
+/// radii a and b cannot be closer than a + b; 0.7 of that is allowed for errors of both.
 bool isOccupied(const Eigen::Vector3d& position, double radius,
                 const std::vector<OccupiedSphere>& occupied);
 
-/// Takes the likeliest of several positions for the target when it and others have been fully seen
-/// for five frames: the images will never tell which it is. The others' probability goes to it.
-/// Returns the probability that this was wrong; nothing when there was nothing to decide.
+/// Selects the most likely of several positions if it and others have been fully visible for five
+/// frames, since images cannot decide between them. It receives the probability of the others.
+/// Returns the probability that this choice is wrong; nothing if no choice was made.
 std::optional<double> resolveAmbiguity(std::vector<TrackHypothesis>& hypotheses);
 
 } // namespace dewpoint::tracking

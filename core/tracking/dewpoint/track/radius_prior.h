@@ -5,41 +5,41 @@
 
 namespace dewpoint::tracking {
 
-/// What is known of a target's radius before an outline shows it. One that somebody gave is taken
-/// as it is, and is more exact than what images show, until an outline contradicts it: it may be
-/// wrong by a quarter. Then, as where none is given, the radius is measured and remembered.
+/// Prior knowledge about a target's radius. A radius given by the user is used unchanged, since it
+/// is more exact than what images show, until an outline contradicts it: it may be wrong by a
+/// quarter. Then, or if no radius is given, the radius is measured and stored.
 class RadiusPrior {
 public:
-  /// Meters; 0: nobody gave one.
+  /// `given` is in meters; 0 if unknown.
   explicit RadiusPrior(double given = 0.0) : given_(given) {}
 
-  /// Forgets what was measured.
+  /// Discards the measured radius.
   void restart() { measured_ = 0.0; }
-  /// A surely seen target has this radius (m), with this variance of its logarithm; 0: it was not
-  /// measured.
+  /// Stores the radius (m) of a target that is certainly visible, and the variance of its
+  /// logarithm; 0: it was not measured.
   void learn(double radius, double logVariance);
 
   bool isGiven() const { return given_ > 0.0; }
-  /// Whether the given radius holds so far.
+  /// Returns whether the given radius has not been contradicted.
   bool isTrusted() const { return isGiven() && measured_ <= 0.0; }
-  /// Whether an outline of this radius (m) does not agree with the given one.
+  /// Returns whether an outline of this radius (m) contradicts the given one.
   bool contradicts(double radius) const;
-  /// Meters: the measured radius, else the given one, else a usual one.
+  /// Returns the expected radius in meters: measured, otherwise given, otherwise a typical one.
   double expected() const;
-  /// Variance of the logarithm with which a fit begins; 0 for a trusted radius.
+  /// Returns the variance of the logarithm with which a fit starts; 0 for a trusted radius.
   double logVariance() const { return isTrusted() ? 0.0 : unknownLogVariance(); }
-  /// The same where nothing is known.
+  /// Returns this variance for an unknown radius.
   static double unknownLogVariance();
-  /// What another radius than the expected one costs, in nats: half the squared distance (standard
-  /// deviations) of the logarithms, with an upper bound, since somebody may have measured wrongly.
-  /// 0 where nothing is known.
+  /// Returns the cost in nats of a radius that differs from the expected one: half the squared
+  /// distance of the logarithms in standard deviations. It has an upper limit, because the given
+  /// radius may have been measured wrongly. 0 if the radius is unknown.
   double penalty(double radius) const;
-  /// Whether an object of this radius (m) may be the target.
+  /// Returns whether an object of this radius (m) may be the target.
   bool allows(double radius) const;
 
 private:
   double given_;
-  double measured_ = 0.0; ///< meters; 0: not yet
+  double measured_ = 0.0; ///< meters; 0: not measured yet
 };
 
 } // namespace dewpoint::tracking

@@ -12,9 +12,9 @@
 
 namespace dewpoint::tracking {
 
-/// The track of a target that is taken for no ball: one hypothesis about where it is, and an
-/// ellipsoid that tells how far it extends, learned from the regions of its color. A Bernoulli
-/// filter as BernoulliTrack; the extent is smoothed from frame to frame (as random matrices are:
+/// Track of a target that is not assumed to be a ball: one hypothesis about its position, and an
+/// ellipsoid for its extent, learned from the regions of its color. It is a Bernoulli filter like
+/// BernoulliTrack; the extent is smoothed from frame to frame (as in the random-matrix approach:
 /// Koch 2008). World frame, meters.
 class RegionTrack {
 public:
@@ -23,33 +23,33 @@ public:
   void configure(const BernoulliTrackSettings& settings) { settings_ = settings; }
   void setTarget(const Target& target) { target_ = target; }
   void setBounds(const std::optional<WorldBox>& bounds) { bounds_ = bounds; }
-  /// Forgets the target; it is expected in the start volume, then elsewhere.
+  /// Discards the target. It is expected in the start volume first, then elsewhere.
   void restart(const StartVolume& start);
-  /// Forgets the hypothesis.
+  /// Discards the hypothesis.
   void forget();
-  /// The target is at this position (m, m²) and about as large as the ellipsoid around it: replaces
-  /// the hypothesis by one with probability 0.98, and updates it by the images of the frame.
+  /// Starts at this position (m, m²), with the ellipsoid as the approximate extent: replaces the
+  /// hypothesis by one with probability 0.98, and updates it with the images of the frame.
   void startAt(const Gaussian3& position, const Eigen::Matrix3d& extent, bool byHand,
                RegionObservation& observation, const RandomKey& key, ThreadTeam& team);
 
-  /// Predicts over `interval` seconds. Once per frame.
+  /// Predicts over `interval` seconds. Called once per frame.
   void predict(double interval, const RandomKey& key);
-  /// Updates the hypothesis by the images of the frame, or searches them for one. A second update
-  /// on the same frame starts from the prediction again.
+  /// Updates the hypothesis with the images of the frame, or searches them for one. A second update
+  /// in the same frame starts from the prediction again.
   void update(RegionObservation& observation, const std::vector<OccupiedSphere>& occupied,
               const RandomKey& key, ThreadTeam& team);
 
-  /// The hypothesis, with the radius of a ball of its volume; null when there is none.
+  /// Returns the hypothesis, with the radius of a ball of equal volume; null if there is none.
   const TrackHypothesis* hypothesis() const { return state_ ? &state_->hypothesis : nullptr; }
-  /// Of the hypothesis, which there must be; m², as Ellipsoid has it.
+  /// Returns the extent of the hypothesis, which must exist, in m², as in Ellipsoid.
   const Eigen::Matrix3d& extent() const { return state_->extent; }
-  /// Its longest semi-axis, meters.
+  /// Returns the longest semi-axis in meters.
   double longestAxis() const;
-  /// What each camera showed at the last update; empty when there is no hypothesis.
+  /// Returns the measurement of each camera at the last update; empty without a hypothesis.
   std::vector<RegionMeasurement> views() const {
     return state_ ? state_->views : std::vector<RegionMeasurement>();
   }
-  /// The hypothesis, which there must be, as an estimate.
+  /// Returns the hypothesis, which must exist, as an estimate.
   SphereEstimate estimate(const RegionObservation& observation) const;
   std::size_t memoryBytes() const;
 
@@ -57,14 +57,15 @@ private:
   struct State {
     TrackHypothesis hypothesis;
     Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
-    double ambiguity = 0.0;    ///< probability that another object is meant
-    double disagreement = 1.0; ///< running mean of EllipsoidFit's, per degree of freedom
-    double fill = 0.0;         ///< share of its outlines that has the color; 0: not known
+    double ambiguity = 0.0; ///< probability that the hypothesis is another object
+    /// Running mean of EllipsoidFit::disagreement per degree of freedom.
+    double disagreement = 1.0;
+    double fill = 0.0; ///< share of its outlines that has the target's color; 0: unknown
     std::vector<RegionMeasurement> views;
   };
 
   EllipsoidFit fitAt(const State& state, RegionObservation& observation) const;
-  /// The log factor of the odds that the target is there.
+  /// Returns the log of the factor on the odds that the target is there.
   double measure(State& state, RegionObservation& observation) const;
   void accept(State& state, const EllipsoidFit& fit) const;
   void search(RegionObservation& observation, const std::vector<OccupiedSphere>& occupied);

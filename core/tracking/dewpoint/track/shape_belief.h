@@ -12,35 +12,36 @@
 
 namespace dewpoint::tracking {
 
-/// Whether a target is taken for a ball or for anything: as it was defined, or by the regions of
-/// its color, whose evidence adds up over time.
+/// Belief about whether a target is a ball. It follows from the target's definition, or from the
+/// regions of its color, whose log odds accumulate over time.
 class ShapeBelief {
 public:
   explicit ShapeBelief(const Target& target) { setTarget(target); }
 
-  /// Starts again where shape or radius changed.
+  /// Sets the target; starts again if its shape or radius has changed.
   void setTarget(const Target& target);
   void restart();
 
   bool isBall() const { return !any_; }
-  /// Whether the images decide.
+  /// Returns whether the images decide.
   bool isOpen() const { return shape_ == TargetShape::Auto; }
-  /// Whether nothing is known of it yet, or the evidence is not clear.
+  /// Returns whether nothing is known yet, or the log odds do not decide.
   bool isUnclear() const;
+  /// Returns the log odds of any shape relative to a ball, in nats.
   double logOdds() const { return logOdds_; }
 
   /// Learns from the regions that show a target of this radius (meters) at this position,
-  /// `interval` seconds after the last time. Nothing where no image shows it well enough.
+  /// `interval` seconds after the last call. Does nothing if no image shows it well enough.
   void learn(const RegionObservation& observation, const std::vector<RegionMeasurement>& views,
              const Eigen::Vector3d& position, double radius, double interval);
 
 private:
   TargetShape shape_ = TargetShape::Auto;
-  double radius_ = 0.0;  ///< given; 0: not known
-  double logOdds_ = 0.0; ///< of "anything" against "a ball"
+  double radius_ = 0.0;  ///< given radius, meters; 0: unknown
+  double logOdds_ = 0.0; ///< of any shape relative to a ball
   bool any_ = false;
-  bool first_ = true;    ///< nothing was learned yet
-  double learned_ = 0.0; ///< meters, radius of what was learned from last
+  bool first_ = true;    ///< nothing has been learned yet
+  double learned_ = 0.0; ///< radius in the last learning step, meters
 };
 
 } // namespace dewpoint::tracking

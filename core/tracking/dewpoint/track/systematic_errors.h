@@ -10,28 +10,31 @@
 
 namespace dewpoint::tracking {
 
-/// What is wrong in all frames alike, so that no number of frames averages it away.
+/// Errors that are the same in all frames and therefore do not average out.
 struct SystematicErrors {
-  /// Radians, standard deviation of the direction in which a camera sees a point, along each axis:
-  /// what its calibration is off by.
+  /// Standard deviation in radians, along each axis, of the direction in which a camera sees a
+  /// point: the error of its calibration.
   double direction = 0.0;
-  /// Seconds, standard deviation of the time of an image.
+  /// Standard deviation of the time of an image, in seconds.
   double time = 0.0;
 };
 
-/// Covariance (m²) of a position from directions that are off by `sigma` (radians) in the cameras
-/// that see it, whose optical centers these are (meters, world); zero when there are none.
+/// Returns the covariance (m²) of a position caused by errors of `sigma` (radians) in the
+/// directions from the cameras that see it, given their optical centers (meters, world frame); zero
+/// without cameras.
 Eigen::Matrix3d covarianceOfDirections(const Eigen::Vector3d& position,
                                        const std::vector<Eigen::Vector3d>& cameraCenters,
                                        double sigma);
 
-/// The covariance (m²) of a position whose covariance by images and by what was `given` is `known`,
-/// when `systematic` errors of the images add to it. They do not touch what was given by hand.
+/// Returns the covariance (m²) of a position after `systematic` errors of the images are added.
+/// `known` is its covariance from images and from what was `given` by the user, which these errors
+/// do not affect.
 Eigen::Matrix3d withSystematicErrors(const Eigen::Matrix3d& known,
                                      const Eigen::Matrix3d& systematic,
                                      const std::optional<Eigen::Matrix3d>& given);
 
-/// Probability that a target is within `radius` (meters) of an estimate of this covariance (m²).
+/// Returns the probability that a target is within `radius` (meters) of an estimate with this
+/// covariance (m²).
 double probabilityWithin(const Eigen::Matrix3d& covariance, double radius);
 
 } // namespace dewpoint::tracking

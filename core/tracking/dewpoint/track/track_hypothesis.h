@@ -17,82 +17,86 @@
 
 namespace dewpoint::tracking {
 
-/// One position at which a target may be: a cloud of particles, the Gaussian that summarizes it,
+/// A hypothesis about a target's position: a cloud of particles, the Gaussian that summarizes it,
 /// and the probability that the target exists and is there. A cloud never spans two positions: a
-/// target that may be at several has several hypotheses (mixture tracking: Vermaak, Doucet and
-/// Pérez 2003). World frame, meters, m/s.
+/// target with several possible positions has several hypotheses (mixture tracking: Vermaak, Doucet
+/// and Pérez 2003). World frame, meters, m/s.
 struct TrackHypothesis {
   Eigen::ArrayXXd states;       ///< one row per particle: x y z vx vy vz
   Eigen::ArrayXd weights;       ///< linear, sum 1
   Gaussian6 gaussian;           ///< position and velocity
   double radius = 0.0;          ///< meters
-  double logRadiusVariance = 0; ///< of log(radius); 0: the radius stays as it is
+  double logRadiusVariance = 0; ///< of log(radius); 0: the radius is fixed
   double probability = 0.0;     ///< that the target exists and is here
-  /// Whether one camera of several alone can see it now.
+  /// Whether, of several cameras, only one can see it now.
   bool oneCameraOnly = false;
-  /// Its probability when more than one camera could see it last.
+  /// Probability when more than one camera could last see it.
   double provenProbability = 0.0;
-  /// Whether a camera has shown its rim since the birth, or somebody said that it is here: until
-  /// then it may be a part of something larger.
+  /// Whether a camera has shown its rim since its birth, or the user confirmed its position. Until
+  /// then it may be part of a larger object.
   bool rimSeen = false;
-  double secondsSinceRim = 0.0;    ///< since that was shown or said last
+  /// Time since the rim was last shown or the position was last confirmed.
+  double secondsSinceRim = 0.0;
   double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
-  /// The log likelihood ratio if every camera in whose image the target lies saw it fully.
+  /// Log likelihood ratio if every camera with the target in its image saw it fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
-  double sizeMisfit = 0.0;   ///< OutlineFit's at the birth, if the radius is known; else 0
+  /// OutlineFit::sizeMisfit at the birth if the radius is known; otherwise 0.
+  double sizeMisfit = 0.0;
   int updateCount = 0;       ///< frames with a measurement update since the birth
   bool outlineFound = false; ///< at the last measurement update
-  /// If so, the position (m, m²) by that measurement alone, without the prediction.
+  /// Position (m, m²) from that measurement alone, without the prediction, if the outline was
+  /// found.
   Gaussian3 measurement;
-  /// Covariance (m²) of a position that somebody gave by hand in this frame.
+  /// Covariance (m²) of a position given by the user in this frame.
   std::optional<Eigen::Matrix3d> given;
   AdaptiveProcessNoise processNoise;
-  /// Running mean of OutlineFit::disagreement per degree of freedom: 1 when the cameras disagree as
-  /// much as the assumed errors of the edges explain.
+  /// Running mean of OutlineFit::disagreement per degree of freedom: 1 if the cameras disagree as
+  /// much as expected from the assumed edge errors.
   double disagreement = 1.0;
-  /// Predictions that the particles have not made yet: while the outline is found new particles are
-  /// drawn, and these are never needed.
+  /// Predictions not yet applied to the particles. While the outline is found, new particles are
+  /// drawn, and these predictions are never needed.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
-  std::uint32_t stream = 0; ///< keeps its random numbers apart from those of other hypotheses
+  std::uint32_t stream = 0; ///< separates its random numbers from those of other hypotheses
 
-  // Shares of the fully visible log likelihood ratio. Judgments, not measurements
+  // Shares of the fully visible log likelihood ratio. The values are judgments, not measurements
   // (docs/method-dewpoint.md, sections 5 to 7).
 
-  /// Evidence above this share does not count: how much better one nearly fully visible position
-  /// fits than another depends on light and pixels, and would add up from frame to frame.
+  /// Share above which the log likelihood ratio is not counted. How much better one nearly fully
+  /// visible position fits than another depends on light and pixels, and would accumulate from
+  /// frame to frame.
   static constexpr double kSaturationShare = 0.75;
-  /// Above this share an object with the target's color and size is there without doubt.
+  /// Share above which an object with the target's color and size is certainly there.
   static constexpr double kMostlyVisibleShare = 0.55;
-  /// Above this share at least a part of the target is seen.
+  /// Share above which at least a part of the target is visible.
   static constexpr double kPartlyVisibleShare = 0.25;
 
-  /// Seconds that a rim is remembered: as long as a target is covered in passing.
+  /// Time in seconds for which a rim is remembered: as long as a passing object covers a target.
   static constexpr double kRimMemory = 0.5;
 
-  /// Whether the outline was found and the evidence has reached kSaturationShare. The evidence does
-  /// not decide between two such hypotheses.
+  /// Returns whether the outline was found and the log likelihood ratio has reached
+  /// kSaturationShare. Likelihood does not decide between two such hypotheses.
   bool isSaturated() const {
     return outlineFound && fullyVisibleLogLikelihoodRatio > 0.0 &&
            logLikelihoodRatio >= kSaturationShare * fullyVisibleLogLikelihoodRatio;
   }
 
-  /// Whether its rim was shown not long ago, so that it is no part of something larger.
+  /// Returns whether its rim was shown recently, so that it is not part of a larger object.
   bool hasRim() const { return rimSeen && secondsSinceRim <= kRimMemory; }
 
   Eigen::Vector3d position() const { return gaussian.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return gaussian.mean.tail<3>(); }
 };
 
-/// Two spheres of radii a and b cannot be closer than a + b. Estimates err a little: only spheres
-/// closer than this share of a + b conflict with each other. A judgment
-/// (docs/method-dewpoint.md, section 7).
+/// Share of a + b below which two spheres of radii a and b conflict. They cannot be closer than a +
+/// b, but estimates have small errors. The value is a judgment (docs/method-dewpoint.md, section
+/// 7).
 inline constexpr double kTouching = 0.7;
 
 /// Predicts a hypothesis over `allowed.interval` seconds, with at most the acceleration of
 /// `allowed`. Its probability does not change.
 void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key);
 
-/// Draws `count` particles from the Gaussian of a hypothesis alone, before any image counts:
+/// Draws `count` particles from the Gaussian of a hypothesis alone, before any image is used:
 /// importance sampling from a proposal that is wider than the Gaussian.
 void drawPrior(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
                ThreadTeam& team);
@@ -102,22 +106,21 @@ void drawPrior(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey&
 void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
                    const RandomKey& key, ThreadTeam& team);
 
-/// Conditions a hypothesis on the images of a frame. Fits the outline near the predicted position
-/// and draws `count` particles from the posterior; where no outline is found, weights the predicted
-/// particles by their likelihood, and resamples them when their effective number falls below half.
-/// Returns the logarithm of the factor by which the odds of the hypothesis against "not there"
-/// change.
+/// Updates a hypothesis with the images of a frame. Fits the outline near the predicted position
+/// and draws `count` particles from the posterior. If no outline is found, weights the predicted
+/// particles by their likelihood, and resamples them if their effective sample size falls below
+/// half. Returns the logarithm of the factor on the odds of the hypothesis relative to absence.
 double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
                          Eigen::Index count, const RandomKey& key, ThreadTeam& team);
 
-/// The increase of the log likelihood ratio of hypothesis `own` when pixels inside the outlines of
-/// the other mostly visible hypotheses are not counted against it: a second object of the same
-/// color that touches it in an image is no evidence against it.
+/// Returns the increase of the log likelihood ratio of hypothesis `own` if pixels inside the
+/// outlines of the other mostly visible hypotheses are not counted against it. A second object of
+/// the same color that touches it in an image is not evidence against it.
 double explainedRingGain(const std::vector<TrackHypothesis>& all, std::size_t own,
                          SphereObservation& observation);
 
-/// The volume, in m³, over which the likelihood of a sphere of this radius (meters) is about
-/// constant: a cube with edges of 0.3 radii.
+/// Returns the volume in m³ over which the likelihood of a sphere of this radius (meters) is
+/// approximately constant: a cube with edges of 0.3 radii.
 double evidenceVolume(double radius);
 
 } // namespace dewpoint::tracking
