@@ -7,16 +7,17 @@
 
 namespace dewpoint::app {
 
-// Scripts that complete the command line of a program in a shell: commands, options, and the
-// choices of an option; files where there are no choices. None of them starts the program.
+// Shell scripts that complete the command line of a program: commands, options, the choices of an
+// option, and file names where there are no choices. None of the scripts starts the program.
 
-/// For bash; needs nothing of the package bash-completion, which only finds it.
+/// Returns the script for bash. It needs no function of the package bash-completion, which only
+/// finds it.
 std::string bashCompletion(const DeclaredCommand& program);
 
-/// For zsh: the file _PROGRAM of a folder of its fpath.
+/// Returns the script for zsh: the content of a file _PROGRAM in a folder of its fpath.
 std::string zshCompletion(const DeclaredCommand& program);
 
-/// For fish.
+/// Returns the script for fish.
 std::string fishCompletion(const DeclaredCommand& program);
 
 } // namespace dewpoint::app

@@ -10,21 +10,21 @@
 
 namespace dewpoint::app {
 
-/// An option or a positional argument as it was declared.
+/// An option or a positional argument, as declared.
 struct DeclaredArgument {
-  std::vector<std::string> names; ///< "-h", "--help"; of a positional argument its name alone
-  std::string value;              ///< kind of its value, as TEXT; empty for a flag
+  std::vector<std::string> names; ///< "-h", "--help"; a positional argument has only its name
+  std::string value;              ///< kind of value, such as TEXT; empty for a flag
   std::vector<std::string> choices;
-  std::string range; ///< what is allowed, where that is no list, as "INT in [1 - 256]"
+  std::string range; ///< allowed values that are not a list, such as "INT in [1 - 256]"
   std::string fallback;
   std::string sentence;
   bool isRequired = false;
   bool repeats = false;
 };
 
-/// A command with everything below it. What is hidden from --help is left out.
+/// A command with all its subcommands. Parts hidden from --help are left out.
 struct DeclaredCommand {
-  /// Names from the program's on: {"dewpoint-cli", "calibration", "convert"}.
+  /// Names starting with that of the program: {"dewpoint-cli", "calibration", "convert"}.
   std::vector<std::string> path;
   std::string sentence;
   std::string footer;
@@ -33,31 +33,33 @@ struct DeclaredCommand {
   std::vector<DeclaredCommand> commands;
 };
 
-/// Reads a declared command line.
+/// Reads the declaration of a command line.
 DeclaredCommand declaredCommand(const CLI::App& app);
 
-/// The command and all below it, each before those below it.
+/// Returns the command and all its subcommands; each command comes before its own subcommands.
 std::vector<const DeclaredCommand*> withAllBelow(const DeclaredCommand& command);
 
-/// Texts one after the other, with `separator` between them.
+/// Joins texts with `separator` between them.
 std::string joined(const std::vector<std::string>& texts, const std::string& separator);
 
-/// The path without the program's name, as "calibration convert"; empty for the program.
+/// Returns the path without the name of the program, such as "calibration convert"; empty for the
+/// program.
 std::string pathBelowProgram(const DeclaredCommand& command);
 
-/// All names of the options of a command.
+/// Returns all names of the options of a command.
 std::vector<std::string> optionNames(const DeclaredCommand& command);
 
-/// The names of the commands directly below a command.
+/// Returns the names of the direct subcommands of a command.
 std::vector<std::string> commandNames(const DeclaredCommand& command);
 
-/// A name for a function of a shell: every character but letters and digits is an underscore.
+/// Returns a name for a shell function: every character except letters and digits becomes an
+/// underscore.
 std::string shellIdentifier(const std::string& text);
 
-/// The text with every occurrence of `what` replaced.
+/// Returns the text with every occurrence of `what` replaced by `by`.
 std::string replaced(std::string text, const std::string& what, const std::string& by);
 
-/// The text as one word of a POSIX shell, in single quotes.
+/// Returns the text as one word of a POSIX shell, in single quotes.
 std::string singleQuoted(const std::string& text);
 
 } // namespace dewpoint::app

@@ -9,9 +9,9 @@
 
 namespace dewpoint::app {
 
-/// Adds the option --describe, which is not listed by --help: it prints the manual page or a
-/// shell's completion of everything that is declared in `app` (man, bash, zsh, fish), and ends the
-/// program. The build makes the installed files with it. `seeAlso`: the other program.
+/// Adds the option --describe (man, bash, zsh, fish), which is hidden from --help. It prints the
+/// manual page or a shell completion script for everything declared in `app`, and ends the program.
+/// The build uses it to make the installed files. `seeAlso`: name of the other program.
 void addDescribeOption(CLI::App& app, const std::string& seeAlso);
 
 } // namespace dewpoint::app

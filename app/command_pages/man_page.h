@@ -7,8 +7,8 @@
 
 namespace dewpoint::app {
 
-/// A page for man(1), section 1, as roff in UTF-8. The commands of a program stand in it one after
-/// the other. `seeAlso`: the other page.
+/// Returns a manual page of section 1 for man(1), as roff in UTF-8. It lists the commands of the
+/// program one after the other. `seeAlso`: name of the other page.
 std::string manPage(const DeclaredCommand& program, const std::string& version,
                     const std::string& seeAlso);
 

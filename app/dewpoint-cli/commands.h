@@ -7,21 +7,21 @@
 
 namespace dewpoint::app {
 
-// The commands, one line each, in the folder that says what they are for. Each function adds its
-// subcommand to `app`; when that is the chosen one, it stores what the process returns (ExitCode)
-// in `exitCode`.
+// Functions that add the commands, one per line, grouped by the folder of their sources. Each adds
+// its subcommand to `app`. When that subcommand runs, it stores the exit code of the process
+// (ExitCode) in `exitCode`.
 
 // project/: a project and its targets.
 void addNewCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
 void addDoctorCommand(CLI::App& app, int& exitCode);
-/// Of this computer, without a project.
+/// Tests this computer; needs no project.
 void addSelfTestCommand(CLI::App& app, int& exitCode);
 
-// calibrate/: the cameras, and where another one would help.
+// calibrate/: calibration of the cameras, and where another camera would help.
 void addCalibrateCommand(CLI::App& app, int& exitCode);
 void addCalibrationCommand(CLI::App& app, int& exitCode);
-/// Below `calibration`, which it makes when it is not there yet.
+/// Adds its command below `calibration`, which is created if it does not exist yet.
 void addPrintBoardCommand(CLI::App& app, int& exitCode);
 void addPlanCommand(CLI::App& app, int& exitCode);
 
@@ -32,13 +32,13 @@ void addTrackPositionsCommand(CLI::App& app, int& exitCode);
 void addTrackBoxCommand(CLI::App& app, int& exitCode);
 void addPeopleCommand(CLI::App& app, int& exitCode);
 
-// trajectory/: what a run has written.
+// trajectory/: commands for the results of a run.
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
-/// The results of many jobs as one table and one report.
+/// Combines the results of many jobs into one table and one report.
 void addGatherCommand(CLI::App& app, int& exitCode);
 
-// simulate/: recordings with known truth.
+// simulate/: recordings with known ground truth.
 void addSimulateCommand(CLI::App& app, int& exitCode);
 
 // experiment/: the experiments of the papers, and the accuracy suite.
@@ -46,7 +46,7 @@ void addExperimentCommand(CLI::App& app, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
 
 // reference/: pages of the manual.
-/// Its pages show the commands that `app` has when it runs.
+/// Its pages show all commands that `app` has when it runs.
 void addReferenceCommand(CLI::App& app, int& exitCode);
 
 } // namespace dewpoint::app

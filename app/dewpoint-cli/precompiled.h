@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The headers of other libraries that most commands include: parsed once a build.
+// Precompiled header: headers of other libraries that most commands include. The compiler parses
+// them once per build.
 #pragma once
 
 #include "core/precompiled.h"

@@ -7,8 +7,8 @@
 
 namespace dewpoint::app {
 
-/// Every action of the window with its shortcut and what it does, as a page of the manual in
-/// Markdown. Shortcuts are those that actions are declared with, not those that the user chose.
+/// Returns a page of the manual in Markdown: every action of the window with its default shortcut
+/// and what it does. Shortcuts that the user changed are ignored.
 QString actionReference();
 
 } // namespace dewpoint::app

@@ -14,13 +14,13 @@ class MainWindow;
 
 namespace dewpoint::app {
 
-/// `dewpoint --out DIR`: leaves trajectory.csv and run.json in a folder whenever the recording was
-/// tracked to its end, and when the application quits.
+/// Implements `dewpoint --out DIR`: writes trajectory.csv and run.json into a folder whenever the
+/// recording has been tracked to its end, and when the application quits.
 class RunOutput {
 public:
   RunOutput(MainWindow& window, std::filesystem::path folder);
-  /// Waits until all is written, however long the disk takes: for the end of the program, when the
-  /// window is gone.
+  /// Waits until all files are written, however slow the disk is. Runs at the end of the program,
+  /// after the window is closed.
   ~RunOutput();
   RunOutput(const RunOutput&) = delete;
   RunOutput& operator=(const RunOutput&) = delete;

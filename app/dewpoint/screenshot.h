@@ -11,8 +11,8 @@ class MainWindow;
 
 namespace dewpoint::app {
 
-/// Once `frames` frames were tracked, saves the whole window as a PNG, prints its path and ends the
-/// application: 0 if all went well, 1 with a sentence on stderr if not.
+/// Saves the whole window as a PNG once `frames` frames are tracked, prints its path and ends the
+/// application. The exit code is 0 on success; on failure it is 1, with a sentence on stderr.
 void takeScreenshot(MainWindow& window, const QString& file, int frames);
 
 } // namespace dewpoint::app

@@ -14,10 +14,10 @@
 
 namespace dewpoint::app {
 
-/// An object of Python that keeps `owner` alive: the base of arrays over its memory.
+/// Returns a Python object that keeps `owner` alive: the base of arrays that use its memory.
 pybind11::capsule keeping(std::shared_ptr<const void> owner);
 
-/// A read-only array over memory that `base` keeps alive; no copy.
+/// Returns a read-only array, without a copy, over memory that `base` keeps alive.
 template <class T>
 pybind11::array_t<T> viewOf(const T* data, std::vector<pybind11::ssize_t> shape,
                             const pybind11::object& base) {
@@ -26,19 +26,19 @@ pybind11::array_t<T> viewOf(const T* data, std::vector<pybind11::ssize_t> shape,
   return array;
 }
 
-/// An array of its own.
+/// Returns an array with a copy of the values.
 pybind11::array_t<double> arrayOf(const Eigen::Vector3d& vector);
 pybind11::array_t<double> arrayOf(const Eigen::Matrix3d& matrix);
-/// Particles as (positions, weights), N x 3 and N.
+/// Returns particles as (positions, weights), with shapes N x 3 (meters) and N.
 pybind11::tuple arraysOf(ParticleSample particles);
 
-/// The pixels of an image (height x width x 3, blue green red, read-only) without a copy; None of
-/// an empty one.
+/// Returns the pixels of an image as a read-only array (height x width x 3; blue, green, red)
+/// without a copy; None for an empty image.
 pybind11::object arrayOf(const cv::Mat& image);
 
-/// The image of an array (height x width x 3, uint8) whose channels are in this order, "bgr" or
-/// "rgb". Its pixels are not copied where they lie row by row as blue green red and no copy is
-/// wanted; the array lives as long as the image. An empty image of None.
+/// Converts an array (height x width x 3, uint8) to an image. `order`: order of its channels, "bgr"
+/// or "rgb". The pixels are not copied if they are stored row by row as blue, green, red and `copy`
+/// is false; the array then lives as long as the image. Returns an empty image for None.
 cv::Mat imageOf(const pybind11::object& array, const std::string& order, bool copy);
 
 } // namespace dewpoint::app

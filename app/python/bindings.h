@@ -7,8 +7,8 @@
 
 namespace dewpoint::app {
 
-// What the Python module consists of, in the order in which it is bound: a class is bound before a
-// signature names it.
+// Parts of the Python module, in the order in which they are bound: a class must be bound before a
+// signature uses it.
 void bindErrors(pybind11::module_& module);
 void bindCatalog(pybind11::module_& module);
 void bindTargets(pybind11::module_& module);

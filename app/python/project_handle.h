@@ -10,21 +10,21 @@
 
 namespace dewpoint::app {
 
-/// A project as Python holds it.
+/// A project as an object of Python.
 struct ProjectHandle {
   Project project;
-  std::string origin; ///< the file or name it was opened by, for errors about it; may be empty
+  std::string origin; ///< file or name it was opened with, used in errors; may be empty
 };
 using ProjectHandlePtr = std::shared_ptr<ProjectHandle>;
 using ProjectClass = pybind11::class_<ProjectHandle, ProjectHandlePtr>;
 
-// The methods of a project, by what they are for.
+// Functions that bind the methods of a project, grouped by purpose.
 void bindParameters(pybind11::module_& module, ProjectClass& project);
 void bindLearning(pybind11::module_& module, ProjectClass& project);
 void bindCalibration(pybind11::module_& module, ProjectClass& project);
 void bindTracking(pybind11::module_& module, ProjectClass& project);
 
-/// Throws the exception of an error about a project, as the command line prints it.
+/// Throws the exception of an error about a project, with the text that the command line prints.
 [[noreturn]] void raiseAbout(const ProjectHandle& handle, Error error);
 /// Opens the sources of a project; releases the GIL meanwhile.
 SessionInputs openedInputs(const ProjectHandle& handle);

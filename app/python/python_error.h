@@ -10,16 +10,17 @@
 
 namespace dewpoint::app {
 
-/// The exception `dewpoint.Error` of a failure: its text is the sentence of the command line.
+/// Creates the exception `dewpoint.Error` for an error; its text is the sentence that the command
+/// line prints.
 pybind11::object pythonError(const Error& error);
-/// Throws it; needs the GIL.
+/// Throws the exception for an error; requires the GIL.
 [[noreturn]] void raise(const Error& error);
-/// Throws an exception that was made already.
+/// Throws an existing exception.
 [[noreturn]] void raise(const pybind11::object& exception);
-/// BadValue about an argument.
+/// Throws the exception for a BadValue error about an argument.
 [[noreturn]] void raiseBadValue(const char* argument, std::string detail);
 
-/// The value, or the exception.
+/// Returns the value of a result, or throws its error as an exception.
 template <class T> T valueOf(Result<T> result) {
   if (!result) {
     raise(result.error());

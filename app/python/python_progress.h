@@ -9,14 +9,15 @@
 
 namespace dewpoint::app {
 
-/// Calls a Python function (or none) from work that runs without the GIL, in any thread. It ends
-/// the work when the function returns False or raises, and on Ctrl-C; an exception is kept until
-/// rethrow(): none passes through core.
+/// Calls a Python function (or none) from work that runs without the GIL, in any thread. The work
+/// ends when the function returns False or raises, and on Ctrl-C. An exception is stored until
+/// `rethrow()`, so that none passes through core.
 class PythonProgress {
 public:
   explicit PythonProgress(pybind11::object callback) : callback_(std::move(callback)) {}
 
-  /// Whether the work is to go on. Takes the GIL, which also guards what is kept.
+  /// Calls the function and returns whether the work should continue. Takes the GIL, which also
+  /// guards the stored exception.
   template <class... Arguments> bool call(Arguments&&... arguments) {
     const pybind11::gil_scoped_acquire gil;
     if (failed_) {
@@ -33,7 +34,7 @@ public:
     }
     return false;
   }
-  /// Throws what the function raised; with the GIL, after the work.
+  /// Throws the stored exception, if any. Call it with the GIL, after the work has ended.
   void rethrow() {
     if (failed_) {
       std::rethrow_exception(std::exchange(failed_, nullptr));

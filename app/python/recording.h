@@ -12,16 +12,18 @@
 
 namespace dewpoint::app {
 
-/// The images of a project's cameras as Python reads them. Threads take turns.
+/// Images of the cameras of a project, as Python reads them. Calls from several threads are
+/// serialized.
 class RecordingHandle {
 public:
   explicit RecordingHandle(SessionInputs inputs) : inputs_(std::move(inputs)) {}
 
   std::optional<std::int64_t> frameCount() const { return inputs_.source->frameCount(); }
   double framesPerSecond() const { return inputs_.source->framesPerSecond(); }
-  /// The next frame set that has images; null at the end. Waits without the GIL for live cameras.
+  /// Returns the next frame set that has images; null at the end. Releases the GIL while it waits
+  /// for live cameras.
   FrameSetPtr next();
-  /// Makes `frame` the next one.
+  /// Makes `frame` the next frame.
   void seek(std::int64_t frame);
   FrameSetPtr at(std::int64_t frame);
 

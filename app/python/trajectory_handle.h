@@ -13,8 +13,7 @@
 
 namespace dewpoint::app {
 
-/// A trajectory as Python reads it: the samples, and the same as columns over which arrays are
-/// laid.
+/// A trajectory as Python reads it: as samples, and as columns that arrays refer to.
 struct TrajectoryHandle {
   explicit TrajectoryHandle(Trajectory from)
       : trajectory(std::move(from)), columns(columnsOf(trajectory)) {}
@@ -24,15 +23,16 @@ struct TrajectoryHandle {
 };
 using TrajectoryPtr = std::shared_ptr<const TrajectoryHandle>;
 
-/// The trajectory of a run, and what else is known of the run.
+/// Trajectory of a run, with the other results of the run.
 struct RunHandle : TrajectoryHandle {
   explicit RunHandle(RecordedRun from)
       : TrajectoryHandle(std::move(from.trajectory)), run(std::move(from)) {}
 
-  RecordedRun run; ///< without its trajectory
+  RecordedRun run; ///< without the trajectory, which the base has
 };
 
-/// The number of one of `count` names: the name itself, or its number. Throws KeyError, IndexError.
+/// Returns the index of a target given by its name or its number in `names`. Throws KeyError or
+/// IndexError.
 std::size_t targetNumber(const pybind11::object& key, const std::vector<std::string>& names);
 
 } // namespace dewpoint::app

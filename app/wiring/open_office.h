@@ -7,11 +7,12 @@
 
 namespace dewpoint::app {
 
-/// The project of the built-in scene of people (officeDay()).
+/// Returns the project of the built-in scene with people (`officeDay()`).
 Project projectOfOffice();
-/// A source that renders the office, with the true positions of its people.
+/// Opens a source that renders the office, with the true positions of its people.
 Result<SessionInputs> openOffice(Project project);
-/// Where everybody truly is: middles of bodies, and whether they are inside the walls.
+/// Returns the true positions of all people: centers of their bodies (meters), and whether they are
+/// inside the walls.
 Trajectory truthOfOffice(const OfficeRenderer& renderer);
 
 } // namespace dewpoint::app

@@ -10,25 +10,26 @@
 
 namespace dewpoint::app {
 
-/// A project that tracks the balls of a simulated scene, with the paper's parameters: none comes
-/// from the cameras. The scenes "converge" and "one-camera" have a method of their own.
+/// Returns a project that tracks the balls of a simulated scene with the parameters of the paper;
+/// none is derived from the cameras. The scenes "converge" and "one-camera" have their own methods.
 Project projectOfScene(const Scene& scene, const std::string& sceneName);
 
-/// True positions of all balls of a scene at every frame, named as the project's targets.
+/// Returns the true positions of all balls of a scene in every frame (meters), named like the
+/// targets of the project.
 Trajectory truthOfScene(const Scene& scene);
 
-/// A project file, or the name of a built-in scene ("demo", the default when empty). Cameras of a
-/// simulated project are filled in from its scene. `moved` as of loadProject().
+/// Loads a project file or a built-in scene by its name ("demo" if empty). Cameras of a simulated
+/// project are filled in from its scene. `moved`: as in `loadProject()`.
 Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& moved = {});
 
-/// A resolved project as it is tracked, before any source of it is opened to stay: sizes of images
-/// that no calibration says are read from the sources, and all is checked.
+/// Completes a resolved project as it is tracked, without keeping its sources open: reads image
+/// sizes that no calibration gives from the sources, and checks everything.
 Result<Project> settledProject(Project project);
 
-/// Opens the sources of a resolved project, and its truth where it is known.
+/// Opens the sources of a resolved project, and its ground truth if that is known.
 Result<SessionInputs> openInputs(Project project);
 
-/// Both in one: what the window's "Open" does.
+/// Resolves a project and opens its inputs, as "Open" in the window does.
 Result<SessionInputs> openProject(const SessionRequest& request);
 
 } // namespace dewpoint::app

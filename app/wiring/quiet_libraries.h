@@ -5,9 +5,9 @@
 
 namespace dewpoint::app {
 
-/// Silences the warnings of FFmpeg, GStreamer and OpenCV about an input: they would stand beside
-/// our one sentence. The variables of these libraries, where set, still decide. Call it first in
-/// main.
+/// Silences warnings of FFmpeg, GStreamer and OpenCV about an input, which would appear beside the
+/// error message of Dewpoint. Variables of these libraries that are set take precedence. Call it
+/// first in main.
 void quietLibraries();
 
 } // namespace dewpoint::app

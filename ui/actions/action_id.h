@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// The names of all actions: object names of the QActions, and keys of the shortcuts in people's
-/// preferences, so they stay as they are.
+/// Names of all actions. They are the object names of the QActions and the keys of the shortcuts in
+/// the preferences of users, so an existing name must not change.
 inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionNew",
     "actionOpen",
@@ -104,17 +104,17 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionAbout",
 });
 
-/// Names an action. A name that is not in kActionNames does not compile.
+/// Identifies an action by its name. A name that is not in `kActionNames` does not compile.
 class ActionId {
 public:
   // NOLINTNEXTLINE(google-explicit-constructor): a name stands for its id
   consteval ActionId(const char* name) : index_(indexOf(name)) {}
-  /// In lists of actions, as in menus: a separator.
+  /// A separator in a list of actions, as in a menu.
   // NOLINTNEXTLINE(google-explicit-constructor)
   consteval ActionId(std::nullptr_t) : index_(kActionNames.size()) {}
 
   constexpr bool isSeparator() const { return index_ == kActionNames.size(); }
-  /// Position in kActionNames; not for a separator.
+  /// Index in `kActionNames`; not valid for a separator.
   constexpr std::size_t index() const { return index_; }
   constexpr std::string_view name() const { return kActionNames[index_]; }
 
@@ -125,7 +125,7 @@ private:
         return k;
       }
     }
-    throw "there is no action with this name"; // compiling ends here
+    throw "there is no action with this name"; // stops the compilation
   }
 
   std::size_t index_;

@@ -16,54 +16,57 @@ class QPalette;
 
 namespace dewpoint::ui {
 
-/// What an action is, declared once. Texts are marked with QT_TRANSLATE_NOOP("Actions", "...").
+/// Declares one action. Texts are marked for translation with QT_TRANSLATE_NOOP("Actions", "...").
 struct ActionDeclaration {
-  ActionId id;                ///< objectName of the action: "actionPlay"
+  ActionId id;                ///< also the objectName of the QAction: "actionPlay"
   const char* group;          ///< heading in lists of actions: "Run"
-  const char* text;           ///< "Play"
+  const char* text;           ///< name in menus: "Play"
   const char* hint;           ///< one sentence for the tooltip
-  const char* icon = nullptr; ///< of resources/icons
-  QKeySequence shortcut = {}; ///< unless the user chose another
+  const char* icon = nullptr; ///< name of an icon in resources/icons; null: none
+  QKeySequence shortcut = {}; ///< default shortcut; users can change it
   bool checkable = false;
 };
 
-/// All actions of the window: menus, toolbar, shortcuts, tooltips and the command palette come from
-/// here. Shortcuts can be changed and are kept in the user's preferences. What an action does is
-/// connected by the window.
+/// All actions of the window. Menus, the toolbar, shortcuts, tooltips and the command palette get
+/// their actions here. Users can change the shortcuts; changes are kept in their preferences. The
+/// window connects each action to the code that performs it.
 class ActionRegistry : public QObject {
   Q_OBJECT
 public:
-  /// Actions belong to `window`, so that their shortcuts work wherever the focus is in it.
+  /// Creates the actions as children of `window`, so that their shortcuts work wherever the focus
+  /// is in that window.
   explicit ActionRegistry(QWidget* window);
 
   QAction* add(const ActionDeclaration& declaration);
-  /// The action with this id; null as long as it was not added.
+  /// Returns the action with this id, or null if it has not been added yet.
   QAction* action(ActionId id) const { return byId_[id.index()]; }
   std::vector<QAction*> all() const;
-  /// Heading under which an action is listed, in the user's language.
+  /// Returns the translated heading under which an action is listed.
   QString groupOf(const QAction* action) const;
   QString hintOf(const QAction* action) const;
 
-  /// Another name and icon for the present state of an action (Play, Pause).
+  /// Changes the name and icon of an action to match its current state (Play or Pause).
   void rename(QAction* action, const char* text, const char* icon);
 
   QKeySequence defaultShortcut(const QAction* action) const;
-  /// The other action that has this shortcut already, or none.
+  /// Returns the other action that already has this shortcut, or null.
   QAction* holderOf(const QKeySequence& shortcut, const QAction* except) const;
-  /// Gives an action a shortcut (empty: none), taking it away from its holder, and remembers it.
+  /// Assigns a shortcut to an action (empty: none), removes it from the action that had it, and
+  /// saves the change in the preferences.
   void setShortcut(QAction* action, const QKeySequence& shortcut);
   void resetShortcuts();
-  /// One more key for an action, as long as it has the shortcut it was declared with and the key is
-  /// no other's. It is not listed, and not kept in the preferences.
+  /// Adds a second shortcut to an action. It works only while the action has its default shortcut
+  /// and no other action uses the second one. It is not listed and not saved in the preferences.
   void addAlternative(ActionId id, const QKeySequence& shortcut);
 
   /// Redraws all icons in the colors of a palette.
   void drawIcons(const QPalette& palette);
-  /// Says everything again after a change of language.
+  /// Translates all texts again after a change of language.
   void retranslate();
 
 protected:
-  /// Fields leave keys to actions that X11 gives them for moving about (Ctrl+E: end of line).
+  /// Keeps input fields from taking keys that X11 uses to move the cursor (Ctrl+E: end of line), so
+  /// that those keys trigger actions.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
@@ -74,7 +77,7 @@ private:
     ActionDeclaration declaration;
     QAction* action;
   };
-  /// Null for an action that is not of this registry.
+  /// Returns null for an action that is not in this registry.
   const Entry* entryOf(const QAction* action) const;
   void setTexts(const Entry& entry);
   void remember(const Entry& entry);
@@ -86,7 +89,7 @@ private:
   std::array<QAction*, kActionNames.size()> byId_{};
 };
 
-/// Tooltip of an action: its sentence and its shortcut.
+/// Returns the tooltip of an action: its sentence and its shortcut.
 QString tooltipWithShortcut(const QString& sentence, const QKeySequence& shortcut);
 
 } // namespace dewpoint::ui

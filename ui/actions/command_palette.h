@@ -17,13 +17,14 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 
-/// A search field over all actions: type a part of a name, choose with the arrows, run with Enter.
+/// Search field over all actions. The user types a part of a name, selects with the arrow keys, and
+/// presses Enter to run the action.
 class CommandPalette : public QFrame {
   Q_OBJECT
 public:
   CommandPalette(ActionRegistry& registry, QWidget* window);
 
-  /// One action or other command, as it is listed.
+  /// An action or another command, as the list shows it.
   struct Entry {
     QString group;
     QString name;
@@ -32,10 +33,11 @@ public:
     QIcon icon = {};
     std::function<void()> run;
   };
-  /// What can be done besides the actions, requested each time the palette opens.
+  /// Sets a function that returns commands beyond the actions. It is called each time the palette
+  /// opens.
   void setMore(std::function<std::vector<Entry>()> more) { more_ = std::move(more); }
 
-  /// Opens over the top of the window, with an empty search.
+  /// Opens the palette at the top of the window, with an empty search field.
   void open();
 
 protected:
@@ -51,18 +53,18 @@ private:
   QLineEdit* search_;
   QListWidget* list_;
   std::function<std::vector<Entry>()> more_;
-  std::vector<Entry> entries_; ///< while it is open
+  std::vector<Entry> entries_; ///< valid while the palette is open
 };
 
-/// No fit at all; one whose letters are scattered over the text is above it and below 0.
+/// Score for no match at all. Matches of scattered letters score between this value and 0.
 constexpr int kNoFit = -1'000'000;
 
-/// How well `search` fits `text`. From 0 on: all words of it are found, in any order, best at
-/// beginnings of words. Below: all its letters are found in order, as in "sm" for "Show mask".
-/// Case does not count.
+/// Returns how well `search` matches `text`. A score of 0 or more: `text` contains all words of
+/// `search`, in any order; matches at the start of a word score highest. A negative score: `text`
+/// contains all letters in order, as in "sm" for "Show mask". Case is ignored.
 int fitOf(const QString& search, const QString& text);
 
-/// Where words were found, scattered letters are no fit.
+/// Sets all scattered-letter matches to `kNoFit` if at least one match is a word match.
 void dropScattered(std::vector<int>& fits);
 
 } // namespace dewpoint::ui

@@ -11,13 +11,14 @@ class QAction;
 
 namespace dewpoint::ui {
 
-/// Asks before the key of an action does harm: a key is pressed by accident more easily than a
-/// button or an entry of a menu, which act at once.
+/// Asks for confirmation before the shortcut of an action does damage. A key is pressed by accident
+/// more easily than a button or a menu entry, so those act at once.
 class KeyGuard : public QObject {
   Q_OBJECT
 public:
-  /// When the key is pressed, `ask` is called; the action is triggered only if that returns false:
-  /// there is nothing to ask about. Lives as long as the action.
+  /// Calls `ask` when the shortcut is pressed. If `ask` returns false, no confirmation is needed
+  /// and the action is triggered; if it returns true, the key press is ignored. The guard lives as
+  /// long as the action.
   KeyGuard(QAction* action, std::function<bool()> ask);
 
 protected:

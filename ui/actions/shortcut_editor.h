@@ -19,7 +19,8 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 
-/// All actions with their shortcuts; press the keys to change one. Not modal, takes effect at once.
+/// Lists all actions with their shortcuts; the user presses keys to change one. The dialog is not
+/// modal, and changes take effect at once.
 class ShortcutEditor : public QDialog {
   Q_OBJECT
 public:
@@ -31,7 +32,8 @@ private:
   QAction* current() const;
   void showCurrent();
   void assign();
-  /// Writes below what `words` returns, and again in every other language.
+  /// Shows the text that `text` returns below the list, and calls `text` again after a change of
+  /// language.
   void showHint(std::function<QString()> text);
 
   ActionRegistry& registry_;

@@ -7,7 +7,7 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 
-/// Declares every action of the window: a new one is a line here, an entry of a menu, and a
+/// Declares every action of the window. A new action needs a line here, a menu entry and a
 /// connection.
 void declareWindowActions(ActionRegistry& registry);
 

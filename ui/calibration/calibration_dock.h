@@ -12,22 +12,21 @@ class QTabWidget;
 
 namespace dewpoint::ui {
 
-/// A widget with this property is scrolled into view when it appears.
+/// Name of a widget property. A widget with this property is scrolled into view when it appears.
 inline constexpr auto kRevealed = "revealed";
 
-/// Where cameras are calibrated: a panel beside the views, which stay live, with one page for each
-/// way to do it.
+/// Panel for calibrating cameras, with one page per method. The camera views beside it stay live.
 class CalibrationDock : public QWidget {
   Q_OBJECT
 public:
   explicit CalibrationDock(QWidget* parent = nullptr);
 
-  /// Adds a page as a tab, in a scroll area; `title` is called again when the language changes. The
-  /// page's objectName tells it from others.
+  /// Adds a page as a tab, in a scroll area. `title` is called again when the language changes. The
+  /// objectName of the page identifies it.
   void addPage(QWidget* page, const std::function<QString()>& title);
   /// Shows the page with this objectName.
   void showPage(const QString& name);
-  /// The objectName of the page that is shown; empty when there is none.
+  /// Returns the objectName of the current page, or an empty string if there is none.
   QString shownPage() const;
 
 Q_SIGNALS:
@@ -35,11 +34,11 @@ Q_SIGNALS:
   void pageChanged(const QString& name);
 
 protected:
-  /// Turning the wheel over a field scrolls the page, unless the field has the focus.
+  /// Makes the wheel scroll the page when the pointer is over a field that does not have the focus.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  /// For the widest page, whose fields may have come or gone.
+  /// Fits the width to the widest page. Its fields may have been shown or hidden.
   void makeWideEnough();
 
   QTabWidget* tabs_;

@@ -13,17 +13,18 @@ class CalibrationDock;
 class ManualCalibration;
 class ViewDock;
 
-/// Calibrating: a mode of the window, beside views that stay live. Each way to calibrate adds its
-/// page; opening one begins the mode.
+/// Calibration mode of the window; the views beside it stay live. Each calibration method adds a
+/// page, and opening a page starts the mode.
 class CalibrationMode : public QObject {
   Q_OBJECT
 public:
   explicit CalibrationMode(const Workbench& bench);
 
   ManualCalibration& hand() const { return *hand_; }
-  /// `title` is called again when the language changes; the page's objectName tells it from others.
+  /// Adds a page. `title` is called again when the language changes. The objectName of the page
+  /// identifies it.
   void addPage(QWidget* page, const std::function<QString()>& title);
-  /// Begins the mode with the page of this objectName.
+  /// Starts the mode with the page that has this objectName.
   void open(const QString& page);
 
 Q_SIGNALS:

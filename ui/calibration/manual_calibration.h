@@ -20,74 +20,78 @@ class CameraListModel;
 class Document;
 class Selection;
 
-/// What the movement keys change.
+/// Selects what the arrow and letter keys change: the position or the orientation of the camera.
 enum class KeyMode { Move, Turn };
 
-/// Adjusting the selected camera by hand: which points of it are held, and every change as a named
-/// step of the document. Views draw from here and bring their mouse and keys here.
+/// Adjusts the selected camera by hand. Keeps the points that are held fixed (pins) and records
+/// every change as a named step of the document. Views read what to draw from here and send their
+/// mouse and key input here.
 class ManualCalibration : public QObject {
   Q_OBJECT
 public:
   ManualCalibration(Document& document, Selection& selection, CameraListModel& cameras,
                     QObject* parent = nullptr);
 
-  /// Whether the calibration dock is open. What cameras are then is the "before" of the flip.
+  /// Whether the calibration dock is open. The cameras at the time it opens are the "before" state
+  /// of the flip.
   bool isActive() const { return active_; }
   void setActive(bool active);
 
-  /// The selected camera; the first while none is.
+  /// Index of the selected camera; 0 if none is selected.
   int camera() const;
   void selectCamera(int camera);
   CameraListModel& cameras() const { return cameras_; }
   int cameraCount() const;
-  /// As the project has it now, or as it was before (while flipped).
+  /// Returns the camera as the project has it now, or as it was before while flipped.
   Camera shownCamera(int camera) const;
   Camera cameraAt(int camera) const;
   QString nameOf(int camera) const;
-  /// The project's grid, or the standard one while it has none.
+  /// Returns the reference grid of the project, or the standard grid if the project has none.
   ReferenceGrid grid() const;
-  /// Changes the grid as a step; false when it cannot be drawn, and nothing changes.
+  /// Changes the grid as a step of the document. Returns false and changes nothing if the grid
+  /// cannot be drawn.
   bool setGrid(const QString& step, const ReferenceGrid& grid, const std::string& mergeKey);
 
-  // What is drawn.
+  // What the views draw.
   double opacity() const { return opacity_; }
   void setOpacity(double opacity);
   bool edgesShown() const { return edges_; }
   void setEdgesShown(bool shown);
   bool isFlipped() const { return flipped_; }
   void setFlipped(bool flipped);
-  /// From here on "before" is what the cameras are now.
+  /// Makes the current cameras the new "before" state.
   void takeAsBefore();
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
-  /// Holds the point of the grid at a pixel, or lets go of the one that is held there.
+  /// Pins the grid point at a pixel, or removes the pin that is there. `reach`: search radius in
+  /// pixels.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);
   void clearPins(int camera);
   void beginDrag(int camera, const Eigen::Vector2d& pixel, double reach);
   void dragTo(const Eigen::Vector2d& pixel);
   void endDrag();
-  /// Takes the camera back to where the drag began.
+  /// Restores the camera to its state when the drag began.
   void cancelDrag();
   bool isDragging() const { return drag_.has_value(); }
-  /// The dragged point of the world, while there is one.
+  /// Returns the dragged point in world coordinates (meters), or nothing if no drag is under way.
   std::optional<Eigen::Vector3d> draggedPoint() const;
   const DragSettings& dragSettings() const { return settings_; }
   void setDragSettings(const DragSettings& settings);
 
-  // Nudges of the chosen camera.
+  // Nudges of the selected camera.
   KeyMode keyMode() const { return keyMode_; }
   void setKeyMode(KeyMode mode);
   NudgeFrame nudgeFrame() const { return frame_; }
   void setNudgeFrame(NudgeFrame frame);
-  /// One step along (or about) axis 0, 1 or 2 (right, forward and up as seen
-  /// through the camera, or the world's x, y, z), times `factor`. `repeated`: the key is still
-  /// down, the step grows.
+  /// Moves the camera along axis 0, 1 or 2, or rotates it about that axis, by one step times
+  /// `factor`. The axes are right, forward and up as seen through the camera, or x, y and z of the
+  /// world. `repeated`: the key is held down and the step grows.
   void nudge(int axis, double factor, bool repeated);
-  /// Focal length by a number of percent.
+  /// Changes the focal length by `percent` percent.
   void nudgeFocal(double percent, bool repeated);
 
-  /// Another state of a camera as a step called `step`.
+  /// Replaces the state of a camera as a step called `step`.
   void change(int camera, const QString& step, const Camera& changed,
               const std::string& mergeKey = {});
   void endMerging();
@@ -95,23 +99,25 @@ public:
   Document& document() { return document_; }
 
 Q_SIGNALS:
-  /// Something that is drawn changed.
+  /// Something that the views draw has changed.
   void changed();
   void cameraSelected(int camera);
   void activeChanged(bool active);
-  /// Settings (drag, keys) changed.
+  /// The settings of dragging or of the keys have changed.
   void settingsChanged();
-  /// What the user should know: why a drag goes no further. Empty: nothing any more.
+  /// A sentence for the user, such as why a drag cannot go further. Empty: the earlier sentence no
+  /// longer applies.
   void remark(const QString& sentence);
 
 private:
   struct PointDrag {
     int camera;
     Camera start;
-    Eigen::Vector3d point; ///< world
-    Eigen::Vector2d grip;  ///< where it was seen, off the mouse: it does not jump when taken
+    Eigen::Vector3d point; ///< world coordinates, meters
+    /// image of the point minus the mouse position at the start, so that the point does not jump
+    Eigen::Vector2d grip;
     std::vector<ImageAnchor> held;
-    QString limit; ///< what was remarked
+    QString limit; ///< remark shown last
   };
   struct Running {
     std::string key;
@@ -125,7 +131,7 @@ private:
   CameraListModel& cameras_;
   bool active_ = false;
   CameraRig before_;
-  ReferenceGrid standard_; ///< while the project has none
+  ReferenceGrid standard_; ///< used while the project has no grid
   double opacity_ = 0.8;
   bool edges_ = false;
   bool flipped_ = false;

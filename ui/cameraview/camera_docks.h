@@ -16,30 +16,31 @@ class ImageMenu;
 class ImagePickTool;
 class ViewDock;
 
-/// One dock for each camera of the project, made again with each run: its view, in the title the
-/// state of what it shows and why, and the actions that all camera views share.
+/// Creates one dock with a camera view for each camera of the project, again for each run. The
+/// title of a dock shows the state of the view and the reason for it. Also connects the actions
+/// that all camera views share.
 class CameraDocks : public QObject {
   Q_OBJECT
 public:
   explicit CameraDocks(const Workbench& bench);
 
-  /// The mouse and the keys in all the images.
+  /// Mouse and key input of all camera images.
   ImagePickTool& pick() const { return *pick_; }
-  /// The menu of all the images: features add what they offer.
+  /// Context menu of all camera images; features add their entries to it.
   ImageMenu& menu() const { return *menu_; }
 
-  /// Docks for the cameras of the project, in place of those there are, and a fresh layout.
+  /// Replaces all docks by new ones for the cameras of the project, and resets the layout.
   void make();
 
 Q_SIGNALS:
-  /// There is a new view of this camera: what lies over the image is added now.
+  /// The view of a camera was created; overlays are added to it now.
   void viewMade(int camera, CameraView* view);
 
 private:
   void connectActions();
   void connectZoom();
-  /// What the zoom actions are about: the view under the pointer, else that of the selected camera,
-  /// else the first one that is seen; null: there is none.
+  /// Returns the view that the zoom actions apply to: the view under the pointer, else that of the
+  /// selected camera, else the first visible one. Null if there is none.
   CameraView* viewToZoom() const;
   void zoom(double factor);
   void explain();
@@ -49,7 +50,8 @@ private:
   ImageMenu* menu_;
   std::vector<ViewDock*> docks_;
   std::vector<CameraView*> views_;
-  std::optional<WorldBox> volume_; ///< of interest, while it is shown
+  /// Volume of interest, world coordinates in meters; empty while it is hidden.
+  std::optional<WorldBox> volume_;
 };
 
 } // namespace dewpoint::ui

@@ -23,30 +23,30 @@ namespace dewpoint::ui {
 using FramePtr = std::shared_ptr<const Frame>;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// What the pixels in a camera view are made of; all of it is kept alive here, so that the address
-/// of something freed is never taken for that of the next one.
+/// Input from which the pixels of a camera view are drawn. It keeps all of its data alive, so a
+/// comparison of addresses never confuses freed data with new data.
 struct PictureSource {
   int camera = 0;
-  FramePtr frame;          ///< null: there is no picture
-  cv::Mat mask;            ///< as TrackSnapshot::masks; of another size than the image: none
-  bool isOfMotion = false; ///< the mask shows what moves, not targets
-  QRect part;              ///< of the image, what is drawn of it, pixels
-  QSize size;              ///< of that part, device pixels
-  bool isZoomed = false;   ///< pixels that are large enough are drawn as squares
-  TrackSnapshotPtr maps;   ///< whose likelihood maps are drawn; null: none are
+  FramePtr frame; ///< null: no picture
+  cv::Mat mask; ///< as in TrackSnapshot::masks; ignored if its size differs from that of the image
+  bool isOfMotion = false; ///< the mask shows moving pixels instead of targets
+  QRect part;              ///< part of the image that is drawn, pixels
+  QSize size;              ///< size of that part on the screen, device pixels
+  bool isZoomed = false;   ///< draws large pixels as squares
+  TrackSnapshotPtr maps;   ///< snapshot whose likelihood maps are drawn; null: none
 
   bool operator==(const PictureSource& other) const;
 };
 
-/// The pixels of a camera view.
+/// Drawn pixels of a camera view.
 struct CameraPicture {
   PictureSource source;
   QImage image;
-  std::vector<QImage> maps; ///< per target; null where it has no map
-  QImage motionMap;         ///< of the whole image; null where there is none
+  std::vector<QImage> maps; ///< one per target; null where a target has no map
+  QImage motionMap;         ///< map of the whole image; null if there is none
 };
 
-/// Draws a picture, which takes long for large images. Any thread.
+/// Draws a picture. Slow for large images; may be called in any thread.
 CameraPicture drawPicture(const PictureSource& source);
 
 } // namespace dewpoint::ui

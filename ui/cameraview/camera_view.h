@@ -20,59 +20,61 @@ struct CameraOverlay;
 
 namespace dewpoint::ui {
 
-/// What one camera sees, letterboxed or zoomed, and what the filter believes, projected into it:
-/// particles, estimate with 95 % ellipse, truth where known, the mask of the target color on
-/// demand. Pixels are made beside the window; until those of a newer snapshot are there the last
-/// ones are shown, with what was believed then. What lies over it follows placement().
+/// Image of one camera, letterboxed or zoomed, with the estimates of the filter projected into it:
+/// particles, estimate with 95 % ellipse, ground truth if known and, on demand, the mask of the
+/// target color. Pixels are drawn in another thread. Until the pixels of a newer snapshot are
+/// ready, the view shows the previous snapshot with its estimates. Overlays follow `placement()`.
 class CameraView : public QWidget {
   Q_OBJECT
 public:
-  /// View of camera `camera` of the rig of the snapshots it is given.
+  /// Creates the view of camera `camera`, an index into the rig of the snapshots.
   explicit CameraView(int camera, QWidget* parent = nullptr);
 
-  /// What it shows; null: no images.
+  /// Sets the snapshot to show; null: no images.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void setMaskShown(bool shown);
-  /// Likelihood maps and the positions that were considered.
+  /// Shows or hides the likelihood maps and the candidate positions.
   void setEvidenceShown(bool shown);
-  /// The particle of highest weight of each target.
+  /// Shows or hides the particle with the highest weight of each target.
   void setBestShown(bool shown);
-  /// A cloud of particles that is too small to be seen, enlarged in a corner.
+  /// Shows or hides the inset that enlarges a particle cloud too small to see.
   void setMagnifierShown(bool shown);
-  /// The volume of interest, as an outline; nothing: none.
+  /// Shows the outline of the volume of interest, or none.
   void setVolume(const std::optional<WorldBox>& volume);
-  /// The selected person stands out; -1: none.
+  /// Highlights the selected person; -1: none.
   void setChosenTarget(int target);
   HoldState state() const { return state_; }
-  /// Where the image is, and its size in pixels; an empty size before there was one.
+  /// Placement of the image in the widget, and its size in pixels. The size is empty before the
+  /// first image.
   const ImagePlacement& placement() const { return placement_; }
   const QSize& imageSize() const { return imageSize_; }
-  /// What is seen of the image, in this widget.
+  /// Visible part of the image, in widget coordinates.
   QRectF shownArea() const { return placement_.areaOf(imageSize_) & QRectF(rect()); }
-  /// The pixel at a position of this widget; nothing beside the image.
+  /// Returns the pixel at a position of this widget, or nothing outside the image.
   std::optional<QPointF> pixelAt(const QPointF& position) const;
-  /// The frame whose pixels are shown; null before there are any.
+  /// Frame whose pixels are shown; null before the first one.
   const FramePtr& shownFrame() const { return picture_.source.frame; }
 
   bool isZoomed() const;
-  /// Makes the image so many times as large (ImageZoom), the pixel at `position` stays.
+  /// Enlarges the image by `factor` (`ImageZoom`); the pixel at `position` (widget coordinates)
+  /// stays in place.
   void zoomBy(double factor, const QPointF& position);
-  /// Moves the zoomed image.
+  /// Moves the zoomed image by `way`, in widget units.
   void panBy(const QPointF& way);
-  /// Moves the zoomed image until a pixel of it is seen.
+  /// Moves the zoomed image until a pixel of it is visible.
   void reveal(const QPointF& pixel);
-  /// All of the image again.
+  /// Fits the whole image into the view again.
   void fitImage();
-  /// Asks for the menu of the image at a position of this widget.
+  /// Requests the context menu at a position of this widget.
   void askForMenu(const QPointF& position) { Q_EMIT menuRequested(position); }
-  /// Whether what it shows is all that it was given last; true while nobody sees it.
+  /// Whether the view shows everything it was given last; true while it is not visible.
   bool isDrawn() const;
 
   QSize sizeHint() const override { return {400, 300}; }
   QSize minimumSizeHint() const override { return {120, 90}; }
 
 Q_SIGNALS:
-  /// The word in the title of this view changed.
+  /// The state in the title of this view has changed.
   void stateChanged(HoldState state);
   void menuRequested(const QPointF& position);
 
@@ -84,32 +86,34 @@ protected:
 
 private:
   HoldState stateNow() const;
-  /// What the picture of the newest snapshot is made of; without a frame: there is none.
+  /// Returns the input for drawing the newest snapshot; without a frame if there is no picture.
   PictureSource source() const;
-  /// For an image of the frame's size in this view.
+  /// Returns the zoom geometry for an image of the size of this frame in this view.
   ZoomRoom roomFor(const Frame& frame) const;
-  /// Places the image of the newest snapshot; false: there is none.
+  /// Places the image of the newest snapshot. Returns false if there is none.
   bool place();
-  /// The zoom has changed.
+  /// Places the image again after the zoom has changed.
   void placeAgain();
-  /// Where the picture lies: it may be of another part of the image than is seen now.
+  /// Area of the drawn picture, widget coordinates. The picture may cover another part of the image
+  /// than is visible now.
   QRectF pictureArea() const;
-  /// Not hidden, nor in a minimized window.
+  /// Whether the view is visible, in a window that is not minimized.
   bool isSeen() const;
   void refresh();
-  /// Makes no pictures while nobody sees them, and forgets that of an earlier frame.
+  /// Stops drawing while the view is not visible, and drops the picture of an earlier frame.
   void rest();
-  /// Shows the newest snapshot if its picture is there (true), or else begins to make it.
+  /// Returns true and shows the newest snapshot if its picture is ready; otherwise starts drawing
+  /// the picture.
   bool follow();
   void paintBelief(QPainter& painter) const;
-  /// In place of the image.
+  /// Text shown in place of the image when there is none.
   QString whyThereIsNoImage() const;
-  /// What the target of that number makes of its overlay in this view.
+  /// Returns the overlay of a target in this view.
   CameraOverlay overlayOf(std::size_t target) const;
   void paintInset(QPainter& painter, const std::vector<QRectF>& taken) const;
 
   int camera_;
-  TrackSnapshotPtr snapshot_; ///< the newest
+  TrackSnapshotPtr snapshot_; ///< newest snapshot
   bool maskShown_ = false;
   bool evidenceShown_ = false;
   bool bestShown_ = false;
@@ -121,8 +125,8 @@ private:
   ImagePlacement placement_;
   QSize imageSize_;
   CameraPicture picture_;
-  TrackSnapshotPtr shown_; ///< the one that picture_ goes with
-  PictureSource ordered_;  ///< what job_ works on, or will
+  TrackSnapshotPtr shown_; ///< snapshot that belongs to `picture_`
+  PictureSource ordered_;  ///< input that `job_` works on, or will work on
   LatestJob job_{LatestJob::Overtaken::Kept};
 };
 

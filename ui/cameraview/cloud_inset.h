@@ -18,20 +18,20 @@ struct CameraOverlay;
 
 namespace dewpoint::ui {
 
-/// Enlarges a cloud of particles that is too small to be seen in its camera view, in a corner of
-/// the view away from it: the image around it, its particles, the 95 % ellipse where that is as
-/// small, and a bar that says how large a pixel is. A thin line leads to the place.
+/// Inset that enlarges a particle cloud too small to see in its camera view, in a corner away from
+/// the cloud. It shows the image around the cloud, the particles, the 95 % ellipse if that is small
+/// as well, and a scale bar in pixels. A thin line leads to the cloud.
 struct CloudInset {
-  const CameraOverlay& overlay; ///< of a target that is tracked
+  const CameraOverlay& overlay; ///< overlay of a tracked target
   const cv::Mat& image;         ///< CV_8UC3
   ImagePlacement placement;
-  QRectF area; ///< what is seen of the image, widget units
+  QRectF area; ///< visible part of the image, widget units
   QColor color;
   ParticleRamp ramp;
-  std::vector<QRectF> taken; ///< of that area, by something else
+  std::vector<QRectF> taken; ///< parts of that area that are already used
 };
 
-/// Draws it if the cloud is small and seen, and there is room.
+/// Draws the inset if the cloud is small and visible and there is room.
 void paintCloudInset(QPainter& painter, const CloudInset& inset);
 
 } // namespace dewpoint::ui

@@ -11,9 +11,9 @@
 
 namespace dewpoint::ui {
 
-/// Draws the likelihood map of a target (likelihoodImage(); null: there is none) at its position in
-/// the camera's image, pixels, and the positions that were considered: solid circles for those
-/// believed in, dashed for new ones, dotted for distractors.
+/// Draws the likelihood map of a target (`likelihoodImage()`; null: none) at its place in the image
+/// of the camera (`place`, pixels), and the candidate positions: solid circles for accepted ones,
+/// dashed for new ones, dotted for distractors.
 void paintEvidence(QPainter& painter, const QRect& place, const QImage& map,
                    const std::vector<ProposedOutline>& proposed, const ImagePlacement& placement);
 

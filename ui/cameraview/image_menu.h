@@ -16,27 +16,27 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// One entry of the menu of an image.
+/// One entry of the context menu of an image.
 struct ImageMenuEntry {
-  QString name; ///< objectName of its action
+  QString name; ///< objectName of the action
   QString text;
   QString hint; ///< one sentence
   bool enabled = true;
   std::function<void()> run;
 };
 
-/// The menu that a right click on a camera image opens, and the Menu key: what features add about
-/// the pixel there, then the zoom.
+/// Context menu of the camera images, opened by a right click or the Menu key. Lists what features
+/// offer for the pixel there, then the zoom actions.
 class ImageMenu : public QObject {
   Q_OBJECT
 public:
   explicit ImageMenu(const Workbench& bench);
 
-  /// What a feature offers at a pixel of the image of a camera; nothing: no entries.
+  /// Returns the entries that a feature offers at a pixel of a camera's image; may be empty.
   using Section = std::function<std::vector<ImageMenuEntry>(int camera, const QPointF& pixel)>;
-  /// Sections stand in the order they are added.
+  /// Adds a section below the existing ones.
   void addSection(Section section) { sections_.push_back(std::move(section)); }
-  /// Opens the menu at a position of a view, which may lie beside its image.
+  /// Opens the menu at a position of a view. The position may lie outside the image.
   void open(int camera, CameraView* view, const QPointF& position);
 
 private:

@@ -17,13 +17,13 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// The wheel and the middle button in a camera view, whatever lies over its image: the wheel zooms
-/// at the pointer, a drag with the middle button, or with the left one and Ctrl, moves a zoomed
-/// image. What it takes never reaches the tools over the image.
+/// Zooms and moves the image of a camera view, whatever overlay lies on it. The wheel zooms at the
+/// pointer; a drag with the middle button, or with Ctrl and the left button, moves a zoomed image.
+/// The overlays never receive these events.
 class ImageNavigation : public QObject {
   Q_OBJECT
 public:
-  /// Belongs to the view.
+  /// Creates the navigation as a child of the view.
   explicit ImageNavigation(CameraView* view);
 
 protected:
@@ -36,9 +36,9 @@ private:
   bool release(QWidget* under, QMouseEvent& event);
 
   CameraView* view_;
-  std::optional<QPointF> dragged_; ///< where the pointer was last, in the view
+  std::optional<QPointF> dragged_; ///< last pointer position during a drag, view coordinates
   Qt::MouseButton button_ = Qt::NoButton;
-  QCursor cursor_; ///< before the drag
+  QCursor cursor_; ///< cursor before the drag
 };
 
 } // namespace dewpoint::ui

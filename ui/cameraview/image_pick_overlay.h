@@ -13,50 +13,53 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// Lies over a camera view: lets the user point at objects in its image, and outlines regions of
-/// it. A drag that means no tool moves a zoomed image, a double click fits it. By keys: while it
-/// has the focus and picks, the arrows move a cross (Ctrl: one pixel at a time), Enter points
-/// there; with Shift or Alt as with a click.
+/// Overlay of a camera view that lets the user point at objects in the image and outlines regions.
+/// A drag that no tool uses moves a zoomed image; a double click fits the image. With the keyboard,
+/// while it has the focus and picks: arrows move a cross (Ctrl: by one pixel), and Enter picks
+/// there; Shift and Alt work as with a click.
 class ImagePickOverlay : public QWidget {
   Q_OBJECT
 public:
   explicit ImagePickOverlay(CameraView* view);
 
-  /// Whether a plain click picks; with Shift or Alt it always does.
+  /// Sets whether a plain click picks. With Shift or Alt a click always picks.
   void setPicking(bool picking);
-  /// Whether a loupe shows what is under the pointer while it picks, where pixels are small.
+  /// Sets whether a magnifier shows the pixels under the pointer while picking, if pixels are
+  /// small.
   void setMagnifying(bool magnifying) { magnifying_ = magnifying; }
-  /// A drag moves a point instead of opening a box: grabbed(), pointed() on its way, and picked()
-  /// where it is let go.
+  /// Sets whether a drag moves a point instead of drawing a box. It then emits `grabbed()`,
+  /// `pointed()` on the way, and `picked()` at the end.
   void setPointing(bool pointing) { pointing_ = pointing; }
-  /// Where the cross of the keys begins, a pixel of the image; nothing: in its middle.
+  /// Sets the pixel where the cross of the keyboard starts; by default the center of the image.
   void setCrossStart(std::optional<QPointF> start) { crossStart_ = start; }
-  /// Thin lines over the image and a cross, in pixels of it.
+  /// Draws thin lines and a cross over the image, in image pixels.
   void setGuides(std::vector<QPolygonF> lines, std::optional<QPointF> point);
   const std::vector<QPolygonF>& guideLines() const { return guideLines_; }
   const std::optional<QPointF>& guidePoint() const { return guidePoint_; }
-  /// Regions of the image, in pixels, with a word each.
+  /// Outline of a region in image pixels, with a label.
   struct Region {
     QPolygonF outline;
     QString text;
   };
   void setRegions(std::vector<Region> regions);
-  /// What a click is for, shown at the lower edge of the image while it picks; empty: nothing.
+  /// Sets the hint at the lower edge of the image that tells what a click does while picking;
+  /// empty: none.
   void setHint(const QString& hint);
 
 Q_SIGNALS:
-  /// A click (an empty size) or a dragged box, in pixels of the image.
+  /// A click (`region` has an empty size) or a dragged box, in image pixels.
   void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
-  /// Of a point that is dragged: the mouse went down, and where the point is since, also by keys;
-  /// pixels of the image. At last picked() or not, and then that it is over.
+  /// A point is dragged. `grabbed()`: the mouse button went down; `pointed()`: the point moved,
+  /// also by keys; `pointingEnded()`: the drag is over, after `picked()` if a pixel was picked.
+  /// Positions are in image pixels.
   void grabbed(const QPointF& pixel);
   void pointed(const QPointF& pixel);
   void pointingEnded();
-  /// Esc: nothing more is to be pointed at.
+  /// Esc was pressed: picking ends.
   void cancelled();
-  /// A plain click while nothing is being picked: the view was chosen.
+  /// A plain click while not picking selects this view.
   void chosen();
-  /// Where that was, pixels of the image.
+  /// Position of that click, image pixels.
   void imageClicked(const QPointF& pixel);
 
 protected:
@@ -74,13 +77,13 @@ protected:
   bool event(QEvent* event) override;
 
 private:
-  /// The pixel of the image that is nearest to a position.
+  /// Returns the image pixel nearest to a widget position.
   QPointF nearestPixel(QPointF position) const;
-  /// A loupe beside the pointer or the cross, where pixels are small.
+  /// Draws a magnifier beside the pointer or the cross if pixels are small.
   void paintMagnified(QPainter& painter) const;
-  /// Nothing is pointed at any more.
+  /// Ends the drag of a point.
   void endPointing();
-  /// Whether the key moves the cross or points, when it is pressed here.
+  /// Whether this key press moves the cross or picks.
   bool isForCross(const QKeyEvent& event) const;
   void moveCross(int key, bool fine);
 
@@ -94,13 +97,13 @@ private:
   QString hint_;
   bool magnifying_ = true;
   struct Press {
-    QPointF position; ///< widget
-    QPointF pixel;    ///< what it is about, also when the image is zoomed meanwhile
+    QPointF position; ///< widget coordinates
+    QPointF pixel;    ///< pixel under the press, which stays valid if the zoom changes meanwhile
   };
   std::optional<Press> pressed_;
-  std::optional<QPointF> panned_;  ///< widget; while a press means no tool
-  std::optional<QPointF> pointer_; ///< widget, while it picks
-  std::optional<QPointF> cross_;   ///< pixel of the image; moved by keys
+  std::optional<QPointF> panned_;  ///< widget coordinates; set while a press moves the image
+  std::optional<QPointF> pointer_; ///< widget coordinates; set while picking
+  std::optional<QPointF> cross_;   ///< image pixel; moved by keys
   QPointF now_;
 };
 

@@ -12,21 +12,21 @@ namespace dewpoint::ui {
 
 class CameraListModel;
 
-/// The mouse and the keys in all camera images: a click or a dragged box goes to the tool that
-/// requested one, and otherwise selects.
+/// Mouse and key input of all camera images. A click or a dragged box goes to the tool that
+/// requested one; otherwise it selects.
 class ImagePickTool : public QObject {
   Q_OBJECT
 public:
-  /// `cameras`: what their images are called.
+  /// `cameras`: provides the names of the images.
   explicit ImagePickTool(const CameraListModel& cameras, QObject* parent = nullptr);
 
-  /// From now on the user can point at objects in this view; views that are gone are forgotten.
+  /// Lets the user point at objects in this view. Deleted views are removed automatically.
   void attach(int camera, CameraView* view);
-  /// Whether a plain click picks, and what for, as is shown at the lower edge of the images.
+  /// Sets whether a plain click picks, and the hint shown at the lower edge of the images.
   void setPicking(bool picking, const QString& hint);
-  /// Picks a pixel of a camera's image in place of a click there with these modifiers.
+  /// Picks a pixel of a camera's image, as a click there with these modifiers would.
   void pickAt(int camera, const QPointF& pixel, Qt::KeyboardModifiers modifiers);
-  /// Gives the first image the focus: the keys move its cross.
+  /// Gives the keyboard focus to the first image, so that keys move its cross.
   void takeFocus();
   /// Outlines regions of a camera's image.
   void setRegions(int camera, const std::vector<ImagePickOverlay::Region>& regions);
@@ -34,11 +34,11 @@ public:
 
 Q_SIGNALS:
   void attached();
-  /// A click (an empty size) or a dragged box in the image of a camera, pixels.
+  /// A click (`region` has an empty size) or a dragged box in the image of a camera, pixels.
   void picked(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
-  /// Esc: nothing more is to be picked.
+  /// Esc was pressed: picking ends.
   void cancelled();
-  /// A plain click while nothing is being picked: the camera, and where that was, pixels.
+  /// A plain click while not picking: the camera, and the position in image pixels.
   void cameraChosen(int camera);
   void imageClicked(int camera, const QPointF& pixel);
 

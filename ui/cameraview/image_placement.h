@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// Where an image lies in its widget: its upper left corner, and widget units per image pixel.
-/// Centers of pixels lie at whole numbers.
+/// Placement of an image in its widget: upper left corner in widget coordinates, and widget units
+/// per image pixel. Pixel centers lie at integers.
 struct ImagePlacement {
   QPointF corner;
   double scale = 1.0;
@@ -21,7 +21,7 @@ struct ImagePlacement {
   QPointF pixelAt(const QPointF& position) const {
     return (position - corner) / scale - QPointF(0.5, 0.5);
   }
-  /// All of an image of this size, widget units.
+  /// Returns the area that an image of this size covers, in widget coordinates.
   QRectF areaOf(const QSize& image) const { return {corner, QSizeF(image) * scale}; }
 };
 

@@ -9,40 +9,40 @@
 
 namespace dewpoint::ui {
 
-/// What a zoom is about: an image (pixels) in a view (widget units) with so many device pixels per
-/// widget unit. Neither size is empty.
+/// Geometry of a zoom: size of the image (pixels), size of the view (widget units), and device
+/// pixels per widget unit. Neither size is empty.
 struct ZoomRoom {
   QSize image;
   QSize view;
   double ratio = 1.0;
 };
 
-/// How far a view is zoomed into its image, and where: fitted at first, so that all of the image is
-/// seen. A zoomed image leaves no more of the view empty than a fitted one; it keeps its scale and
-/// its center when the view gets another size.
+/// Zoom and position of an image in a view. At first the image is fitted: all of it is visible. A
+/// zoomed image leaves no more of the view empty than a fitted one. It keeps its scale and center
+/// when the size of the view changes.
 class ImageZoom {
 public:
-  /// Factor of one step of the wheel or of a key.
+  /// Zoom factor per step of the wheel or per key press.
   static constexpr double kStep = 1.4142135623730951;
-  /// Widget units per image pixel: not more, unless the image is larger already where it fits.
+  /// Maximum scale in widget units per image pixel. A fitted image may exceed it.
   static constexpr double kMost = 32.0;
 
   bool isFitted(const ZoomRoom& room) const;
-  /// Makes the image `factor` times as large; the pixel at `position` (widget units) stays where it
-  /// is. Not smaller than fitted.
+  /// Enlarges the image by `factor`, but never below the fitted size. The pixel at `position`
+  /// (widget units) stays in place.
   void zoomBy(double factor, const QPointF& position, const ZoomRoom& room);
-  /// Moves a zoomed image along `way`, widget units, as far as it goes.
+  /// Moves a zoomed image by `way` (widget units), up to its limits.
   void panBy(const QPointF& way, const ZoomRoom& room);
-  /// Moves a zoomed image no more than needed to see a pixel of it.
+  /// Moves a zoomed image just far enough to make a pixel visible.
   void reveal(const QPointF& pixel, const ZoomRoom& room);
   void fit() { scale_ = 0.0; }
 
-  /// Where the image lies, its corner at a whole device pixel.
+  /// Returns the placement of the image; its corner lies on a whole device pixel.
   ImagePlacement placement(const ZoomRoom& room) const;
-  /// The part of the image that is to be drawn, pixels: what is seen and a little around it; all of
-  /// it where it is fitted.
+  /// Returns the part of the image to draw, in pixels: the visible part plus a small margin, or all
+  /// of a fitted image.
   QRect part(const ZoomRoom& room) const;
-  /// The size of that part, device pixels.
+  /// Returns the size of that part in device pixels.
   QSize partSize(const ZoomRoom& room) const;
 
 private:
@@ -50,7 +50,8 @@ private:
   void moveTo(const QPointF& corner, double scale, const ZoomRoom& room);
 
   double scale_ = 0.0; ///< widget units per image pixel; 0: fitted
-  QPointF center_; ///< in the middle of the view: pixels from the upper left corner of the image
+  /// image point at the center of the view: pixels from the upper left corner of the image
+  QPointF center_;
 };
 
 } // namespace dewpoint::ui

@@ -11,29 +11,30 @@
 
 namespace dewpoint::ui {
 
-// Where the inset of a camera view lies, and how much it enlarges. All of it depends on what is
-// shown alone, so that the same frame is the same picture again, and it changes seldom, so that the
-// inset rests while the cloud in it moves.
+// Position and magnification of the inset of a camera view. They depend only on what is shown, so
+// the same frame always gives the same picture. They change rarely, so the inset stays still while
+// the cloud in it moves.
 
-/// Whether a cloud of this diameter, widget units, is too small to be seen without an inset.
+/// Whether a cloud of this diameter (widget units) is too small to see without an inset.
 bool isTightCloud(double diameter);
 
-/// The side of a square inset for a view of this area, widget units; nothing where it would be in
-/// the way.
+/// Returns the side of the square inset for a view of this area (widget units), or nothing if an
+/// inset would take too much room.
 std::optional<double> insetSide(const QRectF& area);
 
-/// How many device pixels a pixel of the image is wide in an inset of `side` device pixels, for a
-/// cloud of this diameter in pixels of the image: a power of three. Nothing where the cloud is too
-/// large for an inset of whole pixels.
+/// Returns the width of an image pixel in device pixels, for an inset of `side` device pixels and a
+/// cloud of `diameter` image pixels; a power of three. Returns nothing if the cloud is too large
+/// for an inset of whole pixels.
 std::optional<int> insetFactor(double diameter, double side);
 
-/// A square in a corner of a view's area: the first one with ample room to the target, from the
-/// lower left on, else the farthest; it touches none of what is `taken` if it can.
+/// Returns a square in a corner of the area of a view: the first corner with ample distance to the
+/// target, starting at the lower left, else the farthest one. It avoids the `taken` rectangles if
+/// possible.
 QRectF insetPlace(const QRectF& area, double side, const QPointF& target,
                   const std::vector<QRectF>& taken);
 
-/// The longest length (pixels of the image) of 1, 2 or 5 times a power of ten that is at most
-/// `longest` widget units long, where a pixel is `scale` wide.
+/// Returns the longest length (image pixels) of the form 1, 2 or 5 times a power of ten that is at
+/// most `longest` widget units long. `scale`: widget units per pixel.
 double scaleBarLength(double scale, double longest);
 
 } // namespace dewpoint::ui

@@ -15,12 +15,12 @@ class Mat;
 
 namespace dewpoint::ui {
 
-/// Where a loupe lies beside the pointer in a widget of this size: never under the pointer nor
-/// beyond the border. Empty where there is no room for one.
+/// Returns where to place a magnifier beside the pointer in a widget of size `room`. It never lies
+/// under the pointer or outside the widget. Returns an empty rectangle if there is no room.
 QRectF loupePlace(const QPointF& pointer, const QSizeF& room);
 
-/// Draws the image around a pixel (centers at whole numbers), enlarged, into a round loupe at that
-/// place, and a cross at the pixel that is `meant`. `image` is CV_8UC3.
+/// Draws the image around `pixel`, enlarged, into a round magnifier at `place`, with a cross at the
+/// pixel `meant`. Pixel centers lie at integers. `image` is CV_8UC3.
 void paintLoupe(QPainter& painter, const QRectF& place, const cv::Mat& image, const QPointF& pixel,
                 const QPointF& meant);
 

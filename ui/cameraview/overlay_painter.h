@@ -15,8 +15,8 @@ struct ImageEllipse;
 
 namespace dewpoint::ui {
 
-/// Draws what one camera would see of a target: thin bright strokes with a dark halo, readable on
-/// any image. `ramp` colors the particles by their weight.
+/// Draws the overlay of a target for one camera: thin bright strokes with a dark halo, readable on
+/// any image. `ramp` colors the particles by weight.
 void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
                   const QColor& color, const ParticleRamp& ramp);
 

@@ -12,8 +12,8 @@ struct CameraOverlay;
 
 namespace dewpoint::ui {
 
-/// Draws the particles of a target as dots with a dark halo, in the color of their weight, the
-/// heaviest last; where there are few, heavier ones are larger.
+/// Draws the particles of a target as dots with a dark halo, colored by weight; the heaviest are
+/// drawn last. If there are few particles, heavier ones are drawn larger.
 void paintParticles(QPainter& painter, const CameraOverlay& overlay,
                     const ImagePlacement& placement, const ParticleRamp& ramp);
 

@@ -10,22 +10,23 @@
 
 namespace dewpoint::ui {
 
-/// The colors of particles by their weight: from dark to very bright, so that they can be told
-/// apart without telling hues apart.
+/// Color scale for particle weights, from dark to very bright, so that weights can be distinguished
+/// by brightness alone.
 class ParticleRamp {
 public:
-  /// Dark violet over magenta to a bright yellow white: hardly anything in a room has these colors.
+  /// Returns a scale from dark violet over magenta to bright yellow-white, colors that are rare in
+  /// a room.
   static ParticleRamp heat();
-  /// Shades of one color, to tell the particles of several targets apart.
+  /// Returns a scale of shades of one color, to distinguish the particles of several targets.
   static ParticleRamp tinted(const QColor& color);
 
-  /// The color of a weight, 0 to 1 of the largest one.
+  /// Returns the color of a weight, given relative to the largest weight (0 to 1).
   QColor at(double weight) const;
 
 private:
   explicit ParticleRamp(std::vector<QColor> stops) : stops_(std::move(stops)) {}
 
-  std::vector<QColor> stops_; ///< equally far apart; at least two
+  std::vector<QColor> stops_; ///< at equal distances; at least two
 };
 
 } // namespace dewpoint::ui

@@ -9,16 +9,17 @@
 namespace dewpoint::ui {
 
 /// Draws the people of a snapshot as one camera sees them: the outline of the hull of each 95 %
-/// volume (Mohedano et al. 2009, figure 1) in the color of the identity, with its number; without
-/// hulls, the points. `room` is where the image lies; `chosen` is the selected target, or -1.
+/// volume (Mohedano et al. 2009, figure 1) in the color of the identity, with its number. Draws
+/// points where there are no hulls. `room` is the area of the image; `chosen` is the selected
+/// target, or -1.
 void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                  const ImagePlacement& placement, const QRectF& room, int chosen);
 
-/// Whether paintPeople() draws all there is of a target.
+/// Whether `paintPeople()` draws everything there is to draw of a target.
 bool isPaintedByPeople(const TargetSnapshot& target);
 
-/// What keeps a camera from detecting people, at the lower edge of its image, with a bar while it
-/// learns; nothing is drawn when nothing does.
+/// Draws, at the lower edge of the image, what keeps a camera from detecting people, with a
+/// progress bar while it learns. Draws nothing if people can be detected.
 void paintPeopleTrouble(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                         const QRectF& room);
 

@@ -12,19 +12,18 @@ class QSizeF;
 
 namespace dewpoint::ui {
 
-// What the tools that point at an image draw over it, in widget units: bright yellow with a dark
-// halo.
+// Marks that picking tools draw over an image, in widget units: bright yellow with a dark halo.
 
-/// The outline of a region.
+/// Draws the outline of a region.
 void paintPickOutline(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style);
-/// The same with a word above it, within a widget of this size.
+/// Draws the outline of a region with a label above it, inside a widget of size `room`.
 void paintPickRegion(QPainter& painter, const QPolygonF& outline, const QString& text,
                      const QSizeF& room);
-/// A cross with an open middle.
+/// Draws a cross with an open center.
 void paintPickCross(QPainter& painter, const QPointF& position);
-/// A thin line.
+/// Draws a thin guide line.
 void paintPickGuide(QPainter& painter, const QPolygonF& line);
-/// What a click is for, at the lower edge of the area.
+/// Draws the hint about what a click does, at the lower edge of the area.
 void paintPickHint(QPainter& painter, const QString& hint, const QRectF& area);
 
 } // namespace dewpoint::ui

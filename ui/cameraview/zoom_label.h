@@ -8,8 +8,8 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Says in the lower right corner of an image how large its pixels are shown, in widget units;
-/// returns where it stands.
+/// Draws in the lower right corner of an image how large its pixels are shown (`scale`, widget
+/// units per pixel). Returns the area of the label.
 QRectF paintZoomLabel(QPainter& painter, const QRectF& area, double scale);
 
 } // namespace dewpoint::ui

@@ -10,8 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// What is outlined in each camera beside the verdict about a color: what matches it too, and what
-/// was found to be the target as well.
+/// Returns the outlines to draw in each camera for the assessment of a color: other regions that
+/// match the color, and further regions of the target itself.
 std::map<int, std::vector<ImagePickOverlay::Region>>
 assessedRegions(const ColorAssessment& assessment, const std::vector<setup::FoundOutline>& found);
 

@@ -11,22 +11,22 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Gives a target its box, from where the user points, for the methods that follow boxes: a dragged
-/// one as it is, for a click the box around what stands out there (boxFromClick(), in a thread).
-/// What comes out is an undoable step of the document.
+/// Sets the bounding box of a target from where the user points, for methods that track boxes. A
+/// dragged box is used as it is. For a click, `boxFromClick()` finds the region that stands out
+/// there, in another thread. The result is an undoable step of the document.
 class BoxPicker : public QObject {
   Q_OBJECT
 public:
   explicit BoxPicker(Document& document, QObject* parent = nullptr);
 
-  /// Index of the target that gets the box; -1: a new one.
+  /// Index of the target that gets the box; -1: a new target.
   void setTarget(int target) { target_ = target; }
-  /// A click (an empty size) or a box in the image of a camera of this snapshot; pixels whose
-  /// centers lie at whole numbers.
+  /// Handles a click (`region` has an empty size) or a dragged box in the image of a camera of this
+  /// snapshot. Pixel centers lie at integers.
   void point(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region);
 
 Q_SIGNALS:
-  /// A target has the box; `isFirst`: it had none before.
+  /// A target has got the box. `isFirst`: it had none before.
   void learned(int target, bool isFirst);
   void failed(const QString& sentence);
 

@@ -13,21 +13,22 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// Which color of a target of several is shown, and a way to take one away. Not shown for a target
-/// of one color.
+/// Buttons that select which color of a target is shown, and a button that removes a color. Hidden
+/// for a target with one color.
 class ColorChoice : public QWidget {
   Q_OBJECT
 public:
   explicit ColorChoice(QWidget* parent = nullptr);
 
-  /// Shows the colors of a target; the choice stays where there are as many still.
+  /// Shows the colors of a target. Keeps the selection if their number is unchanged; otherwise
+  /// selects the first.
   void setColors(const ColorRanges& colors);
-  /// An index of the colors.
+  /// Index of the selected color.
   int chosen() const { return chosen_; }
   void retranslate();
 
 Q_SIGNALS:
-  /// By the user.
+  /// The user selected another color.
   void chosenChanged();
   void removeRequested(int color);
 

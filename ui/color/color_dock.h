@@ -15,8 +15,8 @@ class TargetPanel;
 class ViewDock;
 struct TargetDock;
 
-/// The color of the chosen target in the window. What was learned from a click in a camera image
-/// is chosen, and the run may begin.
+/// Dock for the color of the selected target. After a color is learned from a click in a camera
+/// image, selects that target and allows the run to start.
 class ColorDock : public QObject {
   Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
 private:
   void connectActions();
   void nameLearning();
-  /// What the menu of an image offers at a pixel of it.
+  /// Returns the menu entries offered at a pixel of an image.
   std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
   void learned(int target, bool isNew);
 

@@ -17,33 +17,32 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Learns a target's color from clicks and boxes in the images (learnFromClicks()), and assesses
-/// it. The work is done
-/// in a thread; the result is an undoable step of the document.
+/// Learns the color of a target from clicks and boxes in the images (`learnFromClicks()`), and
+/// assesses it. The work runs in another thread; the result is an undoable step of the document.
 class ColorLearner : public QObject {
   Q_OBJECT
 public:
   explicit ColorLearner(Document& document, QObject* parent = nullptr);
 
-  /// The images to learn from: those shown.
+  /// Sets the images to learn from: those shown.
   void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
-  /// Index of the target whose color is learned; -1: a new one.
+  /// Index of the target whose color is learned; -1: a new target.
   void setTarget(int target) { target_ = target; }
 
   enum class SampleAction { Replace, Add, Exclude };
-  /// A click (an empty size) or a box in the image of a camera, pixels.
+  /// Handles a click (`region` has an empty size) or a box in the image of a camera, pixels.
   void point(int camera, const QRectF& region, SampleAction action);
-  /// Takes a sample away (withoutSample()) and learns from the rest; the last click keeps the color
-  /// as it is.
+  /// Removes a sample (`withoutSample()`) and learns the color from the remaining ones. The color
+  /// stays as it is if no click remains.
   void removeSample(int index);
   bool isBusy() const { return learning_.isRunning(); }
   /// Assesses the color of the target in the images shown.
   void assess();
 
 Q_SIGNALS:
-  /// A color was learned; `isNew`: of a target that was not there before.
+  /// A color was learned. `isNew`: the target did not exist before.
   void learned(int target, bool isNew);
-  /// What clicks taught, before the color is assessed.
+  /// Result of learning from clicks, emitted before the color is assessed.
   void taught(const dewpoint::setup::ClickLesson& lesson);
   void assessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);
@@ -55,7 +54,8 @@ private:
   Scene scene() const;
   std::vector<cv::Mat> images() const;
   std::vector<cv::Mat> emptyRooms() const;
-  /// Does `work` in the thread, then what it returns here; of several only the last counts.
+  /// Runs `work` in another thread, then the function it returns in the thread of the window. A
+  /// newer call replaces an earlier one.
   void start(Work work);
   void applyResult(int target, const setup::ClickLesson& lesson, const QString& step);
 

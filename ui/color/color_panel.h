@@ -32,42 +32,43 @@ class Document;
 class ImagePickTool;
 class LearnModes;
 
-/// The color of the chosen target: picker, samples it was learned from, and what to expect of it.
-/// With methods that follow boxes, a click gives the target a box instead of a color.
+/// Panel for the color of the selected target: picker, color samples and assessment. With methods
+/// that track boxes, a click sets the box of the target instead of its color.
 class ColorPanel : public QWidget {
   Q_OBJECT
 public:
-  /// `pick`: gives the clicks in the images.
+  /// `pick`: provides the clicks in the images.
   ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// The target whose color is shown; -1: the next click makes a new one.
+  /// Target whose color is shown; -1: the next click creates a new target.
   void setTarget(int target);
-  /// Whether the color is learned from a plain click in a view.
+  /// Sets whether a plain click in a view teaches the color.
   void setPicking(bool picking);
-  /// Whether the panel can be seen: only then colors are assessed.
+  /// Sets whether the panel is visible. Colors are assessed only while it is.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
   /// Whether there is a target whose color is shown.
   bool hasTarget() const;
-  /// Whether a click gives the target a box instead of a color.
+  /// Whether a click sets the box of a target instead of its color.
   bool takesBoxes() const;
 
 Q_SIGNALS:
   void pickingChanged(bool picking);
-  /// A color was learned from images: time to track it.
+  /// A color was learned from images; tracking can start.
   void learned(int target, bool isNew);
   void failed(const QString& sentence);
 
 private:
   void retranslateUi();
   void refresh();
-  /// What a click with these keys held down does.
+  /// Returns what a click with these modifiers does.
   ColorLearner::SampleAction actionOf(Qt::KeyboardModifiers modifiers) const;
-  /// What to click, for a line over the images.
+  /// Hint about what to click, shown over the images.
   QString hint() const;
   void connectLearner();
-  /// Whether a plain click is expected although the button is off: there is nothing to follow.
+  /// Whether a plain click is expected although the button is off, because there is nothing to
+  /// track yet.
   bool mustPoint() const;
   void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
@@ -95,17 +96,17 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
-  /// What a click does while picking.
+  /// Effect of a click while picking.
   ColorLearner::SampleAction mode_ = ColorLearner::SampleAction::Replace;
   ColorAssessment assessment_;
-  ColorRanges colors_;                     ///< of the target shown
-  bool inFront_ = false;                   ///< the panel is seen, not behind another tab
-  bool assessed_ = false;                  ///< the quality is of the colors shown
-  std::int64_t assessedFrame_ = -1;        ///< and about this frame
+  ColorRanges colors_;                     ///< colors of the target shown
+  bool inFront_ = false;                   ///< whether the panel is visible, not behind another tab
+  bool assessed_ = false;                  ///< whether the assessment matches the colors shown
+  std::int64_t assessedFrame_ = -1;        ///< frame that was assessed
   bool outlined_ = false;                  ///< distractors are outlined in the views
-  std::vector<setup::FoundOutline> found_; ///< beside them: what is the target too
-  std::optional<double> shownRadius_;      ///< meters, by the last clicks on this target
-  bool isPart_ = false;                    ///< by the same: of something larger of its color
+  std::vector<setup::FoundOutline> found_; ///< further regions of the target, outlined beside them
+  std::optional<double> shownRadius_; ///< radius in meters found by the last clicks on this target
+  bool isPart_ = false; ///< the last clicks hit a part of a larger object of this color
   QTimer* assessSoon_;
   QElapsedTimer sinceSurvey_;
   BackgroundJob survey_;

@@ -19,20 +19,20 @@ namespace dewpoint::ui {
 class HueRing;
 class RangeBar;
 
-/// Shows and changes a color range: by hand on ring and bars, exactly by numbers.
+/// Shows and changes a color range: by dragging on a hue ring and bars, or exactly by numbers.
 class ColorPicker : public QWidget {
   Q_OBJECT
 public:
   explicit ColorPicker(QWidget* parent = nullptr);
 
-  /// Shows a range without announcing it.
+  /// Shows a range without emitting `rangeEdited()`.
   void setRange(const ColorRange& range);
   const ColorRange& range() const { return range_; }
   void setHistogram(const ColorHistogram& histogram);
 
 Q_SIGNALS:
   void rangeEdited(const dewpoint::color::ColorRange& range);
-  /// A drag has ended: what comes next is another step.
+  /// A drag has ended; the next change is a new step.
   void editingFinished();
 
 private:
@@ -47,7 +47,8 @@ private:
   RangeBar* saturation_;
   RangeBar* intensity_;
   std::array<QLabel*, 3> labels_{};
-  std::array<QDoubleSpinBox*, 6> boxes_{}; ///< hue, saturation, intensity: from, to
+  /// hue, saturation, intensity: lower and upper bound of each
+  std::array<QDoubleSpinBox*, 6> boxes_{};
 };
 
 } // namespace dewpoint::ui

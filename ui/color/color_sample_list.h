@@ -15,13 +15,13 @@ struct Project;
 
 namespace dewpoint::ui {
 
-/// The samples that a target's color was learned from; not shown while there are none.
+/// List of the samples from which the color of a target was learned; hidden while empty.
 class ColorSampleList : public QWidget {
   Q_OBJECT
 public:
   explicit ColorSampleList(QWidget* parent = nullptr);
 
-  /// Lists the samples of a target of the project; of none when there is no such target.
+  /// Lists the samples of a target of the project; none if there is no such target.
   void setSamples(const Project& project, int target);
   void retranslate();
 

@@ -13,17 +13,18 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Makes targets of the other things that have the color and size of one: of several balls alike
-/// all can be followed. Hidden while there is none, or while each has its target.
+/// Button that creates targets for all other objects with the color and size of a target, so that
+/// all of several equal balls are tracked. Hidden if there are none, or if each already has a
+/// target.
 class FollowAllButton : public QPushButton {
   Q_OBJECT
 public:
   explicit FollowAllButton(Document& document, QWidget* parent = nullptr);
 
-  /// Offers what this assessment of the color of a target found; null: nothing.
+  /// Offers the objects that an assessment of the color of a target found; null: none.
   void offer(const ColorAssessment* assessment, int target);
 
-  /// Whether there is something to add.
+  /// Whether there are objects to add.
   bool offers() const { return missing_ > 0; }
 
 private:
@@ -31,7 +32,7 @@ private:
 
   Document& document_;
   int target_ = -1;
-  int missing_ = 0; ///< targets that are to be added
+  int missing_ = 0; ///< number of targets to add
 };
 
 } // namespace dewpoint::ui

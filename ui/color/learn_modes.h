@@ -12,26 +12,26 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// Buttons for what a click in a camera image does: learn the color of the target, add a sample of
-/// it, or exclude what is not it. At most one is down.
+/// Buttons that select what a click in a camera image does: learn the color of the target, add a
+/// sample, or exclude a color. At most one button is down.
 class LearnModes : public QWidget {
   Q_OBJECT
 public:
-  using Mode = std::optional<ColorLearner::SampleAction>; ///< nothing: a click selects
+  using Mode = std::optional<ColorLearner::SampleAction>; ///< empty: a click selects
 
   explicit LearnModes(QWidget* parent = nullptr);
 
-  /// Shows a mode without announcing it.
+  /// Shows a mode without emitting `modeChosen()`.
   void setMode(Mode mode);
-  /// Whether there is a target whose samples can become more, and whether it has some already, from
-  /// which something can be excluded.
+  /// Enables the buttons. `canAdd`: there is a target to add samples to; `canExclude`: it already
+  /// has samples to exclude from.
   void setRefinable(bool canAdd, bool canExclude);
   bool offers(ColorLearner::SampleAction mode) const;
-  /// Whether a click gives the target a box; then there is nothing to add or to exclude.
+  /// Sets whether a click sets the box of a target. Adding and excluding are not offered then.
   void setTakesBoxes(bool takesBoxes);
   void retranslate();
 
-  /// What to do in a mode, for a line over the images.
+  /// Returns the hint for a mode, shown over the images.
   static QString hintOf(ColorLearner::SampleAction mode);
 
 Q_SIGNALS:
@@ -41,7 +41,7 @@ Q_SIGNALS:
 private:
   void showHints();
 
-  std::array<QToolButton*, 3> buttons_{}; ///< in the order of SampleAction
+  std::array<QToolButton*, 3> buttons_{}; ///< indexed by SampleAction
   bool canAdd_ = false;
   bool canExclude_ = false;
   bool takesBoxes_ = false;

@@ -21,18 +21,18 @@ struct TrajectorySample;
 
 namespace dewpoint::ui {
 
-/// Follows a target back in time from where a person said that it is, in a thread that reads the
-/// recording by itself, and puts what was found into the document, as a part of the step that said
-/// so. Only the newest order counts. When it takes long, a message says how far it is, and can stop
-/// it.
+/// Tracks a target back in time from a position that the user corrected. A thread reads the
+/// recording separately; the positions found are added to the document as part of the step of the
+/// correction. Only the newest request counts. If the work takes long, a message shows its progress
+/// and offers to stop it.
 class BackwardTracker : public QObject {
   Q_OBJECT
 public:
   BackwardTracker(const Workbench& bench, QObject* parent);
 
-  /// From a correction that is in the document; `believed` as BackwardOrder, later frames count for
-  /// nothing. The step that keeps what is found is merged with the one of the correction by
-  /// `mergeKey`. Nothing for live cameras.
+  /// Starts from a correction that is in the document. `believed`: as in `BackwardOrder`; later
+  /// frames are ignored. The step that stores the result is merged with the step of the correction
+  /// by `mergeKey`. Does nothing for live cameras.
   void start(const PositionCorrection& correction, std::vector<TrajectorySample> believed,
              const std::string& mergeKey);
   void cancel();
@@ -46,10 +46,10 @@ private:
 
   Workbench bench_;
   LatestJob job_{LatestJob::Overtaken::Dropped};
-  std::int64_t frame_ = 0; ///< of the correction that is followed
+  std::int64_t frame_ = 0; ///< frame of the correction that tracking started from
   QElapsedTimer sinceStart_;
   QElapsedTimer sinceShown_;
-  QString shown_; ///< what the message says
+  QString shown_; ///< text of the message
 };
 
 } // namespace dewpoint::ui

@@ -22,9 +22,9 @@ class CameraDocks;
 class CorrectionTool;
 class TrajectoryPanel;
 
-/// Corrections of positions in the window: a mode in which targets are dragged in the images
-/// ("It is here"), and how corrections are taken away. Each is a step of the document, from which
-/// the machine takes up what to track again.
+/// Mode for correcting positions: the user drags targets in the images ("It is here") and removes
+/// corrections. Each correction is a step of the document; the tracker then tracks again what
+/// depends on it.
 class CorrectionMode : public QObject {
   Q_OBJECT
 public:
@@ -33,18 +33,18 @@ public:
 
 private:
   void connectActions();
-  /// What the menu of an image offers at a pixel of it.
+  /// Returns the menu entries offered at a pixel of an image.
   std::vector<ImageMenuEntry> menuEntries(int camera, const QPointF& pixel);
   void end();
   void setActive(bool active);
   void keep(const PositionCorrection& correction);
-  /// Takes away the corrections at a frame; of one target, or of all (-1).
+  /// Removes the corrections at a frame, of one target or of all (-1).
   void remove(std::int64_t frame, int target);
 
   Workbench bench_;
   CorrectionTool* tool_;
   BackwardTracker* backwards_;
-  int kept_ = 0; ///< corrections so far: steps of each merge with it alone
+  int kept_ = 0; ///< number of corrections so far; steps merge only within one correction
 };
 
 } // namespace dewpoint::ui

@@ -18,35 +18,35 @@ class BirdsEyeView;
 class CameraView;
 class ImagePickOverlay;
 
-/// "It is here": while it is active, a target is dragged in a camera image to where it is in the
-/// frame shown; by keys, the cross of the camera views does. What is dragged is the target whose
-/// estimate is pressed, else the selected one, else the only one. Other images show the ray through
-/// the pointer and the position that comes of it; so they do afterwards, for a second image to fix
-/// the depth. A run that plays is paused.
+/// Tool "It is here". While it is active, the user drags a target in a camera image to its true
+/// position in the frame shown, or uses the keyboard cross of the camera views. It moves the target
+/// whose estimate is pressed, else the selected one, else the only one. Other images show the ray
+/// through the pointer and the resulting position, also after the drag, so that a second image can
+/// fix the depth. A playing run is paused.
 class CorrectionTool : public QObject {
   Q_OBJECT
 public:
   CorrectionTool(const Workbench& bench, BirdsEyeView& birdsEye, QObject* parent);
 
-  /// Another camera view, which may go at any time.
+  /// Adds a camera view, which may be deleted at any time.
   void attach(int camera, CameraView* view);
   void setActive(bool active);
-  /// What is shown: the estimates that can be dragged, and the frame.
+  /// Sets the frame shown, with the estimates that can be dragged.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Corrections or what is selected have changed.
+  /// Updates after the corrections or the selection have changed.
   void refresh();
-  /// Says that the target is at a pixel of the image of a camera, in the frame shown, without any
-  /// drag: the target of preferredTarget(). A run that plays is paused.
+  /// Corrects `preferredTarget()` to a pixel of a camera's image in the frame shown, without a
+  /// drag. A playing run is paused.
   void correctAt(int camera, const QPointF& pixel);
-  /// Whether that can be said now.
+  /// Whether `correctAt()` is possible now.
   bool canCorrect() const;
-  /// The target that a press beside all estimates is about; -1: nobody can tell.
+  /// Target that a press away from all estimates applies to; -1 if it is ambiguous.
   int preferredTarget() const;
 
 Q_SIGNALS:
-  /// The target was let go.
+  /// The target was dropped at a corrected position.
   void corrected(const dewpoint::project::PositionCorrection& correction);
-  /// Why nothing came of it.
+  /// Why the correction was not possible.
   void failed(const QString& sentence);
   void cancelled();
 
@@ -56,22 +56,23 @@ private:
     CameraView* view;
     ImagePickOverlay* overlay;
   };
-  /// What the mouse holds: begun in the image of this snapshot, which stays what it is about.
+  /// A drag, tied to the snapshot whose image it started in.
   struct Drag {
-    int target; ///< -1: nothing can be held
+    int target; ///< -1: there is no target to drag
     TrackSnapshotPtr snapshot;
   };
   void grab(const Layer& layer, const QPointF& pixel);
   void point(int camera, const QPointF& pixel);
   void drop(int camera, const QPointF& pixel);
   void deliver(const Drag& drag, int camera, const QPointF& pixel);
-  /// What is dragged, or would be by keys.
+  /// Returns the drag under way, or the one that the keyboard would start.
   Drag held() const;
-  /// The target whose estimate is nearest to a pixel, if it is near.
+  /// Returns the target whose estimate is nearest to a pixel and close enough; -1: none.
   int targetAt(const Layer& layer, const QPointF& pixel) const;
   std::optional<Gaussian3> estimateOf(const Drag& drag) const;
   Result<PositionCorrection> correctionOf(const Drag& drag, int camera, const QPointF& pixel) const;
-  /// Rays of clicks in all images but their own; the position where there is one.
+  /// Shows the ray of each click in the images of all other cameras, and the position if there is
+  /// one.
   void showGuides(const std::vector<PointClick>& clicks,
                   const std::optional<Eigen::Vector3d>& position);
   void showSight(const PointClick& click, const std::optional<Eigen::Vector3d>& position);

@@ -7,16 +7,16 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// The cameras of the project by name, in its order: one list for every panel, combo box and
-/// palette. Which of them is selected is the Selection's.
+/// Cameras of the project by name, in their order; one model for every panel, combo box and
+/// palette. `Selection` knows which one is selected.
 class CameraListModel : public NameListModel {
   Q_OBJECT
 public:
   explicit CameraListModel(const Document& document, QObject* parent = nullptr);
 
-  /// The name of a camera; "camera 2" when it has none.
+  /// Returns the name of a camera, or "camera 2" if it has none.
   QString nameOf(int camera) const;
-  /// In another language.
+  /// Updates the names after a change of language.
   void retranslate() { refresh(); }
 
 private:

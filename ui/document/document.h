@@ -22,65 +22,68 @@ namespace dewpoint::ui {
 
 struct MethodPresentation;
 
-/// The project and its history: the only door through which the window changes it. Every edit is a
-/// named step that can be undone, and announces what changed.
+/// The project and its history. The window changes the project only through this class. Every edit
+/// is a named, undoable step and announces what it changed.
 class Document : public QObject {
   Q_OBJECT
 public:
   explicit Document(QObject* parent = nullptr);
   ~Document() override;
 
-  /// Valid until the next change: copy what is to be kept.
+  /// The project; the reference is valid until the next change, so copy what you keep.
   const Project& project() const { return *project_; }
-  /// The same, to be kept: it never changes.
+  /// The project as an immutable object that can be kept.
   std::shared_ptr<const Project> state() const { return project_; }
-  /// The parameters with which it is tracked, also those that come from its cameras.
+  /// Parameters used for tracking, including those derived from the cameras.
   const ParameterValues& usedParameters() const { return usedParameters_; }
-  /// The same while none is given: the method's defaults, and what the cameras say.
+  /// Values that these parameters have when the project sets none: the defaults of the method and
+  /// those derived from the cameras.
   const ParameterValues& defaultParameters() const { return defaultParameters_; }
-  /// Whether a declared parameter in use is otherwise (setup::isChanged()).
+  /// Whether the value in use of a declared parameter differs from its default
+  /// (`setup::isChanged()`).
   bool isChanged(const ParameterDeclaration& declaration) const;
-  /// What the window does for its method; another from methodChanged() or replaced() on.
+  /// Options of the window for the current method; they change with `methodChanged()` or
+  /// `replaced()`.
   const MethodPresentation& presentation() const;
-  /// Of the project's method.
+  /// Family of the method of the project.
   MethodFamily methodFamily() const;
   QUndoStack* undoStack() const { return undoStack_; }
-  /// Replaces the project by another one; the history starts from scratch. `unsaved`: the
-  /// project is in no file as it is (recovered, or just made).
+  /// Replaces the project by another one and clears the history. `unsaved`: no file contains this
+  /// state of the project (it was recovered, or just created).
   void replace(Project project, bool unsaved = false);
-  /// Whether there is something that is in no file.
+  /// Whether there are changes that no file contains.
   bool isUnsaved() const;
 
   /// Changes the project as one undoable step called `name` (an imperative: "Rename camera").
-  /// Steps with the same `mergeKey` that follow each other become one: the moves of a drag. A state
-  /// that checkProject() refuses changes nothing and returns its error; a change that changes
-  /// nothing makes no step.
+  /// Successive steps with the same `mergeKey` become one, such as the moves of a drag. If
+  /// `checkProject()` rejects the new state, nothing changes and its error is returned. A change
+  /// without effect makes no step.
   Status edit(const QString& name, const std::function<void(Project&)>& change,
               const std::string& mergeKey = {});
-  /// From here on nothing merges with what was: a drag has ended.
+  /// Ends merging: the next step is separate, because a drag has ended.
   void endMerging();
 
-  /// Changes a parameter as an undoable step; steps of one slider drag merge. The first that is
-  /// changed of those from the cameras gives all of them as they are in use. BadValue or UnknownKey
-  /// leave everything as it was.
+  /// Changes a parameter as an undoable step; the steps of one slider drag are merged. The first
+  /// change to a parameter derived from the cameras stores all such parameters with the values in
+  /// use. The errors BadValue and UnknownKey change nothing.
   Status setParameter(const std::string& key, double value);
-  /// Gives a declared parameter its default again, or all that have another value, as an undoable
-  /// step.
+  /// Resets one declared parameter, or all changed ones, to the default as an undoable step.
   void resetParameter(const std::string& key);
   void resetParameters();
-  /// Chooses the method as an undoable step; parameters that it shares keep their values.
+  /// Selects the method as an undoable step. Parameters that both methods have keep their values.
   void setMethod(const std::string& method);
-  /// How the views are laid out: saved with the project, but no edit and no step.
+  /// Stores the layout of the views. It is saved with the project but is neither an edit nor a
+  /// step.
   void setLayout(const std::string& layout);
 
-  /// This state of the project is in this file now, which is the project's from now on. What was
-  /// changed since is still unsaved. Written by ProjectSaver.
+  /// Reports that `file` now contains this state of the project, and makes it the file of the
+  /// project. Later changes stay unsaved. Called by `ProjectSaver`.
   void setSaved(const Project& state, const std::filesystem::path& file);
 
 Q_SIGNALS:
-  /// Another project is there.
+  /// Another project has replaced the previous one.
   void replaced();
-  /// An edit, an undo or a redo; the more special signals follow.
+  /// An edit, an undo or a redo has happened; the more specific signals follow.
   void changed(const dewpoint::project::ProjectChanges& changes);
   void parameterChanged(const QString& key);
   void methodChanged();
@@ -95,17 +98,17 @@ Q_SIGNALS:
 
 private:
   friend class EditCommand;
-  /// Makes a state the present one and says what is new.
+  /// Makes a state the current one and announces what changed.
   void assign(const std::shared_ptr<const Project>& state);
   void announce(const ProjectChanges& changes);
 
   std::shared_ptr<const Project> project_;
-  ParameterValues usedParameters_;    ///< of the project
-  ParameterValues defaultParameters_; ///< of the project while it gives none
+  ParameterValues usedParameters_;    ///< values in use for the project
+  ParameterValues defaultParameters_; ///< values that the project would use if it set none
   QUndoStack* undoStack_;
-  std::string mergeSuffix_; ///< differs after each endMerging()
+  std::string mergeSuffix_; ///< changes with each endMerging()
   int drags_ = 0;
-  bool unsaved_ = false; ///< whatever the history says
+  bool unsaved_ = false; ///< unsaved independently of the history
 };
 
 } // namespace dewpoint::ui

@@ -16,13 +16,13 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// One step of the history: a state of the project replaces another. States are
-/// immutable and shared between neighboring steps.
+/// One step of the history: replaces one state of the project by another. States are immutable and
+/// shared between neighboring steps.
 class EditCommand : public QUndoCommand {
 public:
   using State = std::shared_ptr<const Project>;
-  /// Steps with the same key that is not empty become one while they follow each other, with the
-  /// name of the last.
+  /// Creates a step. Successive steps with the same nonempty key are merged and take the name of
+  /// the last one.
   EditCommand(Document& document, const QString& name, State before, State after,
               std::string mergeKey);
 

@@ -12,22 +12,24 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-/// What the window does for a method, beyond what its family answers (tracking::MethodFamily): one
-/// row for each kind of targets, and the only part of the window that asks for the kind.
+/// Options of the window for a method, beyond those of its family (`tracking::MethodFamily`). There
+/// is one row per kind of target; only this part of the window depends on the kind.
 struct MethodPresentation {
-  bool takesBoxes = false; ///< a click or a drag in an image gives a target its box, else a color
-  bool showsBoxes = false; ///< plots, table and export have boxes in images, else positions
+  /// A click or a drag in an image sets the box of a target; otherwise its color.
+  bool takesBoxes = false;
+  bool showsBoxes = false; ///< plots, table and export use boxes in images; otherwise positions
   bool showsRoom = true;   ///< has a bird's-eye view
-  bool hasOverlays = true; ///< masks and likelihood maps over the images
-  /// Searches for targets in the project's volume of interest, if it has one, and goes on from
-  /// where the user says that a target is.
+  bool hasOverlays = true; ///< masks and likelihood maps can be drawn over the images
+  /// Searches the volume of interest of the project, if it has one, and continues from a position
+  /// that the user sets for a target.
   bool searchesRoom = true;
-  bool countsPeople = false; ///< lists people and shows how many are there
+  bool countsPeople = false; ///< lists people and shows how many are present
 };
 
-/// Of the project's method. The row lives for ever.
+/// Returns the options for the method of a project. The reference stays valid until the program
+/// ends.
 const MethodPresentation& presentationOf(const Project& project);
-/// Of the method that a snapshot is of.
+/// Returns the options for the method of a snapshot.
 const MethodPresentation& presentationOf(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

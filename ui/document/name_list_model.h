@@ -8,7 +8,7 @@
 
 namespace dewpoint::ui {
 
-/// A list of names. A name that changes alone leaves selections of the list as they are.
+/// List model of names. A change of names that keeps their number preserves selections in the list.
 class NameListModel : public QAbstractListModel {
   Q_OBJECT
 public:

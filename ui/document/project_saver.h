@@ -19,20 +19,20 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Writes a project to a file, as saveProject() does.
+/// Writes a project to a file, as `saveProject()` does.
 using ProjectWriter =
     std::function<Status(const Project& project, const std::filesystem::path& file)>;
 
-/// Writes the document to its file beside the window: however slow the disk is, work goes on. What
-/// was begun is written to the end, also when the window closes meanwhile.
+/// Saves the document to its file in another thread, so that a slow disk does not block the window.
+/// A write that has begun completes even if the window closes meanwhile.
 class ProjectSaver : public QObject {
   Q_OBJECT
 public:
-  /// `write`: saveProject() when there is none.
+  /// `write`: function to write with; `saveProject()` by default.
   explicit ProjectSaver(Document& document, QObject* parent = nullptr, ProjectWriter write = {});
 
   void setWriter(ProjectWriter write) { write_ = std::move(write); }
-  /// Writes the document as it is now; one file after the other.
+  /// Saves the current state of the document. Files are written one after the other.
   void save(const std::filesystem::path& file);
   bool isSaving() const { return underWay_ > 0; }
 
@@ -44,8 +44,8 @@ private:
   Document& document_;
   ProjectWriter write_;
   JobQueue queue_;
-  int underWay_ = 0;           ///< how many files are under way
-  std::uint64_t projects_ = 0; ///< counts the projects that were in the document
+  int underWay_ = 0;           ///< number of writes under way
+  std::uint64_t projects_ = 0; ///< counts the projects that the document has held
 };
 
 } // namespace dewpoint::ui

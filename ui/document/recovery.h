@@ -18,45 +18,46 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Keeps a copy of unsaved work beside the user's data, so that a crash costs two seconds at
-/// most: every change is on the disk that much later, written beside, flushed and renamed. The copy
-/// goes when the work is saved or given up. All this is done in order beside the window, which
-/// never waits for the disk.
+/// Keeps a copy of unsaved work in the user's data folder, so that a crash loses at most two
+/// seconds. Each change reaches the disk within that time: it is written to a temporary file,
+/// flushed and renamed. The copy is removed when the work is saved or discarded. All of this runs
+/// in order in another thread; the window never waits for the disk.
 class Recovery : public QObject {
   Q_OBJECT
 public:
-  /// `folder` is made when it is missing; `write`: how texts are written, writeTextFile() when
-  /// there is none.
+  /// Creates `folder` if it is missing. `write`: function to write texts with; `writeTextFile()` by
+  /// default.
   Recovery(Document& document, std::filesystem::path folder, QObject* parent = nullptr,
            TextWriter write = {});
   ~Recovery() override;
 
-  /// Finds what windows that were closed left in the folder, the newest first.
+  /// Finds the copies that closed windows left in the folder, newest first.
   void look(std::function<void(const std::vector<RecoverableWork>&)> then);
-  /// Reads the project of such a copy, with the file it was loaded from.
+  /// Reads the project of a copy, with the path of the file it was loaded from.
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
-  /// The document is that work now: its copy goes as soon as this window has written its own, or
-  /// the work is saved or given up.
+  /// Reports that the document now contains this work. Its copy is removed once this window has
+  /// written its own copy, or the work is saved or discarded.
   void take(const RecoverableWork& work) { taken_.push_back(work); }
-  /// Puts the copy where it is not offered any more; a slip can be taken back. What lies there is
-  /// gone after a week.
+  /// Discards a copy: it is not offered any more and is deleted after a week. `restore()` undoes
+  /// this.
   void discard(const RecoverableWork& work);
   void restore(const RecoverableWork& work);
-  /// Removes the copy of this window, and what it took over: the work is saved or given up.
+  /// Removes the copy of this window and those it took over, because the work is saved or
+  /// discarded.
   void removeBackup();
 
   static std::filesystem::path standardFolder();
 
 Q_SIGNALS:
-  /// A copy is about to be written: what is not in the document yet goes there now.
+  /// A copy is about to be written; pending changes must enter the document now.
   void writing();
   /// A copy is safely on the disk.
   void kept();
-  /// The copy cannot be written: the sentence why, once per reason.
+  /// The copy cannot be written. The sentence gives the reason; each reason is reported once.
   void failed(const QString& sentence);
 
 private:
-  using Folder = std::optional<RecoveryFolder>; ///< made, used and closed by the queue alone
+  using Folder = std::optional<RecoveryFolder>; ///< created, used and closed only by the queue
   void inFolder(std::function<void(RecoveryFolder&)> work);
   void schedule();
   void removeOwn();
@@ -66,7 +67,7 @@ private:
   Document& document_;
   std::shared_ptr<Folder> folder_;
   QTimer timer_;
-  std::vector<RecoverableWork> taken_; ///< thrown away once this window has its own copy
+  std::vector<RecoverableWork> taken_; ///< removed once this window has its own copy
   QString lastFailure_;
   bool writing_ = false;
   JobQueue queue_;

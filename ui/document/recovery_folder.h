@@ -16,37 +16,38 @@ class QLockFile;
 
 namespace dewpoint::ui {
 
-/// Work that a window left behind without a proper end.
+/// Unsaved work that a window left behind because it did not close properly.
 struct RecoverableWork {
-  std::filesystem::path file; ///< the copy, a whole project
-  QString name;               ///< of the project
-  QString time;               ///< when it was last written, for people
+  std::filesystem::path file; ///< the copy, a complete project
+  QString name;               ///< name of the project
+  QString time;               ///< time of the last write, formatted for display
 };
 
-/// Writes a text to a file, as writeTextFile() does.
+/// Writes a text to a file, as `writeTextFile()` does.
 using TextWriter =
     std::function<Status(const std::filesystem::path& file, const std::string& text)>;
 
-/// The folder with the copies of unsaved work, one for each window; one lock in it says which of
-/// them have a living window. Everything here reads or writes the disk: call it in a thread, and
-/// one call at a time.
+/// Folder with the copies of unsaved work, one per window. A lock file per window shows whether
+/// that window is still running. All functions access the disk: call them in another thread, one at
+/// a time.
 class RecoveryFolder {
 public:
-  /// Makes the folder when it is missing, locks the copy of this window, and clears away what
-  /// windows that were closed left of locks and half copies.
+  /// Creates the folder if it is missing, locks the copy of this window, and deletes stale locks
+  /// and incomplete copies of closed windows.
   RecoveryFolder(std::filesystem::path folder, TextWriter write);
-  ~RecoveryFolder(); ///< takes the lock away
+  ~RecoveryFolder(); ///< releases the lock
 
-  /// What windows that were closed left in the folder, the newest first.
+  /// Returns the copies that closed windows left in the folder, newest first.
   std::vector<RecoverableWork> orphanedBackups() const;
-  /// The project of such a copy, with the file it was loaded from.
+  /// Reads the project of a copy, with the path of the file it was loaded from.
   static Result<Project> read(const RecoverableWork& work);
-  /// Puts the copy where it is not offered any more; what lies there is gone after a week.
+  /// Discards a copy: it is not offered any more and is deleted after a week. `restore()` undoes
+  /// this.
   static void discard(const RecoverableWork& work);
   static void restore(const RecoverableWork& work);
   static void remove(const RecoverableWork& work);
 
-  /// Writes this window's copy: `project`, which was loaded from `project.file`.
+  /// Writes the copy of this window: `project`, which was loaded from `project.file`.
   Status writeOwn(const Project& project) const;
   void removeOwn() const;
 
@@ -56,7 +57,7 @@ private:
 
   std::filesystem::path folder_;
   TextWriter write_;
-  QString id_; ///< of this window
+  QString id_; ///< identifies this window
   std::unique_ptr<QLockFile> lock_;
 };
 

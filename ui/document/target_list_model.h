@@ -7,8 +7,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// The targets of the project by name, each with a chip of the color it has in all views: one list
-/// for every panel, combo box and palette. Which of them is selected is the Selection's.
+/// Targets of the project by name, each with a chip in the color it has in all views; one model for
+/// every panel, combo box and palette. `Selection` knows which one is selected.
 class TargetListModel : public NameListModel {
   Q_OBJECT
 public:

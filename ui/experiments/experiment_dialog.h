@@ -25,8 +25,8 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// The papers' figures, made again, and studies of our own: choose one, see how far it is, open its
-/// report. Work goes on while the window is used.
+/// Dialog that reproduces the figures of the papers and runs further studies: select one, follow
+/// its progress, open its report. The computation runs in another thread.
 class ExperimentDialog : public QDialog {
   Q_OBJECT
 public:
@@ -47,14 +47,15 @@ private:
   void finish(const QString& report);
   void openReport();
 
-  std::vector<const FigureExperiment*> rows_; ///< of the list; null: a heading for what follows
+  /// Rows of the list; null: a heading for the rows below.
+  std::vector<const FigureExperiment*> rows_;
   BackgroundJob* job_;
   QListWidget* list_;
   QLabel* sentence_;
   QLabel* runsLabel_;
   QSpinBox* runs_;
   QLabel* clothesLabel_;
-  QComboBox* clothes_; ///< of simulated people
+  QComboBox* clothes_; ///< clothes of simulated people
   QLabel* recordingsLabel_;
   QLineEdit* recordings_;
   QPushButton* browseRecordings_;
@@ -67,7 +68,7 @@ private:
   QPushButton* cancel_;
   QPushButton* open_;
   QPushButton* close_;
-  QString report_; ///< the last one made
+  QString report_; ///< the newest report
 };
 
 } // namespace dewpoint::ui

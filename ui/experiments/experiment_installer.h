@@ -7,7 +7,7 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Adds the dialog that repeats the papers' experiments.
+/// Adds the dialog that reproduces the experiments of the papers.
 void installExperiments(const Workbench& bench);
 
 } // namespace dewpoint::ui

@@ -17,12 +17,12 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Exports the boxes of a run: boxes.csv and boxes_mot.txt into a folder. Not modal; files are
-/// written in the background.
+/// Exports the bounding boxes of a run to a folder: boxes.csv and boxes_mot.txt. Not modal; files
+/// are written in the background.
 class BoxExportDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `boxes` gives the run so far; called in the window's thread.
+  /// `boxes` returns the run so far; called in the thread of the window.
   explicit BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent = nullptr);
 
   /// Proposes this folder.
@@ -40,8 +40,8 @@ private:
   void chooseFolder();
   void start();
   void askToReplace(bool ask);
-  /// The folder has a file of this name already: asks whether to replace it. When nobody sees the
-  /// question, or another folder was chosen meanwhile, reports that nothing was written.
+  /// Asks whether to replace an existing file `name` in the folder. If the question is not visible,
+  /// or another folder was selected meanwhile, reports that nothing was written.
   void askAbout(const std::filesystem::path& folder, const char* name);
   std::filesystem::path chosenFolder() const;
 
@@ -55,7 +55,7 @@ private:
   QPushButton* close_;
   QPushButton* export_;
   QLabel* question_;
-  bool mayReplace_ = false; ///< the question was shown, and nothing changed since
+  bool mayReplace_ = false; ///< the question was shown and nothing has changed since
 };
 
 } // namespace dewpoint::ui

@@ -23,28 +23,27 @@ namespace dewpoint::ui {
 class ExportForm;
 class ExportOutcome;
 
-/// Exports the trajectory: what, how, and a preview of the file. Not modal: tracking goes on, and
-/// the preview follows it. Exports run in the background; signals report the result.
+/// Exports the trajectory: selects content and format, and previews the file. Not modal: tracking
+/// continues and the preview follows it. Exports run in the background; signals report the result.
 class ExportDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `trajectory` gives the run so far; called in the window's thread.
+  /// `trajectory` returns the run so far; called in the thread of the window.
   explicit ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent = nullptr);
 
-  /// Takes the run as it is now and shows it.
+  /// Reads the current state of the run and shows it.
   void refresh();
-  /// Proposes to export these seconds only; nothing: takes that proposal back.
+  /// Proposes to export only this range of seconds; nothing: withdraws the proposal.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
-  /// Whether some of the run is of earlier settings: the preview says so.
+  /// Sets whether a part of the run has results of earlier settings; the preview warns of it.
   void setHasOldResults(bool has);
   /// Proposes a file in this folder.
   void proposeIn(const QString& folder);
-  /// Another project: what was chosen for the last one is forgotten; a file in this folder is
-  /// proposed.
+  /// Resets all choices for another project, and proposes a file in this folder.
   void startAnew(const QString& folder);
 
 Q_SIGNALS:
-  /// How an export went. While the dialog is shown it says so itself.
+  /// Result of an export. While the dialog is visible, it shows the result itself.
   void done(const QString& sentence);
   void failed(const QString& sentence);
 
@@ -61,12 +60,12 @@ private:
   void formatChanged();
   void askFile();
   void start();
-  /// Asks before files are replaced; any change withdraws the question. The export itself finds out
-  /// in its thread whether they are there; if something changed before that is known, nothing is
-  /// asked, and it is reported that nothing was written.
+  /// Asks before existing files are replaced; any change withdraws the question. The export checks
+  /// in its own thread whether the files exist. If something changes before the check ends, the
+  /// question is not shown, and the dialog reports that nothing was written.
   void askToReplace(const QString& file);
   void forgetQuestion();
-  /// The run goes on: so does the preview.
+  /// Updates the preview while the run continues.
   void follow();
   void startFigure();
   void setRunning(bool running);
@@ -74,7 +73,7 @@ private:
   void endPreview();
   void showPreview(const ExportPreview& preview);
   void showFinished(const ExportSummary& summary);
-  /// `file`: what was written.
+  /// `file`: the file that was written.
   void reportDone(const QString& sentence, const QString& file = {});
   void reportFailed(const QString& sentence);
   std::filesystem::path file() const;
@@ -82,9 +81,9 @@ private:
   std::function<Trajectory()> trajectorySource_;
   ExportJobs::TrajectoryPtr trajectory_;
   ExportJobs* jobs_;
-  QTimer* soon_; ///< several changes in a row make one preview
+  QTimer* soon_; ///< combines several changes in a row into one preview
   QTimer* follow_;
-  QTimer* long_; ///< a preview that takes long gets a button to stop it
+  QTimer* long_; ///< shows a button to stop a preview that takes long
   ExportForm* form_ = nullptr;
   QPlainTextEdit* preview_;
   QLabel* units_;
@@ -101,9 +100,9 @@ private:
   QPushButton* close_;
   bool running_ = false;
   bool previewing_ = false;
-  bool mayReplace_ = false; ///< the question was shown, and nothing changed since
-  int questions_ = 0;       ///< grows with every change that takes a question back
-  int startedAt_ = 0;       ///< questions_ when the export under way began
+  bool mayReplace_ = false; ///< the question was shown and nothing has changed since
+  int questions_ = 0;       ///< incremented by every change that withdraws a question
+  int startedAt_ = 0;       ///< value of `questions_` when the running export started
 };
 
 } // namespace dewpoint::ui

@@ -16,22 +16,23 @@ class QListWidget;
 
 namespace dewpoint::ui {
 
-/// What of a trajectory is exported and how: the fields that make ExportOptions.
+/// Fields that define ExportOptions: which part of a trajectory is exported, and how.
 class ExportForm : public QWidget {
   Q_OBJECT
 public:
   explicit ExportForm(QWidget* parent = nullptr);
 
   ExportOptions options() const;
-  /// The ending of files in the chosen format, with its dot.
+  /// File name suffix of the selected format, including the dot.
   QString suffix() const;
-  /// Whether the estimates are those known live.
+  /// Whether the live estimates are exported.
   bool isLive() const;
-  /// Offers the targets of a trajectory; the same ones stay as they are marked.
+  /// Lists the targets of a trajectory. If the list is unchanged, its check marks stay.
   void setTargetsOf(const Trajectory& trajectory);
-  /// Proposes these seconds only; nothing: takes that proposal back, if nobody typed since.
+  /// Proposes to export only this range of seconds; nothing: withdraws the proposal unless the user
+  /// has edited it.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
-  /// Forgets what was chosen for another project.
+  /// Resets all choices for another project.
   void startAnew();
   void retranslate();
 
@@ -54,7 +55,7 @@ private:
   QComboBox* axes_;
   QComboBox* unit_;
   QCheckBox* header_;
-  std::pair<double, double> given_; ///< the range that was proposed
+  std::pair<double, double> given_; ///< range that was proposed, seconds
 };
 
 } // namespace dewpoint::ui

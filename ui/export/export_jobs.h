@@ -15,8 +15,8 @@
 
 namespace dewpoint::ui {
 
-/// Previews and exports in threads. Of several previews that were requested only the last one is
-/// made; an export ends the preview under way.
+/// Computes previews and exports in other threads. Only the newest requested preview is computed;
+/// an export ends the preview under way.
 class ExportJobs : public QObject {
   Q_OBJECT
 public:
@@ -27,16 +27,16 @@ public:
                const std::filesystem::path& file);
   void run(TrajectoryPtr trajectory, const ExportOptions& options,
            const std::filesystem::path& file);
-  /// Something else that takes long, such as drawing a figure; reported as finished or failed.
+  /// Runs another long task, such as drawing a figure; `finished()` or `failed()` follows.
   void run(std::function<Status()> task, const std::filesystem::path& file);
-  /// Reports whether there is such a file; of several requests only the last one is answered.
+  /// Reports whether a file exists. Only the newest request is answered.
   void find(const std::filesystem::path& file, std::function<void(bool exists)> report);
   void cancel() { *cancelled_ = true; }
-  /// Drops a preview that is requested or under way.
+  /// Cancels a preview that is requested or under way.
   void stopPreview() { preview_.cancel(); }
 
 Q_SIGNALS:
-  /// How far a preview is that takes long.
+  /// Progress of a preview that takes long.
   void previewing(int percent);
   void previewReady(const dewpoint::trajectory::ExportPreview& preview);
   void previewFailed(const QString& sentence);
@@ -48,7 +48,8 @@ private:
   LatestJob preview_{LatestJob::Overtaken::Dropped};
   LatestJob finding_{LatestJob::Overtaken::Dropped};
   BackgroundJob export_;
-  /// Not the job's own canceling: how a canceled export ended is reported, too.
+  /// Separate from the cancel flag of the job, so that the result of a canceled export is reported,
+  /// too.
   std::shared_ptr<std::atomic<bool>> cancelled_;
 };
 

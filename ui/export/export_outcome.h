@@ -10,14 +10,14 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// How an export went, where it was started: one sentence, and a button that shows the folder of
-/// the file it wrote. Hidden while there is nothing to say.
+/// Result of an export, shown in its dialog: one sentence, and a button that opens the folder of
+/// the written file. Hidden while empty.
 class ExportOutcome : public QWidget {
   Q_OBJECT
 public:
   explicit ExportOutcome(QWidget* parent = nullptr);
 
-  /// `file`: what was written; empty: nothing.
+  /// `file`: the file that was written; empty: none.
   void show(const QString& sentence, const QString& file = {});
   void clear();
   void retranslate();

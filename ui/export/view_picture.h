@@ -11,10 +11,11 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// A view as it is shown now, in device pixels; the bird's-eye view without its buttons.
+/// Returns a view as it is shown now, in device pixels. The bird's-eye view is drawn without its
+/// buttons.
 QImage pictureOf(QWidget* view);
 
-/// Writes a picture as PNG, beside and renamed. Any thread.
+/// Writes a picture as PNG, to a temporary file that is then renamed. May be called in any thread.
 Status writePicture(const QImage& picture, const std::filesystem::path& file);
 
 } // namespace dewpoint::ui

@@ -11,7 +11,8 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// Version, what Dewpoint is, its license with the whole text, and how to cite it. Not modal.
+/// Shows the version, a description of Dewpoint, its license with the full text, and how to cite
+/// it. Not modal.
 class AboutDialog : public QDialog {
   Q_OBJECT
 public:

@@ -12,8 +12,8 @@ struct Workbench;
 /// Connects the actions of the menu *Help*.
 void installHelp(const Workbench& bench);
 
-/// The page of the manual about what is in use now: the view that has the keys, else the page or
-/// the window as a whole.
+/// Returns the manual page about what is in use now: the view with the keyboard focus, else the
+/// open page, else the window as a whole.
 QString manualPageInUse(const Workbench& bench);
 
 } // namespace dewpoint::ui

@@ -7,11 +7,11 @@
 
 namespace dewpoint::ui {
 
-/// What is drawn over the images, one thing in each small picture of the legend.
+/// Signs that are drawn over the images; the legend shows a small picture of each.
 enum class LegendSign {
   Particles,
   Estimate, ///< the cross
-  Belief,   ///< the unbroken ellipse
+  Belief,   ///< the solid ellipse
   Outline,  ///< the dashed ellipse
   Truth,    ///< the diamond
   Best,     ///< the triangle
@@ -19,13 +19,13 @@ enum class LegendSign {
   Mask
 };
 
-/// A small picture of one sign, drawn by the painters of the camera views.
+/// Small picture of one sign, drawn by the painters of the camera views.
 class LegendPicture : public QWidget {
   Q_OBJECT
 public:
   explicit LegendPicture(LegendSign sign, QWidget* parent = nullptr);
 
-  /// What the sign means, one sentence in the user's language.
+  /// Returns the meaning of a sign as one translated sentence.
   static QString meaningOf(LegendSign sign);
 
 protected:

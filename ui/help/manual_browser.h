@@ -7,17 +7,17 @@
 
 namespace dewpoint::ui {
 
-/// Shows pages of Markdown, with links to each other and to their headings as on the web (GitHub's
-/// names), and pictures no wider than a page; these are read beside the window. Links to the web
-/// are opened by the desktop.
+/// Shows pages of Markdown with pictures and links. Links reach other pages and headings, by the
+/// anchor names that GitHub uses. Pictures are never wider than the page and are read in another
+/// thread. The desktop opens links to the web.
 class ManualBrowser : public QTextBrowser {
   Q_OBJECT
 public:
   explicit ManualBrowser(QWidget* parent = nullptr);
 
-  /// Whether all pictures asked for are there.
+  /// Whether all requested pictures are loaded.
   bool hasPictures() const { return waiting_ == 0; }
-  /// The name by which links find a heading: "12. Targets of any shape" → "12-targets-of-any-shape"
+  /// Anchor name of a heading: "12. Targets of any shape" → "12-targets-of-any-shape"
   static QString slugOf(const QString& heading);
 
 protected:
@@ -25,7 +25,7 @@ protected:
   QVariant loadResource(int type, const QUrl& name) override;
 
 private:
-  /// Room around headings and in tables.
+  /// Sets the spacing around headings and in tables.
   void layOutPage();
   void scrollToHeading(const QString& slug);
 

@@ -8,18 +8,20 @@
 
 namespace dewpoint::ui {
 
-/// Pages of the manual, files of docs/, in the order in which they are listed.
+/// Pages of the manual (files in docs/), in the order of the list.
 QStringList manualPages();
-/// The page about a view, by the object name of its dock; `method`: the one in use, for the view of
-/// its parameters. The page about the window for a view that has none of its own.
+/// Returns the page about a view, given the object name of its dock. `method`: the current method,
+/// which selects the page for the parameter view. Returns the page about the window for a view
+/// without its own page.
 QString manualPageOf(const QString& dock, const QString& method);
-/// The page about a method; that of the default method when there is none.
+/// Returns the page about a method, or about the default method if that page does not exist.
 QString methodPageOf(const QString& method);
 
-/// Where the pages may lie, the first one that has them counts: beside an installed program, in the
-/// folder of the sources that it was compiled from, and beside a program within such a folder.
+/// Folders where the pages may be; the first that contains them is used: beside an installed
+/// program, in the source folder it was compiled from, and in the source folder that contains the
+/// program.
 QStringList manualFolders();
-/// The first of these folders with the pages in it; empty when there is none.
+/// Returns the first of these folders that contains the pages; empty if there is none.
 QString findManual(const QStringList& folders);
 
 } // namespace dewpoint::ui

@@ -14,17 +14,17 @@ namespace dewpoint::ui {
 
 class ManualBrowser;
 
-/// The manual: a list of its pages beside the page that is read. Not modal. When its folder is not
-/// there it says so, and where it should be.
+/// Window of the manual: a list of pages beside the current page. Not modal. If the folder is
+/// missing, it shows where the folder should be.
 class ManualWindow : public QDialog {
   Q_OBJECT
 public:
-  /// `folder`: where the pages are; empty: not found, and `expected` is said instead.
+  /// `folder`: folder of the pages; empty: not found, and the window shows `expected` instead.
   ManualWindow(const QString& folder, const QString& expected, QWidget* parent);
 
   /// Shows a page ("window.md", "window.md#it-is-here").
   void showPage(const QString& page);
-  /// The file name of the page that is shown; empty while there is none.
+  /// File name of the page shown; empty if there is none.
   QString shownPage() const;
 
 protected:
@@ -33,7 +33,7 @@ protected:
 private:
   void retranslateUi();
   void fillList();
-  /// In the list.
+  /// Selects a page in the list.
   void choose(const QString& page);
   void drawIcons();
 

@@ -9,7 +9,7 @@ class QGridLayout;
 
 namespace dewpoint::ui {
 
-/// What the signs over the images mean: a small picture and a sentence for each. Not modal.
+/// Explains the signs over the images with a small picture and a sentence each. Not modal.
 class OverlayLegend : public QDialog {
   Q_OBJECT
 public:

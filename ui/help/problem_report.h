@@ -12,12 +12,13 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// What helps to find a fault, as one text to be copied: versions, system, OpenGL, and the last
-/// messages of the window; and what to write beside it. Not modal. Nothing is sent.
+/// Collects information that helps to find a fault, as text to copy: versions, system, OpenGL, and
+/// the last messages of the window. Also tells the user what to add. Not modal. Nothing is sent.
 class ProblemReport : public QDialog {
   Q_OBJECT
 public:
-  /// `messages`: the last ones that were shown; `project`: what is open, in a few words.
+  /// `messages`: the last messages that were shown; `project`: short description of the open
+  /// project.
   ProblemReport(const QStringList& messages, const QString& project, QWidget* parent);
 
   QString text() const;

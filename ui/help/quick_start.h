@@ -14,12 +14,12 @@ class QVBoxLayout;
 
 namespace dewpoint::ui {
 
-/// The first minute: what one sees in the window, the words for the state of a target, and how to
-/// begin in five steps. Not modal.
+/// Short introduction: the parts of the window, the words for the state of a target, and five steps
+/// to begin. Not modal.
 class QuickStart : public QDialog {
   Q_OBJECT
 public:
-  /// Actions that are named with their keys, or opened by buttons.
+  /// Actions that the text mentions with their shortcuts, or that buttons trigger.
   struct Actions {
     QAction* openProject;
     QAction* calibrate;

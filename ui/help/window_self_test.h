@@ -10,17 +10,18 @@
 
 namespace dewpoint::ui {
 
-/// Tries what the window alone needs: versions of Qt and VTK, graphics, languages. In the window's
-/// thread; takes a moment.
+/// Tests what only the window needs: versions of Qt and VTK, graphics, languages. Call it in the
+/// thread of the window; it takes about a second.
 std::vector<SelfTestLine> graphicsSelfTest();
 
-/// What runSelfTest() uses on this computer; `opener` opens the demo.
+/// Returns the parts that `runSelfTest()` uses on this computer; `opener` opens the demo.
 SelfTestParts selfTestParts(const ProjectOpener& opener);
 
-/// The lines as text, one below the other.
+/// Returns the lines as text, one per line.
 QString selfTestReport(const std::vector<SelfTestLine>& lines);
 
-/// `dewpoint --self-test`: prints everything; returns what the process returns, 1 with a problem.
+/// Implements `dewpoint --self-test`: prints all results and returns the exit code, 1 if there is a
+/// problem.
 int printSelfTest(const ProjectOpener& opener);
 
 } // namespace dewpoint::ui

@@ -11,40 +11,41 @@
 
 namespace dewpoint::ui {
 
-/// One long calculation at a time in a thread of its own, beside a window that stays live. Nobody
-/// waits for the thread, nor does the destructor: it only cancels.
+/// Runs one long computation at a time in its own thread, so that the window stays responsive.
+/// Nothing waits for the thread; the destructor only cancels.
 class BackgroundJob : public QObject {
   Q_OBJECT
 public:
   explicit BackgroundJob(QObject* parent = nullptr);
-  ~BackgroundJob() override; ///< cancels; what is under way ends by itself, and unheard
+  ~BackgroundJob() override; ///< cancels; running work ends later, and its result is dropped
 
-  /// Says how far the work is (0 to 1; less than 0: unknown) and whether it is still wanted: when
-  /// false comes back the work should end as soon as it can.
+  /// Reports the progress of the work (0 to 1; negative: unknown) and returns whether the result is
+  /// still wanted. When it returns false, the work should end as soon as possible.
   using Progress = std::function<bool(double part)>;
-  /// Runs in the job's thread, so it uses nothing but what it holds, not even the owner of the job;
-  /// what it returns runs in the window's thread afterwards, unless the job was canceled or has
-  /// gone meanwhile. Must not throw.
+  /// Work to run in the thread of the job. It may use only what it holds itself, not even the owner
+  /// of the job. The function it returns runs in the thread of the window afterwards, unless the
+  /// job was canceled or deleted meanwhile. Must not throw.
   using Work = std::function<std::function<void()>(const Progress& progress)>;
 
-  /// False, and nothing is begun, while another one runs.
+  /// Starts the work. Returns false and starts nothing while other work is running.
   bool start(Work work);
-  void cancel(); ///< ended() follows when the work has noticed
-  /// Cancels and does not wait for the work to notice: it has ended, and another one can start.
+  void cancel(); ///< `ended()` follows once the work has noticed
+  /// Cancels without waiting for the work to notice: the job counts as ended, and new work can
+  /// start.
   void abandon();
   bool isRunning() const { return running_; }
 
 Q_SIGNALS:
   void started();
   void progressChanged(double part); ///< at most about 20 times a second
-  void ended(bool cancelled);        ///< after what the work returned has run
+  void ended(bool cancelled);        ///< after the function returned by the work has run
 
 private:
   void end(const std::function<void()>& finish);
 
   JobMailbox mailbox_;
   bool running_ = false;
-  std::uint64_t run_ = 0; ///< number of the work that is heard
+  std::uint64_t run_ = 0; ///< number of the work whose result is delivered
   std::stop_source stop_;
 };
 

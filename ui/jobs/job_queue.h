@@ -12,15 +12,16 @@
 
 namespace dewpoint::ui {
 
-/// Work that must be done in order and to the end, such as writing and removing files: everything
-/// that was added is done, also when the queue is gone meanwhile. Nobody waits for it.
+/// Runs work in order and to completion, such as writing and removing files. Everything that was
+/// added is done, even if the queue is deleted meanwhile. Nothing waits for it.
 class JobQueue : public QObject {
   Q_OBJECT
 public:
   explicit JobQueue(QObject* parent = nullptr);
 
-  /// Runs in the queue's thread and uses nothing but what it holds; what it returns (nothing is
-  /// fine) runs in the window's thread, unless the queue is gone by then. Must not throw.
+  /// Work to run in the thread of the queue. It may use only what it holds itself. The function it
+  /// returns (may be empty) runs in the thread of the window, unless the queue was deleted
+  /// meanwhile. Must not throw.
   using Work = std::function<std::function<void()>()>;
   void add(Work work);
 

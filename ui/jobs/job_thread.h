@@ -13,35 +13,36 @@
 
 namespace dewpoint::ui {
 
-/// Runs `work` in a thread that nobody joins. It must hold everything it uses: the window, and
-/// the object that started it, may be gone before it ends. Must not throw.
+/// Runs `work` in a detached thread. It must hold everything it uses, because the window and the
+/// object that started it may be deleted before it ends. Must not throw.
 void runDetached(std::function<void()> work);
 
-/// Deletes an object in a thread of runDetached(): for one whose destructor waits, for a thread of
-/// its own or for a device. Whoever lets go of it last, in whatever thread, waits for nothing.
+/// Deleter that deletes an object in a thread of `runDetached()`. For objects whose destructor
+/// waits for a thread or a device: whichever thread releases the last reference does not block.
 struct DetachedDelete {
   template <class Object> void operator()(Object* object) const {
     runDetached([object] { delete object; });
   }
 };
 
-/// Waits until no thread of runDetached() is left, at most so long; false when some still run. For
-/// the end of the program, when no window is open any more: a job that hangs in a dead stream is
-/// left behind then.
+/// Waits at most `patience` until all threads of `runDetached()` have ended; returns false if some
+/// are still running. For the end of the program, when no window is open: a job that hangs in a
+/// dead stream is abandoned then.
 bool waitForDetached(std::chrono::milliseconds patience);
 
-/// Brings functions from threads into the thread of the window. The functions wait in a slot that a
-/// mutex guards; the wake-up carries nothing.
+/// Delivers functions from other threads to the thread of the window. A mutex guards the queue of
+/// functions; the wake-up event carries no data.
 class JobMailbox : public QObject {
   Q_OBJECT
 public:
   explicit JobMailbox(QObject* parent = nullptr);
-  ~JobMailbox() override; ///< from now on, whatever is posted is dropped
+  ~JobMailbox() override; ///< drops everything posted from now on
 
-  /// The threads' end of a mailbox; it may outlive the mailbox.
+  /// Sending end of a mailbox, for other threads; it may outlive the mailbox.
   class Sender {
   public:
-    /// `letter` runs in the mailbox's thread, unless the mailbox is gone by then.
+    /// Posts a function that runs in the thread of the mailbox, unless the mailbox was deleted
+    /// meanwhile.
     void post(std::function<void()> letter) const;
 
   private:
@@ -49,7 +50,7 @@ public:
     struct State {
       std::mutex mutex;
       std::deque<std::function<void()>> letters;
-      JobMailbox* receiver = nullptr; ///< null once it is gone
+      JobMailbox* receiver = nullptr; ///< null after the mailbox was deleted
     };
     std::shared_ptr<State> state_ = std::make_shared<State>();
   };

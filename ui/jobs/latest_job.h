@@ -10,26 +10,26 @@
 
 namespace dewpoint::ui {
 
-/// A job of which only the newest order counts: while one is worked on, the last of the later
-/// orders waits, and the others are never begun.
+/// A job for which only the newest request counts. While one request is being processed, only the
+/// newest of the later ones waits; the others never start.
 class LatestJob : public QObject {
   Q_OBJECT
 public:
-  /// What becomes of the work under way when a newer order comes.
+  /// What happens to running work when a newer request arrives.
   enum class Overtaken {
-    Dropped, ///< it is canceled; when it does not notice within some seconds it is left behind
-    Kept,    ///< it ends, and what it found is delivered: for views that follow a hand
+    Dropped, ///< canceled; abandoned if it does not end within some seconds
+    Kept,    ///< completed, and its result delivered: for views that follow a drag
   };
   explicit LatestJob(Overtaken overtaken, QObject* parent = nullptr);
 
   void start(BackgroundJob::Work work);
-  /// Neither the work under way nor one that waits is wanted any more.
+  /// Cancels the running work and the waiting request.
   void cancel();
   bool isRunning() const { return job_.isRunning(); }
 
 Q_SIGNALS:
   void progressChanged(double part);
-  /// Nothing runs any more, and nothing waits.
+  /// No work is running or waiting.
   void idle();
 
 private:

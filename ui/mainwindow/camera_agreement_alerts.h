@@ -13,17 +13,17 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Shows in the message bar that cameras cannot agree and why, with a button for each way to mend
-/// it. Each reason is shown once, and the next one when the first is dealt with; whoever closes the
-/// bar is left alone.
+/// Shows in the message bar that cameras disagree, the reason, and a button for each way to correct
+/// it. Each reason is shown once; the next one follows when the first is resolved. A bar that the
+/// user closes does not come back.
 class CameraAgreementAlerts : public QObject {
   Q_OBJECT
 public:
   explicit CameraAgreementAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// The frame shown; null: the run is over, and what was shown counts no more.
+  /// Sets the frame shown; null: the run is over, and earlier alerts are forgotten.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// While the user calibrates, nothing is shown.
+  /// Suppresses alerts, while the user calibrates.
   void setResting(bool resting) { resting_ = resting; }
 
 Q_SIGNALS:
@@ -35,8 +35,8 @@ private:
   void show(const CameraDisagreement& found, const QStringList& names);
 
   MessageBar& bar_;
-  std::vector<CameraDisagreement> shown_; ///< of those that there are
-  QString text_;                          ///< what the bar was given last
+  std::vector<CameraDisagreement> shown_; ///< disagreements that still exist and were shown
+  QString text_;                          ///< text shown last in the bar
   bool resting_ = false;
 };
 

@@ -11,15 +11,15 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Shows in the message bar that a camera was moved, and what to do: one click solves it again
-/// where that is possible. Each state of a moved camera is reported once; whoever closes the bar is
-/// left alone.
+/// Shows in the message bar that a camera moved, and what to do: one click computes its pose again
+/// where that is possible. Each state of a moved camera is reported once. A bar that the user
+/// closes does not come back.
 class CameraMotionAlerts : public QObject {
   Q_OBJECT
 public:
   explicit CameraMotionAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// The frame shown; null: the run is over, and what was reported counts no more.
+  /// Sets the frame shown; null: the run is over, and earlier alerts are forgotten.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
@@ -33,7 +33,7 @@ private:
 
   MessageBar& bar_;
   CameraMotionNews news_;
-  QString text_; ///< what the bar was given last
+  QString text_; ///< text shown last in the bar
 };
 
 } // namespace dewpoint::ui

@@ -5,14 +5,14 @@
 
 namespace dewpoint::ui {
 
-/// The history of changes in the window, and the actions that go back and forth in it.
+/// Dock with the history of changes, and the actions that undo and redo them.
 class HistoryDock : public QObject {
   Q_OBJECT
 public:
   explicit HistoryDock(const Workbench& bench);
 
-  /// Names the step that would be taken back, or made again, in the actions: menus and lists of
-  /// actions say what would happen.
+  /// Names the next step in the texts of the undo and redo actions, so that menus and lists of
+  /// actions show what would happen.
   void nameSteps();
 
 private:

@@ -35,7 +35,7 @@ class TargetListModel;
 struct Workbench;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// The window: makes the parts that all features share, and installs the features.
+/// Main window: creates the parts that all features share, and installs the features.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 public:
@@ -44,32 +44,31 @@ public:
 
   /// Opens a project in the background; empty path: the demo.
   void openProject(const std::filesystem::path& file);
-  /// Whether a project plays as soon as it is open.
+  /// Sets whether a project plays as soon as it is open.
   void setPlayOnOpen(bool play);
   void setTheme(Theme theme);
   Theme theme() const { return theme_; }
 
-  /// Takes the size and position that the window had when it was closed last, and remembers them
-  /// when it is closed.
+  /// Restores the size and position of the window from the last session, and saves them on close.
   void keepGeometry();
-  /// Keeps unsaved work in this folder, and offers what an earlier window left there. `write`: how
-  /// its copies are written, writeTextFile() when there is none.
+  /// Keeps a copy of unsaved work in this folder, and offers copies that an earlier window left
+  /// there. `write`: function that writes the copies; `writeTextFile()` by default.
   void useRecovery(const std::filesystem::path& folder, TextWriter write = {});
-  /// Writes projects to their files.
+  /// Saves projects to their files.
   ProjectSaver& saver();
-  /// Speaks another language from now on, and remembers it.
+  /// Changes the language and saves it in the preferences.
   void setLanguage(const QString& language);
 
-  /// Writes what the run leaves so far (RunRecord) into a folder, beside the window; one after the
-  /// other, and also when the window closes meanwhile. What failed is shown in the window.
-  /// `written` is called with whether it succeeded, in the thread that writes; with false at once
-  /// when nothing is open.
+  /// Writes the results of the run so far (`RunRecord`) into a folder, in another thread. Requests
+  /// are processed in order, even if the window closes meanwhile. Errors are shown in the window.
+  /// `written` is called with the success, in the writing thread; if nothing is open, at once with
+  /// false.
   void saveRun(const std::filesystem::path& folder, std::function<void(bool)> written = {});
 
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
   Selection& selection() { return *selection_; }
-  /// What further views are installed into.
+  /// Shared parts that further views are installed with.
   const Workbench& workbench() const { return *bench_; }
   /// The newest snapshot shown; null before a project is open.
   TrackSnapshotPtr shown() const;
@@ -77,13 +76,13 @@ public:
 Q_SIGNALS:
   void projectOpened();
   void openFailed(const QString& sentence);
-  /// All views have been given this snapshot.
+  /// All views have received this snapshot.
   void snapshotShown(TrackSnapshotPtr snapshot);
 
 protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
-  /// Keys do not reach into docks that lie behind another tab.
+  /// Skips docks that lie behind another tab.
   bool focusNextPrevChild(bool next) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -104,7 +103,7 @@ private:
   ActionRegistry* actions_;
   DockManager* docks_;
   MessageBar* messages_;
-  MessageRow* messageRow_ = nullptr; ///< its place in the window
+  MessageRow* messageRow_ = nullptr; ///< place of the message bar in the window
   std::unique_ptr<Workbench> bench_;
   ProjectController* projects_ = nullptr;
   HistoryDock* history_ = nullptr;

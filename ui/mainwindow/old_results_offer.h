@@ -5,8 +5,8 @@
 
 namespace dewpoint::ui {
 
-/// Offers to track again what earlier settings gave: a message with one button when the settings
-/// were changed, and an action for as long as there are such results.
+/// Offers to track again the frames whose results are from earlier settings: a message with a
+/// button when the settings change, and an action that is enabled while such results exist.
 class OldResultsOffer : public QObject {
   Q_OBJECT
 public:
@@ -16,7 +16,7 @@ private:
   void offer(bool offers);
 
   Workbench bench_;
-  QString shown_; ///< the message, as it is shown
+  QString shown_; ///< message, as shown
 };
 
 } // namespace dewpoint::ui

@@ -26,26 +26,28 @@ class RecoveryOffer;
 class StartPage;
 class ThumbnailKeeper;
 
-/// How work begins and ends: the pages in the center of the window, opening, saving and closing
-/// projects, recent ones, dropped files, and the question before unsaved changes are lost.
+/// Controls how work begins and ends: the pages in the center of the window; opening, saving and
+/// closing projects; recent projects; dropped files; and the question before unsaved changes are
+/// lost.
 class ProjectController : public QObject {
   Q_OBJECT
 public:
-  /// Makes the pages, as the central widget of the window.
+  /// Creates the pages as the central widget of the window.
   explicit ProjectController(const Workbench& bench);
 
   /// Opens a project in the background; empty path: the demo.
   void open(const std::filesystem::path& file);
   /// Shows the start page.
   void showStart();
-  /// Keeps unsaved work in this folder, and offers what an earlier window left there.
+  /// Keeps a copy of unsaved work in this folder, and offers copies that an earlier window left
+  /// there.
   void useRecovery(const std::filesystem::path& folder, TextWriter write);
   ProjectSaver& saver() { return *saver_; }
-  /// Whether the window may close now; it is closed later if its work is saved first. The copy of
-  /// what was given up goes.
+  /// Whether the window may close now. If the user first saves, the window closes afterwards.
+  /// Removes the recovery copy of discarded work.
   bool mayClose();
   void fillRecentMenu(QMenu* menu);
-  /// Whether there is anything that could be opened.
+  /// Whether the data contain something that can be opened.
   static bool canDrop(const QMimeData& data);
   void drop(const QMimeData& data);
 
@@ -62,12 +64,13 @@ private:
   void askOpen();
   void askSaveAs();
   void save();
-  void saveTo(std::filesystem::path file); ///< by value: it may be the project's own
+  /// Takes `file` by value, because it may be the path stored in the project.
+  void saveTo(std::filesystem::path file);
   void close();
-  /// Asks about unsaved changes. True: go on. False: not now; `saved` runs once they are saved, if
-  /// that was the answer.
+  /// Asks about unsaved changes. Returns true to continue. Returns false to stop; if the user chose
+  /// to save, `saved` runs once the project is saved.
   bool mayDiscard(const std::function<void()>& saved);
-  /// Runs `next` as soon as nothing unsaved is lost by it.
+  /// Runs `next` as soon as it would lose no unsaved changes.
   void whenSettled(const std::function<void()>& next);
 
   Workbench bench_;
@@ -79,7 +82,7 @@ private:
   NewProjectPage* newProject_ = nullptr;
   RecoveryOffer* recovery_ = nullptr;
   ProjectSaver* saver_;
-  std::function<void()> afterSaving_; ///< what waits until the project is in its file
+  std::function<void()> afterSaving_; ///< runs once the project is saved
 };
 
 } // namespace dewpoint::ui

@@ -13,13 +13,14 @@ namespace dewpoint::ui {
 
 class RecentProjects;
 
-/// The menu of the projects that were open last.
+/// Menu of the recent projects.
 class RecentMenu : public QObject {
   Q_OBJECT
 public:
   explicit RecentMenu(RecentProjects& recent, QObject* parent = nullptr);
 
-  /// Fills a menu that is about to be shown; what proves to be missing goes while it is open.
+  /// Fills a menu that is about to be shown. Entries whose files prove to be missing disappear
+  /// while it is open.
   void fill(QMenu* menu);
 
 Q_SIGNALS:
@@ -29,7 +30,7 @@ private:
   void list();
 
   RecentProjects& recent_;
-  QPointer<QMenu> menu_; ///< menus are made again in another language
+  QPointer<QMenu> menu_; ///< menus are created again after a change of language
 };
 
 } // namespace dewpoint::ui

@@ -12,30 +12,30 @@
 
 namespace dewpoint::ui {
 
-/// Offers the unsaved work that an earlier window left behind, one after the other, and keeps that
-/// of this one.
+/// Offers unsaved work that earlier windows left behind, one copy at a time, and keeps copies of
+/// the work of this window.
 class RecoveryOffer : public QObject {
   Q_OBJECT
 public:
   RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder, TextWriter write);
 
-  /// Asks about the newest work that was left behind, if there is any.
+  /// Asks about the newest work left behind, if there is any.
   void offer();
-  /// How often is looked again until some was found.
+  /// Sets how often the folder is searched until work is found.
   void setInterval(std::chrono::milliseconds interval) { lookAgain_.setInterval(interval); }
-  /// The document is this work now.
+  /// Reports that the document now contains this work.
   void take(const RecoverableWork& work) { recovery_->take(work); }
-  /// The work of this window is saved or given up on purpose.
+  /// Removes the copy, because the work of this window was saved or discarded.
   void removeBackup() { recovery_->removeBackup(); }
-  /// Reads the work: recovered() follows, or an error in the window.
+  /// Reads the work; `recovered()` follows, or an error in the window.
   void recover(const RecoverableWork& work);
 
 Q_SIGNALS:
-  /// Work was searched for, and a question was shown about what was found.
+  /// The folder was searched, and a question is shown if work was found.
   void looked();
-  /// The user wants it: recover() it, or offer() it again later.
+  /// The user wants to recover it: call `recover()`, or `offer()` it again later.
   void wanted(const RecoverableWork& work);
-  /// It is read, and to be opened.
+  /// The work was read and can be opened.
   void recovered(const Project& project, const RecoverableWork& work);
 
 private:
@@ -44,7 +44,7 @@ private:
 
   Workbench bench_;
   Recovery* recovery_;
-  QTimer lookAgain_; ///< until some work was offered
+  QTimer lookAgain_; ///< runs until some work was offered
   bool looking_ = false;
 };
 

@@ -7,7 +7,7 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Connects the actions that make the run go: play, single steps, from the beginning.
+/// Connects the actions that control the run: play, single steps, restart.
 void installRunActions(const Workbench& bench);
 
 } // namespace dewpoint::ui

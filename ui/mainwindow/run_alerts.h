@@ -11,8 +11,8 @@ namespace dewpoint::ui {
 class CameraAgreementAlerts;
 class ManualCalibration;
 
-/// What a run has to say while it goes: its notices, cameras that were moved and cameras that
-/// cannot agree, with what one click does about those.
+/// Shows alerts of a run: its notices, cameras that moved, and cameras that disagree. Performs the
+/// corrections that the alerts offer.
 class RunAlerts : public QObject {
   Q_OBJECT
 public:
@@ -21,11 +21,12 @@ public:
 private:
   void showNotices(const TrackSnapshotPtr& snapshot);
   void applyFirstNewPose();
-  /// Takes the pose that the run found for a camera that was moved into the project.
+  /// Applies the pose that the run found for a moved camera to the project.
   void applyNewPose(int camera);
   void calibrate(int camera);
   void connectAgreement();
-  /// Changes the project so that its cameras agree, as a step.
+  /// Changes the project so that its cameras agree, as one step. `choice`: index of the correction
+  /// that the user selected.
   void mend(const CameraDisagreement& found, std::size_t choice);
 
   Workbench bench_;

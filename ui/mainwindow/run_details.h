@@ -20,17 +20,17 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// What an expert wants to know of a run, in a popup over the status line: time per iteration and
-/// from frame to estimate, the time budget, effective sample size, what is kept of the past. It
-/// goes on changing while it is open.
+/// Details of a run for experts, in a popup over the status bar: time per iteration, latency from
+/// image to estimate, time budget, effective sample size, and the length of the stored history.
+/// Updates while it is open.
 class RunDetails : public QFrame {
   Q_OBJECT
 public:
   explicit RunDetails(QWidget* parent = nullptr);
 
-  /// The frame shown and the target in it that is explained; null: nothing is known.
+  /// Sets the frame shown and the target to describe; null: none.
   void setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target);
-  /// Opens above this widget, at its right end.
+  /// Opens above this widget, aligned with its right end.
   void openAbove(const QWidget* widget);
 
 private:
@@ -47,7 +47,7 @@ private:
   QLabel* dropped_;
   QLabel* seed_;
   QLabel* history_;
-  std::map<QLabel*, QLabel*> names_; ///< left of each
+  std::map<QLabel*, QLabel*> names_; ///< label to the left of each value
 };
 
 } // namespace dewpoint::ui

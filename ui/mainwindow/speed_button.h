@@ -11,8 +11,8 @@ class QActionGroup;
 
 namespace dewpoint::ui {
 
-/// How fast the run is played, beside Play: says the speed, and offers all of them in a menu. Does
-/// the actions about speed.
+/// Button beside Play that shows the playback speed and offers all speeds in a menu. Handles the
+/// speed actions.
 class SpeedButton : public QToolButton {
   Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
 private:
   void connectActions();
   void setSpeed(double speed);
-  /// One speed up (1) or down (-1).
+  /// Changes the speed by one step, up (1) or down (-1).
   void step(int direction);
   void showPace();
 

@@ -28,20 +28,20 @@ class RunDetails;
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// The line at the bottom: whether the target is held, where it is and how exactly that is known,
-/// how fast it is; why it is not held; which frame is shown. What only an expert asks for is in
-/// RunDetails, behind a button. Figures keep their places while they change, and where there is no
-/// room for all, those at the right go first.
+/// Status bar: the state of the target; its position with uncertainty, and its speed; why it is not
+/// held; the frame shown. RunDetails, behind a button, shows values for experts. Values keep their
+/// positions while they change; without enough room, the rightmost values are hidden first.
 class StatusBarPanel : public QWidget {
   Q_OBJECT
 public:
   explicit StatusBarPanel(QWidget* parent = nullptr);
 
-  /// The frame shown; null: there is nothing to measure.
+  /// Sets the frame shown; null: no values.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// The target that is chosen; -1: the one that needs attention.
+  /// Index of the selected target; -1: the target that needs attention is shown.
   void setTarget(int target);
-  /// Held while two cameras see the target; searching at first and for a second after a loss.
+  /// State of the target: held while two cameras see it; searching at first and for a second after
+  /// a loss.
   HoldState state() const { return state_; }
 
   QSize minimumSizeHint() const override;
@@ -57,28 +57,28 @@ private:
   void refresh();
   void showPlace(const TargetSnapshot& target);
   void showBox(const BoxEstimate& estimate);
-  void clearBelief(); ///< what is not known now: not that of another frame
+  void clearBelief(); ///< clears values of an earlier frame that are not known now
   void applyPalette();
-  /// Shows as many figures as there is room for.
+  /// Shows as many values as there is room for.
   void fit();
 
   QLabel* held_;
   QLabel* position_;
   QLabel* spread_;
   QLabel* speed_;
-  ElidedLabel* reason_; ///< why it is not held
+  ElidedLabel* reason_; ///< why the target is not held
   QLabel* playing_;
   QLabel* frame_;
   QLabel* rate_;
   QToolButton* more_;
   RunDetails* details_;
-  /// In the order in which they go where there is no room.
+  /// Widgets in the order in which they are hidden without enough room.
   std::vector<QWidget*> dispensable_;
   TrackSnapshotPtr snapshot_;
   TargetSpeed motion_;
   int target_ = -1;
-  QString name_;      ///< of the target shown, when there are several
-  QString stateText_; ///< shown instead of the word of the state; empty: that word
+  QString name_;      ///< name of the target shown if there are several
+  QString stateText_; ///< shown instead of the word for the state; empty: that word is shown
   HoldState state_ = HoldState::NoImages;
 };
 

@@ -16,19 +16,19 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-/// The speed of the target that is shown, from what was believed in the frames around the one
-/// shown, as in the trajectory (trajectory::velocityAt).
+/// Speed of the target shown, from the estimates in the frames around the one shown, as in the
+/// trajectory (`trajectory::velocityAt`).
 class TargetSpeed {
 public:
-  /// Takes in what is shown of a target; another target or run begins again.
+  /// Adds the estimate of a target. Starts over when the target or the run changes.
   void add(const TrackSnapshot& snapshot, const TargetSnapshot& target);
   void clear() { track_.clear(); }
-  /// At the frame shown last, meters per second; nothing where it is not known.
+  /// Speed at the frame shown last, meters per second; nothing if unknown.
   std::optional<double> now() const;
 
 private:
-  std::vector<TrajectorySample> track_; ///< of the last frames shown, ascending
-  std::size_t shown_ = 0;               ///< the sample of the frame shown
+  std::vector<TrajectorySample> track_; ///< samples of the last frames shown, ascending
+  std::size_t shown_ = 0;               ///< index of the sample of the frame shown
   std::string target_;
   std::uint64_t seed_ = 0;
 };

@@ -9,14 +9,15 @@
 
 namespace dewpoint::ui {
 
-/// Keeps a small picture of each project for the list of recent ones: made when it is saved, and
-/// when it is left.
+/// Keeps a thumbnail of each project for the list of recent projects, made when the project is
+/// saved and when it is closed.
 class ThumbnailKeeper : public QObject {
   Q_OBJECT
 public:
   explicit ThumbnailKeeper(const Workbench& bench, QObject* parent);
 
-  /// Makes it of what was shown last; nothing when the project is in no file.
+  /// Makes the thumbnail from the snapshot shown last. Does nothing if no file contains the
+  /// project.
   void keep();
 
 Q_SIGNALS:
@@ -27,8 +28,8 @@ private:
   QString fileNow() const;
 
   Workbench bench_;
-  TrackSnapshotPtr shown_; ///< the last with images; null: none
-  QString file_;           ///< of the project then
+  TrackSnapshotPtr shown_; ///< last snapshot with images; null: none
+  QString file_;           ///< file of the project of that snapshot
   ProjectThumbnails thumbnails_;
 };
 

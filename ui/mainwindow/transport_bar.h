@@ -7,7 +7,7 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Adds the one toolbar, with what is done all the time.
+/// Adds the toolbar with the most frequent actions.
 void installTransportBar(const Workbench& bench);
 
 } // namespace dewpoint::ui

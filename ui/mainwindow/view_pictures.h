@@ -10,15 +10,15 @@ namespace dewpoint::ui {
 
 class ViewDock;
 
-/// Pictures of views, as files or on the clipboard: from the menu of each dock's title, and for all
-/// by an action.
+/// Saves pictures of views as files or to the clipboard: from the title menu of each dock, and
+/// through an action for all docks.
 class ViewPictures : public QObject {
   Q_OBJECT
 public:
-  /// Takes care of all docks that are made from now on.
+  /// Handles all docks that are created from now on.
   explicit ViewPictures(const Workbench& bench);
 
-  /// Writes a picture as PNG beside the window; the message bar shows how it went.
+  /// Writes a picture as PNG in another thread; the message bar shows the result.
   void write(const QImage& picture, const QString& file);
 
 private:

@@ -33,39 +33,41 @@ class Document;
 class JobQueue;
 class Selection;
 
-/// Writes an image as a picture of a camera's empty room and returns the file: keepEmptyRoom().
+/// Writes an image as the background image of a camera and returns the file: keepEmptyRoom().
 using EmptyRoomKeeper = std::function<Result<std::filesystem::path>(
     const Project& project, std::size_t camera, const cv::Mat& image,
     const std::filesystem::path& folder)>;
 
-/// The cameras: name, where the images come from, how they are turned, and what is known of their
-/// calibration.
+/// Panel of the cameras: name, image source, rotation and mirroring of the images, delay, and the
+/// state of the calibration.
 class CameraPanel : public QWidget {
   Q_OBJECT
 public:
   CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
               QWidget* parent = nullptr);
-  ~CameraPanel() override; ///< what is being written is written to its end, and unheard
+  /// A background image that is being written is completed, but its result is dropped.
+  ~CameraPanel() override;
 
-  /// The images that a picture of the empty room may be taken from: those shown.
+  /// Sets the images shown, from which a background image can be taken.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Who writes pictures of empty rooms, in a thread of its own: it may take long.
+  /// Sets the function that writes background images. It is called in another thread, because it
+  /// may take long.
   void setKeeper(EmptyRoomKeeper keep) { keep_ = std::move(keep); }
 
 Q_SIGNALS:
   /// A calibration file is to be read for all cameras.
   void calibrationWanted(const QString& file);
   void failed(const QString& sentence);
-  /// Something was done, and this is what.
+  /// A sentence about what was done.
   void messageRequested(const QString& sentence);
-  /// Something is done only after this question was answered with yes.
+  /// Asks the user to confirm an action; `act` runs only after the answer `yes`.
   void confirmationRequested(const QString& question, const QString& yes,
                              const std::function<void()>& act);
 
 private:
   void retranslateUi();
   void refresh();
-  /// Row of the selected camera; -1 without cameras.
+  /// Index of the selected camera; -1 without cameras.
   int chosen() const;
   void showChosen();
   void showCalibration(const ProjectCamera& camera);
@@ -74,17 +76,19 @@ private:
   void chooseEmptyRoom();
   void takeEmptyRoom();
   void setEmptyRoom(const QString& file);
-  /// Writes the image without waiting for it; useKept() follows unless another project is opened.
+  /// Writes the image in another thread. `useKept()` follows unless another project is opened
+  /// meanwhile.
   void keepAsEmptyRoom(int camera, const cv::Mat& image);
-  /// What became of the image; `then`: the project as it was when the image was taken.
+  /// Uses the written background image, or reports an error. `then`: the project when the image was
+  /// taken.
   void useKept(const Project& then, int camera, const Result<std::filesystem::path>& kept);
   void forgetKept();
   void enableTake();
-  /// The target that is tracked in the image of a camera that is shown; empty: none.
+  /// Name of a target that is tracked in the shown image of a camera; empty: none.
   QString targetSeenBy(int camera) const;
   void makeFields();
   void connectFields();
-  /// The image that the chosen camera shows; empty when there is none.
+  /// Image of the selected camera that is shown; empty if there is none.
   cv::Mat shownImage() const;
 
   Document& document_;
@@ -109,7 +113,8 @@ private:
   QPushButton* load_;
   TrackSnapshotPtr snapshot_;
   EmptyRoomKeeper keep_;
-  std::unique_ptr<JobQueue> keeping_; ///< of this project; one that is given up is not heard
+  /// Jobs of this project; results for an earlier project are dropped.
+  std::unique_ptr<JobQueue> keeping_;
   bool isKeeping_ = false;
 };
 

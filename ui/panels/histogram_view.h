@@ -10,14 +10,14 @@
 
 namespace dewpoint::ui {
 
-/// The color histogram of a box as it was given, beside that of the box as it is now: a pair of
-/// bars per bin in the bin's color, hollow and filled.
+/// Compares the color histogram of a bounding box when it was set with that of the box now: a pair
+/// of bars per bin in the color of the bin, one hollow and one filled.
 class HistogramView : public QWidget {
   Q_OBJECT
 public:
   explicit HistogramView(QWidget* parent = nullptr);
 
-  /// Null: nothing is shown.
+  /// Sets the histograms; null: nothing is shown.
   void setHistograms(const std::shared_ptr<const ColorHistograms>& histograms);
 
   QSize sizeHint() const override { return {220, 72}; }

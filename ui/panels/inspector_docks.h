@@ -10,10 +10,10 @@ class TargetPanel;
 class ViewDock;
 struct Workbench;
 
-/// Adds the parameters of the method, and what the user should know when another one is chosen.
+/// Adds the parameters of the method, and messages for the user when another method is selected.
 void installParameters(const Workbench& bench);
 
-/// The targets in the window.
+/// Dock of the targets.
 struct TargetDock {
   ViewDock* dock;
   TargetPanel* panel;

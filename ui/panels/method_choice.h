@@ -11,18 +11,19 @@ struct Project;
 
 namespace dewpoint::ui {
 
-/// The methods by their use, under headings: two lines each say what they follow and what sets them
-/// apart, beside the name they have in files and the paper they are from. Those that cannot work
-/// with the project are disabled and say why. It speaks the language in which it was filled.
+/// Selection of the method. Methods are grouped under headings by their use. Each has two lines
+/// that describe what it tracks and how it differs, and shows its name in files and its paper.
+/// Methods that do not work with the project are disabled and show why. The texts keep the language
+/// in which the list was filled.
 class MethodChoice : public QComboBox {
   Q_OBJECT
 public:
-  /// Roles of an item. Qt::UserRole has the name in files; a heading has none.
+  /// Data roles of an item. Qt::UserRole has the name used in files; a heading has none.
   enum Role { SentenceRole = Qt::UserRole + 1, PaperRole };
 
   explicit MethodChoice(QWidget* parent = nullptr);
 
-  /// Lists all methods, as they suit a project, and shows the project's own.
+  /// Lists all methods, enabled if they suit the project, and shows the method of the project.
   void showMethods(const Project& project);
 };
 

@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Draws the items of a MethodChoice: headings, and methods in two lines. At the right edge stand
-/// the name in files, and below it the paper.
+/// Draws the items of a MethodChoice: headings, and methods in two lines. The name used in files is
+/// at the right edge, with the paper below it.
 class MethodItemDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;

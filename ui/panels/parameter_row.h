@@ -12,25 +12,25 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// One parameter: label, slider and exact number with unit; what differs from its default has a dot
-/// and a button that resets it, as Backspace and Delete on the slider do.
+/// Row of one parameter: label, slider and number with unit. A value that differs from its default
+/// has a dot and a button that resets it; Backspace and Delete on the slider reset it, too.
 class ParameterRow : public QWidget {
   Q_OBJECT
 public:
   explicit ParameterRow(const ParameterDeclaration& declaration, QWidget* parent = nullptr);
 
   const std::string& key() const { return declaration_.key; }
-  /// Shows a value without announcing it.
+  /// Shows a value without emitting `valueEdited()`.
   void setValue(double value);
-  /// Marks the value as another one than this default.
+  /// Sets whether the value differs from the default, and shows the default.
   void setChanged(bool changed, double defaultValue);
-  /// A few words about the value, below it; empty: none.
+  /// Shows a short note below the value; empty: none.
   void setNote(const QString& note);
 
 Q_SIGNALS:
   /// The user moved the slider or typed a number.
   void valueEdited(double value);
-  /// The user wants the default.
+  /// The user wants the default value.
   void resetRequested();
 
 protected:
@@ -44,7 +44,7 @@ private:
   int toSlider(double value) const;
   QString tooltip() const;
 
-  const ParameterDeclaration& declaration_; ///< declarations live for ever
+  const ParameterDeclaration& declaration_; ///< declarations are never deleted
   QSlider* slider_;
   QDoubleSpinBox* box_;
   QLabel* dot_;

@@ -29,24 +29,24 @@ class TargetListModel;
 class TargetRowDelegate;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// What is followed: the targets by name, each with its color, its state and its size, and the name
-/// and size of the chosen one.
+/// Panel of the targets: a list by name, each with its color, state and size, and fields for the
+/// selected target.
 class TargetPanel : public QWidget {
   Q_OBJECT
 public:
   TargetPanel(Document& document, TargetListModel& targets, QWidget* parent = nullptr);
 
-  /// Puts buttons for these actions above the list.
+  /// Adds buttons for these actions above the list.
   void addTools(QAction* add, QAction* remove, QAction* learn);
 
-  /// Index of the chosen target; -1 without targets.
+  /// Index of the selected target; -1 without targets.
   int chosen() const;
-  /// Chooses a target of the list; others change nothing.
+  /// Selects a target of the list; other indices are ignored.
   void choose(int target);
-  /// The states of the targets in the frame shown, and what is believed of the chosen one's box, if
-  /// its method follows boxes.
+  /// Sets the frame shown: the states of its targets and, for methods that track boxes, the
+  /// estimated box of the selected target.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Takes the chosen target out, as an undoable step.
+  /// Removes the selected target, as an undoable step.
   void removeChosen();
 
 Q_SIGNALS:
@@ -68,7 +68,7 @@ private:
   QListView* list_;
   TargetRowDelegate* rows_;
   QVBoxLayout* column_ = nullptr;
-  QToolButton* add_ = nullptr; ///< null before addTools(), as the others
+  QToolButton* add_ = nullptr; ///< null before addTools(), like the other two
   QToolButton* remove_ = nullptr;
   QToolButton* learn_ = nullptr;
   QLabel* nameLabel_;
@@ -76,12 +76,12 @@ private:
   QLabel* radiusLabel_;
   QDoubleSpinBox* radius_;
   QLabel* shapeLabel_;
-  QComboBox* shape_; ///< its items are in the order of TargetShape
-  QLabel* box_;      ///< numbers of the box
+  QComboBox* shape_; ///< items are in the order of TargetShape
+  QLabel* box_;      ///< numbers of the bounding box
   HistogramView* histograms_;
   QLabel* hint_;
   TrackSnapshotPtr snapshot_;
-  int shown_ = -1; ///< row that was chosen at the last refresh
+  int shown_ = -1; ///< row selected at the last refresh
   bool refreshing_ = false;
 };
 

@@ -10,24 +10,24 @@
 
 namespace dewpoint::ui {
 
-/// What stands in the row of a target beside its name.
+/// Content of the row of a target besides its name.
 struct TargetRow {
-  QColor identity;                ///< that it has in all views
-  std::optional<QColor> learned;  ///< of the target itself; nothing where it needs no color
+  QColor identity;                ///< color of the target in all views
+  std::optional<QColor> learned;  ///< learned color of the target; nothing if it needs no color
   std::optional<HoldState> state; ///< nothing without a run
   QString size;
 
   bool operator==(const TargetRow&) const = default;
 };
 
-/// Draws the targets of a list in two lines: a disc of the learned color in a ring of the color
-/// that the target has in the views, the name and the state in word, shape and color; below it the
-/// size.
+/// Draws the targets of a list in two lines. First: a disc in the learned color, inside a ring in
+/// the color of the target in the views; the name; and the state as a word, shape and color.
+/// Second: the size.
 class TargetRowDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  /// True when these are others than before.
+  /// Sets the rows; returns whether they differ from the previous ones.
   bool setRows(std::vector<TargetRow> rows);
   const std::vector<TargetRow>& rows() const { return rows_; }
 

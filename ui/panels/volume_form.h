@@ -18,9 +18,10 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// The volume of interest: the box in which targets are searched for, by two of its corners, or
-/// none. Without one the fields show what the cameras see, from which editing a number begins.
-/// Every change is a step of the document; it speaks the language in which it was made.
+/// Fields of the volume of interest: the box in which targets are searched for, given by two
+/// corners, or none. Without a box, the fields show the volume that the cameras see; editing a
+/// number starts from it. Every change is a step of the document. The texts keep the language in
+/// which the form was created.
 class VolumeForm : public QWidget {
   Q_OBJECT
 public:
@@ -30,9 +31,9 @@ private:
   void build();
   void connectFields();
   void refresh();
-  /// The box of the project, or else what its cameras see; nothing when they see nothing.
+  /// Box of the project, else the volume that its cameras see; nothing if they see none.
   std::optional<WorldBox> shown() const;
-  /// Sets a corner's coordinate (`corner` 0: min, 1: max).
+  /// Sets a coordinate of a corner (`corner` 0: minimum, 1: maximum; `axis` 0 to 2), in meters.
   void setCoordinate(std::size_t corner, int axis, double meters);
   void set(const QString& step, const std::optional<WorldBox>& volume,
            const std::string& mergeKey = {});
@@ -41,7 +42,7 @@ private:
   QLabel* state_;
   QPushButton* fromCameras_;
   QPushButton* none_;
-  /// Of the corners min and max: x, y and z.
+  /// Fields of the corners minimum and maximum: x, y and z of each.
   std::array<std::array<QDoubleSpinBox*, 3>, 2> fields_{};
 };
 

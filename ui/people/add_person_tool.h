@@ -15,17 +15,17 @@ class CameraListModel;
 class CameraView;
 class ImagePickOverlay;
 
-/// "A person stands here": while it is placing, a click on somebody in a camera view, or on the
-/// floor of the bird's-eye view, says where; by keys, the cross of the camera views does.
+/// Tool "A person stands here". While it is active, the user clicks a person in a camera view or
+/// the floor in the bird's-eye view, or uses the keyboard cross of the camera views.
 class AddPersonTool : public QObject {
   Q_OBJECT
 public:
-  /// `cameras`: what their images are called.
+  /// `cameras`: provides the names of the images.
   AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras, QObject* parent);
 
-  /// Another camera view, which may go at any time.
+  /// Adds a camera view, which may be deleted at any time.
   void attach(int camera, CameraView* view);
-  /// `floor`: its height, world z in meters.
+  /// Starts or stops the tool. `floor`: height of the floor, world z in meters.
   void setPlacing(bool placing, double floor = 0.0);
 
 Q_SIGNALS:

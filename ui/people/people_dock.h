@@ -22,37 +22,39 @@ class PeoplePanel;
 class AddPersonTool;
 class ViewDock;
 
-/// Methods for people in the window: who is there, who stands where, and what is exported of them.
-/// While such a method is chosen, its panel replaces those of the other methods.
+/// Connects methods for people to the window: shows who is present and where, handles corrections,
+/// and exports tables. While such a method is selected, its panel replaces those of other methods.
 class PeopleDock : public QObject {
   Q_OBJECT
 public:
-  /// `others`: docks that mean nothing to people, nor theirs to other methods.
+  /// `others`: docks that methods for people do not use. They are hidden while the dock of people
+  /// is shown.
   PeopleDock(const Workbench& bench, const CameraDocks& cameras, BirdsEyeView& birdsEye,
              std::vector<ViewDock*> others);
 
-  /// A click into the image of a camera, pixels: selects the person who is seen there.
+  /// Selects the person seen at a pixel of a camera's image.
   void selectSeenAt(int camera, const QPointF& pixel);
 
 private:
   void connectActions();
   void connectPlacer(const CameraDocks& cameras);
-  /// The docks and actions that the method has a use for.
+  /// Shows or hides docks and actions depending on the method.
   void updateForMethod();
   void placePeople(bool placing);
   void askExport();
-  /// Writes the tables of this run, of those counted by run_; an error if it is over.
+  /// Writes the tables of the run with number `run` (see `run_`); reports an error if that run is
+  /// over.
   void write(const QString& folder, int run);
   bool isOfPeople() const;
-  /// An undoable step of the document, about the frame that is shown.
+  /// Applies a correction for the frame shown, as an undoable step of the document.
   void correct(const QString& step, PersonCorrection correction);
 
   Workbench bench_;
   PeoplePanel* panel_;
   AddPersonTool* placer_;
-  LatestJob* check_;   ///< whether there are tables already
-  LatestJob* writing_; ///< writes tables; while it does, the next ones wait
-  int run_ = 0;        ///< grows with every end of a run
+  LatestJob* check_;   ///< checks whether the tables already exist
+  LatestJob* writing_; ///< writes tables; meanwhile the next request waits
+  int run_ = 0;        ///< incremented at the end of each run
   ViewDock* dock_;
   std::vector<ViewDock*> others_;
 };

@@ -16,16 +16,16 @@ namespace dewpoint::ui {
 
 class Selection;
 
-/// Who is there: one row per person, in the color of the identity; above it how far the cameras
-/// have learned the background. What is selected here is selected everywhere.
+/// Lists the people present: one row per person, in the color of the identity. Above the table, the
+/// progress of background learning. Selecting a row selects the person in all views.
 class PeoplePanel : public QWidget {
   Q_OBJECT
 public:
-  /// `place`, `remove`: the actions of the buttons below the table.
+  /// `place`, `remove`: actions of the buttons below the table.
   PeoplePanel(Selection& selection, QAction* place, QAction* remove, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Identity of the person chosen; 0: none.
+  /// Identity of the selected person; 0: none.
   int chosen() const;
 
   QSize minimumSizeHint() const override { return {200, 160}; }
@@ -47,7 +47,7 @@ private:
   QToolButton* remove_;
   TrackSnapshotPtr snapshot_;
   QElapsedTimer sinceRefresh_;
-  bool following_ = false; ///< the table is being given what is selected
+  bool following_ = false; ///< the table is following the selection
 };
 
 } // namespace dewpoint::ui

@@ -15,18 +15,19 @@ namespace dewpoint::ui {
 
 class PlotStack;
 
-/// How the particles gather within one frame: their spread at each iteration of the frame shown.
-/// Hidden as long as the method makes one iteration per frame.
+/// Plot of convergence within one frame: the spread of the particles at each iteration of the frame
+/// shown. Hidden while the method makes one iteration per frame.
 class FrameConvergence : public QWidget {
 public:
   explicit FrameConvergence(QWidget* parent = nullptr);
 
-  /// Boxes have a spread in pixels; all else in space.
+  /// Sets whether the target is a bounding box, whose spread is in pixels; otherwise the spread is
+  /// in meters.
   void setBoxes(bool boxes);
-  /// Shows a frame of this run, its newest one if it is none; hides if neither that frame nor one
-  /// shortly before has more than one iteration.
+  /// Shows a frame of this run, or the newest frame if `frame` is empty. Hides the plot if neither
+  /// this frame nor one shortly before it has more than one iteration.
   void showFrame(const PlotSeries& run, std::optional<std::int64_t> frame);
-  /// Iterations that are drawn.
+  /// Number of iterations drawn.
   std::size_t iterations() const { return series_.size(); }
   PlotStack& stack() { return *stack_; }
 
@@ -41,10 +42,10 @@ private:
   std::int64_t frame_ = -1;
 };
 
-/// Rows [first, last) of a frame, the last that is not after this one.
+/// Returns the rows [first, last) of a frame, or of the last frame before it.
 std::pair<std::size_t, std::size_t> rowsOfFrame(const PlotSeries& run, std::int64_t frame);
-/// Whether that frame, or one shortly before it, has more than one iteration: a plot of them would
-/// else come and go while the run goes on.
+/// Whether this frame, or one shortly before it, has more than one iteration. Looking back keeps
+/// the plot from flickering while the run continues.
 bool iteratesWithinFrames(const PlotSeries& run, std::int64_t frame);
 
 } // namespace dewpoint::ui

@@ -8,34 +8,34 @@
 
 namespace dewpoint::ui {
 
-/// The part of the shared axis that plots show: the whole run, or a chosen part, which moves along
-/// with the newest once it reaches it.
+/// Range of the shared axis that plots show: the whole run, or a part of it. A part that reaches
+/// the newest data moves along with it.
 class PlotAxisRange {
 public:
-  using Range = std::pair<double, double>; ///< lower and upper end, on the axis
+  using Range = std::pair<double, double>; ///< lower and upper end, in units of the axis
 
   PlotAxis axis() const { return axis_; }
-  /// A run of fewer iterations than that grows into the axis.
+  /// Sets the minimum length of the axis in iterations; a shorter run fills it gradually.
   void setLeastIterations(double least) { leastIterations_ = least; }
-  /// Along another axis, the whole run; false when it is the same.
+  /// Changes the axis and shows the whole run. Returns false if the axis stays the same.
   bool setAxis(PlotAxis axis);
-  /// The whole run; a run that has just begun grows into it. Null: nothing was tracked.
+  /// Returns the range of the whole run, extended to the minimum length. Null: nothing was tracked.
   Range whole(const PlotSeries* series) const;
   Range shown(const PlotSeries* series) const;
-  /// Goes along with the newest, and returns what is shown now: the whole run if it has gone back
-  /// to before the part that was shown.
+  /// Follows the newest data and returns the range to show. Shows the whole run again if the run
+  /// went back to before the range shown.
   Range advance(const PlotSeries* series);
   bool showsAll() const { return !part_.has_value(); }
   void showAll();
-  /// This part, never beyond the run, nor too small to read.
+  /// Shows this range, limited to the run and to a readable minimum length.
   void show(const PlotSeries* series, double lower, double upper);
 
 private:
   PlotAxis axis_ = PlotAxis::Iterations;
   double leastIterations_ = 60.0;
-  std::optional<Range> part_; ///< nothing: all
-  bool following_ = false;    ///< the part moves along with the newest
-  double newest_ = 0.0;       ///< position of the newest, when the part was shown last
+  std::optional<Range> part_; ///< range shown; empty: the whole run
+  bool following_ = false;    ///< the range moves along with the newest data
+  double newest_ = 0.0;       ///< newest position on the axis when the range was shown last
 };
 
 } // namespace dewpoint::ui

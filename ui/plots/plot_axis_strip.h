@@ -10,18 +10,18 @@ class QCustomPlot;
 
 namespace dewpoint::ui {
 
-/// The numbers along the shared axis of a stack of plots, below what is scrolled: they are always
-/// seen.
+/// Numbers of the shared axis of a stack of plots. The strip lies below the scrolled plots, so it
+/// is always visible.
 class PlotAxisStrip : public QWidget {
 public:
-  /// Both are siblings in one window; the strip is drawn again whenever the plot is.
+  /// Creates the strip as a sibling of the plot; it is redrawn with every redraw of the plot.
   PlotAxisStrip(QCustomPlot& plot, QWidget* parent);
 
-  /// The axis whose numbers these are, of the plot; null: none.
+  /// Sets the axis of the plot whose numbers are drawn; null: none.
   void setAxis(QCPAxis* axis, PlotAxis kind);
-  /// Whether the name of the axis stands at its right.
+  /// Sets whether the name of the axis is drawn at its right end.
   void setNamed(bool named) { named_ = named; }
-  /// The numbers as they are written.
+  /// Texts of the numbers as drawn.
   QStringList labels() const;
 
   QSize sizeHint() const override;

@@ -11,17 +11,17 @@
 
 namespace dewpoint::ui {
 
-/// Lines and a range across all plots of a stack, on a layer of their own: they move without any
-/// curve being drawn again. Positions are those of the shared axis.
+/// Lines and a range drawn across all plots of a stack. They have their own layer, so they move
+/// without redrawing the curves. Positions are in units of the shared axis.
 class PlotCursor : public QCPLayerable {
 public:
   PlotCursor(QCustomPlot* plot, const QString& layer) : QCPLayerable(plot, layer) {}
 
-  std::vector<QCPAxisRect*> rects; ///< those it crosses
+  std::vector<QCPAxisRect*> rects; ///< plots that the lines cross
   std::optional<double> currentFrame;
   std::optional<double> hovered;
   std::optional<std::pair<double, double>> selectedRange;
-  std::optional<std::pair<double, double>> dragged; ///< part to be zoomed to
+  std::optional<std::pair<double, double>> dragged; ///< range to zoom to, while it is dragged
 
 protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;

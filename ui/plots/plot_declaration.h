@@ -12,32 +12,33 @@
 
 namespace dewpoint::ui {
 
-/// What the numbers of a plot are: how they are written, and how the axis fits them.
+/// Quantity of a plot. It determines how numbers are written and how the axis is fitted.
 enum class PlotQuantity {
   Length,        ///< meters; drawn in millimeters on a logarithmic axis
   Position,      ///< meters
   Speed,         ///< meters per second
-  Count,         ///< from 0
-  Duration,      ///< microseconds, from 0
+  Count,         ///< axis from 0
+  Duration,      ///< microseconds, axis from 0
   LogLikelihood, ///< natural logarithm
   Probability,   ///< 0 to 1
-  Pixels,        ///< of an image, from 0
-  PixelPosition, ///< in an image, pixels
+  Pixels,        ///< in an image, axis from 0
+  PixelPosition, ///< position in an image, pixels
 };
 
+/// Declares one curve of a plot.
 struct CurveDeclaration {
-  QString name;           ///< in the user's language; "x", "camera 1"
-  QString csvName;        ///< column of a table, with its unit: "spread_x_mm"
-  std::size_t column = 0; ///< of the PlotSeries
-  int color = 0;          ///< see curveColor()
-  /// Column of its standard deviation: a band of two of them lies about the curve.
+  QString name;           ///< translated; "x", "camera 1"
+  QString csvName;        ///< column name in a table, with the unit: "spread_x_mm"
+  std::size_t column = 0; ///< column of the PlotSeries
+  int color = 0;          ///< index for curveColor()
+  /// Column of the standard deviation: a band of two standard deviations is drawn around the curve.
   std::optional<std::size_t> deviation = std::nullopt;
-  /// Column of what it truly is: a thin dashed line.
+  /// Column of the ground truth: a thin dashed line.
   std::optional<std::size_t> truth = std::nullopt;
-  QString truthCsvName = {}; ///< column of a table: "true_x_m"
+  QString truthCsvName = {}; ///< column name in a table: "true_x_m"
 };
 
-/// One plot of a stack.
+/// Declares one plot of a stack.
 struct PlotDeclaration {
   QString id; ///< "spread"
   QString title;
@@ -45,18 +46,20 @@ struct PlotDeclaration {
   std::vector<CurveDeclaration> curves;
 };
 
-/// A value with its unit, in the precision that makes sense; "–" when it is not a number.
+/// Returns a value with its unit and a suitable precision; "–" if it is not a number.
 QString quantityText(PlotQuantity quantity, double value);
-/// The number alone in the unit of the axis, with decimals that stay the same while it changes.
+/// Returns the number without its unit, in the unit of the axis. The number of decimals does not
+/// change with the value.
 QString drawnNumberText(PlotQuantity quantity, double value);
-/// The unit of the axis; may be empty.
+/// Unit of the axis; may be empty.
 QString axisUnit(PlotQuantity quantity);
-/// "Spread (mm)"
+/// Title with the unit of the axis: "Spread (mm)".
 QString titleWithUnit(const PlotDeclaration& plot);
-/// Number on the axis and in tables, for a value as it is stored.
+/// Converts a stored value to the unit of the axis and of tables.
 double drawnValue(PlotQuantity quantity, double value);
 
-/// Color-blind-safe (Okabe-Ito, darker on light ground). Negative: the color of text.
+/// Color of a curve, safe for color-blind users (Okabe-Ito, darker on a light background). A
+/// negative index: the color of text.
 QColor curveColor(int index, const QColor& text);
 
 } // namespace dewpoint::ui

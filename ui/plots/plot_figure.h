@@ -18,17 +18,18 @@ namespace dewpoint::ui {
 class PlotCursor;
 class PlotRow;
 
-/// Plots as they were drawn, for a file.
+/// Plots as drawn, ready to be written to a file.
 struct PlotPicture {
-  QByteArray drawing; ///< SVG; empty: the pixels count
+  QByteArray drawing; ///< SVG; empty: `pixels` is used
   QImage pixels;
 
-  /// Writes it: as SVG, or else as PNG. False when that cannot be. Any thread.
+  /// Writes the picture as SVG, or else as PNG. Returns false on failure. May be called in any
+  /// thread.
   bool save(const QString& file) const;
 };
 
-/// Plots as a figure for paper: smooth lines, named axes, and no cursor without need. While it
-/// exists the plots are drawn so; afterwards they have to be drawn again.
+/// Draws plots as a figure for publication: antialiased lines, named axes, and the cursor only if
+/// needed. Plots are drawn in this way while the object exists and must be redrawn afterwards.
 class PlotFigure {
   Q_DECLARE_TR_FUNCTIONS(PlotFigure)
 public:
@@ -38,7 +39,7 @@ public:
   PlotFigure(const PlotFigure&) = delete;
   PlotFigure& operator=(const PlotFigure&) = delete;
 
-  /// The figure as it is now, as a drawing (SVG) or as pixels.
+  /// Draws the current figure, as SVG (`asDrawing`) or as pixels.
   PlotPicture draw(bool asDrawing);
 
 private:

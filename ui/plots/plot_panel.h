@@ -27,33 +27,35 @@ class PlotStack;
 class Selection;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// The plots of a run: position and spread per axis, effective sample size, likelihood and
-/// existence per camera, error against truth and time per step of one target, over iterations or
-/// time; beside them the convergence within the frame shown. Which are shown is the user's choice
-/// and remembered.
+/// Plots of a run, for one target: position and spread per axis, effective sample size, likelihood
+/// and existence probability per camera, error against the ground truth, and time per step, over
+/// iterations or time. The convergence within the frame shown is beside them. The user selects
+/// which plots are shown; the selection is saved in the preferences.
 class PlotPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Connects the registry's plot actions.
+  /// Connects the plot actions of the registry.
   PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~PlotPanel() override;
 
-  /// Iterations since the last call.
+  /// Adds the iterations since the last call.
   void append(const std::vector<IterationRecord>& records);
-  /// A new run: what comes next is from its start.
+  /// Clears the plots for a new run.
   void clear();
-  /// Whose cameras the curves are of; null: no run, and no curves.
+  /// Sets the snapshot, which provides the names of the cameras; null: there is no run, and no
+  /// curves are shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Whose numbers are shown, from 0.
+  /// Index of the target to show, from 0.
   void setTarget(int target);
   int shownIterations() const;
   FrameConvergence& convergence() { return *convergence_; }
   PlotStack& stack() { return *stack_; }
 
-  /// Buttons and the position of the cursor, for the title of the dock.
+  /// Creates buttons and the readout of the cursor position for the title of the dock.
   QWidget* makeTools(QWidget* parent);
   void copyCsv();
-  /// SVG or PNG, by the name's ending, written beside the window; notice() or failed() follows.
+  /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. `notice()` or
+  /// `failed()` follows.
   void savePicture(const QString& file);
 
 Q_SIGNALS:
@@ -78,8 +80,8 @@ private:
   QStringList cameras_;
   QStringList targets_;
   bool camerasKnown_ = false;
-  bool showsBoxes_ = false; ///< curves of boxes in images, else of positions
-  std::vector<std::unique_ptr<PlotSeries>> series_; ///< per target
+  bool showsBoxes_ = false; ///< whether curves are of bounding boxes instead of positions
+  std::vector<std::unique_ptr<PlotSeries>> series_; ///< one per target
   int target_ = 0;
   JobQueue files_;
 };

@@ -17,10 +17,11 @@ namespace dewpoint::ui {
 
 class PlotStack;
 
-/// Mouse and keys on a stack of plots. Wheel: zoom about the pointer. Drag: pan; with Ctrl: zoom to
-/// what was dragged over; with Shift: select a range. Click: go to that frame. Double click: all.
-/// Arrow keys: the cursor (with Shift: a range), + and -: zoom, Page Up and Down: pan, Home and
-/// End: first and last frame, Return: go to the cursor, Backspace: all, Escape: no range.
+/// Mouse and keys on a stack of plots. Wheel: zoom at the pointer. Drag: pan; with Ctrl: zoom to
+/// the dragged range; with Shift: select a range. Click: go to that frame. Double click: show the
+/// whole run. Arrow keys: move the cursor (with Shift: select a range); + and -: zoom; Page Up and
+/// Down: pan; Home and End: first and last frame; Return: go to the cursor; Backspace: show the
+/// whole run; Escape: clear the range.
 class PlotPointer : public QObject {
   Q_OBJECT
 public:
@@ -43,7 +44,7 @@ private:
   QPoint pressed_;
   double pressedKey_ = 0.0;
   std::pair<double, double> pressedRange_;
-  std::optional<std::int64_t> anchor_; ///< where a range selected by keys began
+  std::optional<std::int64_t> anchor_; ///< frame where a range selected with keys began
 };
 
 } // namespace dewpoint::ui

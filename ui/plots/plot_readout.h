@@ -9,11 +9,11 @@
 
 namespace dewpoint::ui {
 
-/// Title of one plot with its unit, left of the numbers of its axis, in up to two lines.
+/// Title of one plot with its unit, in up to two lines to the left of the axis numbers.
 class PlotCaption : public QCPLayoutElement {
 public:
   PlotCaption(QCustomPlot* plot, const PlotDeclaration& declaration);
-  /// So wide that the titles of these plots fit in two lines each.
+  /// Returns the width in pixels in which each title of these plots fits in two lines.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
   void setWidth(int width);
 
@@ -24,22 +24,22 @@ private:
   const PlotDeclaration& declaration_;
 };
 
-/// Names, colors and values of the curves of one plot, beside it, in the unit of its title. Drawn
-/// on the cursor's layer, so that moving the cursor draws no curve again.
+/// Names, colors and values of the curves of one plot, shown beside it in the unit of its title.
+/// Drawn on the layer of the cursor, so that moving the cursor does not redraw curves.
 class PlotReadout : public QCPLayoutElement {
 public:
   PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration);
-  /// So wide that these plots' readouts stand in one column.
+  /// Returns the width in pixels that the readouts of these plots need to form one column.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
-  /// Lines of text that the plot's entries take.
+  /// Returns the number of text lines that the readout of a plot takes.
   static int linesOf(const PlotDeclaration& plot);
-  /// Height of a line of text in readouts and captions.
+  /// Height of a text line in readouts and captions, pixels.
   static int lineHeight(const QFont& font);
   void setWidth(int width);
   void setValues(std::vector<double> values) { values_ = std::move(values); }
-  /// Whether there is a truth among the curves, which has an entry then.
+  /// Sets whether a ground truth is known; it then has an entry.
   void setTruthKnown(bool known) { truthKnown_ = known; }
-  /// "x 12 mm, y 9 mm": what is written, as a sentence.
+  /// Returns the readout as a sentence: "x 12 mm, y 9 mm".
   QString asText() const;
 
 protected:

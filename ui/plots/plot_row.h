@@ -11,14 +11,14 @@
 
 namespace dewpoint::ui {
 
-/// One plot of a stack: its title, axes, curves and the readout beside them, in one row of the
-/// layout.
+/// One plot of a stack, in one row of the layout: its title, axes, curves and readout.
 class PlotRow {
 public:
-  /// Up to so many points of a curve are drawn as dots, too: a run that has just begun is seen.
+  /// Curves with at most this many points also show dots, so that a run that has just begun is
+  /// visible.
   static constexpr int kMostDots = 29;
 
-  /// The declaration must outlive the row.
+  /// Creates the plot. The declaration must outlive it.
   PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layoutRow,
           QCPMarginGroup* margins);
 
@@ -28,30 +28,30 @@ public:
   QCPAxis* yAxis() const { return rect_->axis(QCPAxis::atLeft); }
   PlotCaption* caption() const { return caption_; }
   PlotReadout* readout() const { return readout_; }
-  /// The height in which title, readout and two numbers of the axis can be read.
+  /// Returns the minimum height (pixels) at which title, readout and two axis numbers are readable.
   int leastHeight(const QFont& font) const;
-  /// Its share of the height, compared with other rows.
+  /// Share of the height, relative to other rows.
   double heightShare() const;
-  /// Draws what lies in the x axis' range, and fits the y axis to it.
+  /// Draws the data within the range of the x axis, and fits the y axis to them.
   void fill(const PlotSeries& series, PlotAxis axis);
   void showValues(const PlotSeries& series, std::optional<std::size_t> row);
   void applyPalette(const QPalette& palette, const QFont& font);
-  /// Lines as a figure on paper has them, or as the window has them from the next fill() on.
+  /// Sets whether lines are drawn as in a figure for publication, from the next `fill()` on.
   void drawForFigure(bool figure);
-  /// Points of the drawn curves.
+  /// Number of points in the drawn curves.
   int pointCount() const;
-  /// Whether dots are drawn on any curve.
+  /// Whether any curve shows dots.
   bool hasDots() const;
 
 private:
-  /// What is drawn of one curve; what it does not have is null.
+  /// Graphs of one curve; null where the curve has no such graph.
   struct Drawn {
     QCPGraph* curve = nullptr;
     QCPGraph* bandLower = nullptr;
     QCPGraph* bandUpper = nullptr;
     QCPGraph* truth = nullptr;
   };
-  /// Least and greatest value of what was drawn.
+  /// Smallest and largest drawn value.
   struct Extremes {
     Extremes();
     void add(const Extremes& other);
@@ -74,7 +74,7 @@ private:
   PlotCaption* caption_;
   QCPAxisRect* rect_;
   PlotReadout* readout_;
-  std::vector<Drawn> drawn_; ///< as the curves of the declaration
+  std::vector<Drawn> drawn_; ///< in the order of the curves of the declaration
 };
 
 } // namespace dewpoint::ui

@@ -14,20 +14,20 @@ namespace dewpoint::ui {
 
 class PlotAxisStrip;
 
-/// What is around the plots of a stack: in little room they are scrolled, above the numbers of the
-/// axis, which stay; without data a sentence covers them.
+/// Frame around the plots of a stack. Without enough room the plots scroll above the axis numbers,
+/// which stay in place. Without data, a sentence covers the plots.
 class PlotScroll : public QWidget {
 public:
-  /// Takes the plot.
+  /// Takes ownership of the plot.
   PlotScroll(QCustomPlot* plot, QWidget* parent);
 
-  /// The axis whose numbers stand below; null: none.
+  /// Sets the axis whose numbers are shown below; null: none.
   void setAxis(QCPAxis* axis, PlotAxis kind);
-  /// Whether the name of the axis stands there, too.
+  /// Sets whether the name of that axis is shown as well.
   void setNamed(bool named);
   void setEmptyText(const QString& sentence);
   void showEmpty(bool isEmpty);
-  /// The part of the plot that is seen, in its coordinates.
+  /// Visible part of the plot, in its coordinates.
   QRect sight() const;
 
 protected:

@@ -12,12 +12,12 @@
 
 namespace dewpoint::ui {
 
-/// What the plots are drawn over.
+/// Quantity on the x axis of plots.
 enum class PlotAxis { Iterations, Time };
 
-/// Rows of numbers that several curves are drawn from: one per filter iteration (or frame), in the
-/// order they happened. Bounded: beyond kMostRows every second one of the older half goes, again
-/// and again, so that the newest are there in full. Unknown numbers are not a number.
+/// Rows of numbers that several curves are drawn from: one row per filter iteration (or frame), in
+/// chronological order. The size is limited: above kMostRows every second row of the older half is
+/// removed, repeatedly, so that the newest rows are complete. Unknown values are NaN.
 class PlotSeries {
 public:
   static constexpr std::size_t kMostRows = 40000;
@@ -26,16 +26,16 @@ public:
     std::int64_t frame = 0;
     double time = 0.0; ///< seconds
   };
-  /// A curve as it is drawn; keys ascend.
+  /// Points of a drawn curve; keys ascend.
   struct Line {
     std::vector<double> keys;
     std::vector<double> values;
   };
 
-  /// Forgets all rows; those to come have this many values.
+  /// Removes all rows; later rows have this many values.
   void reset(std::size_t columns);
   void append(const Row& row, std::span<const float> values);
-  /// Forgets this frame's rows and all later ones.
+  /// Removes the rows of this frame and of all later ones.
   void removeFrom(std::int64_t frame);
 
   std::size_t size() const { return rows_.size(); }
@@ -48,22 +48,22 @@ public:
   bool isKnown(std::size_t column) const { return known_[column]; }
   /// Position of a row on the axis.
   double key(std::size_t index, PlotAxis axis) const;
-  /// The row nearest to a position on the axis; nothing when there are no rows. Over time a frame
-  /// is represented by its last iteration.
+  /// Returns the row nearest to a position on the axis, or nothing without rows. Over time, the
+  /// last iteration of a frame represents it.
   std::optional<std::size_t> nearest(PlotAxis axis, double key) const;
-  /// The last row of this frame, or of the last one before it.
+  /// Returns the last row of this frame, or of the last frame before it.
   std::optional<std::size_t> atFrame(std::int64_t frame) const;
-  /// Rows [first, last) whose keys are within [lower, upper].
+  /// Returns the rows [first, last) whose keys are within [lower, upper].
   std::pair<std::size_t, std::size_t> within(PlotAxis axis, double lower, double upper) const;
-  /// Over time only a frame's last iteration is drawn.
+  /// Whether a row is drawn. Over time, only the last iteration of a frame is.
   bool isDrawn(std::size_t index, PlotAxis axis) const;
-  /// Added to a curve's values: so many times another column.
+  /// Offset added to the values of a curve: `factor` times another column.
   struct Offset {
     std::size_t column = 0;
     double factor = 0.0;
   };
-  /// The column within [lower, upper] and one row beyond, in at most about two points for each of
-  /// `pixels` parts: the least and the greatest value of each.
+  /// Returns the column within [lower, upper] and one row beyond each end, reduced to about two
+  /// points for each of `pixels` intervals: the smallest and the largest value.
   Line line(std::size_t column, PlotAxis axis, double lower, double upper, int pixels,
             const std::optional<Offset>& offset = std::nullopt) const;
 

@@ -24,80 +24,82 @@ class PlotRow;
 class PlotScroll;
 struct PlotPicture;
 
-/// Plots one above the other that share the axis of iterations or time, a cursor and a range. In
-/// little room they are scrolled, above the numbers of the axis; without data there is a sentence.
-/// Draws new data a few times per second at most, however often refresh() is called; unless a part
-/// of the axis is chosen, the whole run is shown.
+/// Plots one above the other that share an axis of iterations or time, a cursor and a range.
+/// Without enough room they scroll above the axis numbers; without data a sentence is shown. New
+/// data are drawn at most a few times per second, however often `refresh()` is called. The whole
+/// run is shown unless a part of the axis is selected.
 class PlotStack : public QWidget {
   Q_OBJECT
 public:
   explicit PlotStack(QWidget* parent = nullptr);
   ~PlotStack() override;
 
-  /// All plots there are; curves keep nothing of earlier ones.
+  /// Sets all plots; data of earlier plots are dropped.
   void setPlots(std::vector<PlotDeclaration> plots);
-  /// Which of them are shown, by id; those without any number yet take no space.
+  /// Sets which plots are shown, by id. Plots without data take no space.
   void setShown(const QStringList& ids);
-  /// What is drawn; must outlive the stack, or be replaced.
+  /// Sets the data to draw. The series must outlive the stack or be replaced.
   void setSeries(const PlotSeries* series);
-  /// The series has changed: draws it soon.
+  /// Schedules a redraw, because the series has changed.
   void refresh();
-  /// The sentence shown as long as there are no data.
+  /// Sets the sentence shown while there are no data.
   void setEmptyText(const QString& sentence);
-  /// Curves and axes alone, for a stack whose surroundings say what it shows.
+  /// Sets whether only curves and axes are shown, for a stack that is explained by its
+  /// surroundings.
   void setBare(bool bare);
-  /// A run of fewer iterations than that grows into the axis.
+  /// Sets the minimum length of the axis in iterations; a shorter run fills it gradually.
   void setLeastIterations(int least) { range_.setLeastIterations(least); }
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return range_.axis(); }
 
-  /// Shows the selected range, and selects what the user points at.
+  /// Shows the range of the selection, and selects what the user points at.
   void link(Selection& selection);
-  /// The pointer's frame is shown in both.
+  /// Shows the frame under the pointer in both stacks.
   void shareCursor(PlotStack& other);
-  /// The frame all views show; nothing: the newest.
+  /// Sets the frame that all views show; nothing: the newest.
   void setCurrentFrame(std::optional<std::int64_t> frame);
-  /// The frame the pointer is on, here or in another view; nothing: nowhere.
+  /// Sets the frame under the pointer, here or in another view; nothing: none.
   void setHovered(std::optional<std::int64_t> frame);
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
   std::optional<SelectedRange> selectedRange() const { return selectedRange_; }
-  /// The part of the axis that is shown.
+  /// Range of the axis that is shown.
   std::pair<double, double> shownRange() const;
 
-  /// The whole run again.
+  /// Shows the whole run again.
   void showAll();
-  /// Nearer by `factor` (above 1) about a position on the axis, or about the cursor.
+  /// Zooms in by `factor` (above 1) around a position on the axis, or around the cursor.
   void zoom(double factor, std::optional<double> about = std::nullopt);
-  /// By a share of the width shown.
+  /// Moves the range by a share of its width.
   void pan(double share);
-  /// This part of the axis.
+  /// Shows this range of the axis.
   void showPart(double lower, double upper);
   bool showsAll() const { return range_.showsAll(); }
 
-  /// Shown curves within the part shown, not thinned out for drawing: one line per row.
+  /// Returns the shown curves within the range shown as CSV, with all data points: one line per
+  /// row.
   std::string csv() const;
-  /// The plots as a figure for paper: a drawing (SVG), or pixels.
+  /// Returns the plots as a figure for publication: as SVG (`asDrawing`) or as pixels.
   PlotPicture picture(bool asDrawing);
-  /// All values at the cursor, with names and units.
+  /// Returns all values at the cursor, with names and units.
   QString valuesText() const;
-  /// "frame 132, iteration 660, 4.40 s"; empty before the first.
+  /// Returns "frame 132, iteration 660, 4.40 s"; empty before the first frame.
   QString cursorText() const;
-  /// What the last drawing took, milliseconds.
+  /// Duration of the last redraw, milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
-  /// Whether no drawing is still to come of what was given last.
+  /// Whether everything given last is drawn.
   bool isDrawn() const { return !timer_.isActive(); }
-  /// Points of the curves as they are drawn.
+  /// Number of points in the drawn curves.
   int drawnPoints() const;
   QStringList visiblePlots() const;
-  /// Those of them whose plots are seen in full, without scrolling.
+  /// Visible plots that are fully in view without scrolling.
   QStringList plotsInSight() const;
-  /// Whether dots are drawn on any curve.
+  /// Whether any curve shows dots.
   bool hasDots() const;
 
   QSize sizeHint() const override { return {700, 240}; }
 
 Q_SIGNALS:
-  /// The pointer (or the arrow keys) is on this frame; negative: it has left.
+  /// The pointer (or the cursor moved by arrow keys) is on this frame; negative: on none.
   void hovered(qint64 frame);
   void frameChosen(qint64 frame);
   void rangeChosen(qint64 first, qint64 last);
@@ -118,7 +120,7 @@ private:
   void drawCursor();
   void applyPalette();
   std::vector<const PlotDeclaration*> wantedPlots() const;
-  /// Row of the series that the values are of.
+  /// Row of the series whose values are shown.
   std::optional<std::size_t> cursorRow() const;
   std::optional<std::int64_t> frameAt(int x) const;
   double keyAt(int x) const;

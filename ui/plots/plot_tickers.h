@@ -7,7 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Ticks at powers of ten only, at most so many of them, the lowest and the highest first.
+/// Ticker with ticks only at powers of ten and with a maximum number of ticks; the lowest and the
+/// highest have priority.
 class DecadeTicker : public QCPAxisTicker {
 public:
   void setMost(int most) { most_ = most; }
@@ -20,7 +21,7 @@ private:
   int most_ = 2;
 };
 
-/// Labels with the decimals that the step between them has: 2.5, 5.0, 7.5.
+/// Ticker whose labels have as many decimals as the tick step: 2.5, 5.0, 7.5.
 class StepTicker : public QCPAxisTicker {
 public:
   void setWhole(bool whole) { whole_ = whole; }
@@ -30,14 +31,14 @@ protected:
   QVector<double> createTickVector(double step, const QCPRange& range) override;
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override;
 
-  double step_ = 1.0; ///< of the ticks made last
+  double step_ = 1.0; ///< step between the newest ticks
 
 private:
   bool whole_ = false;
 };
 
-/// For low plots: at least two ticks in any range, at most so many, at multiples of 1, 2 or 5 times
-/// a power of ten.
+/// Ticker for low plots: at least two and at most a set number of ticks, at multiples of 1, 2 or 5
+/// times a power of ten.
 class ValueTicker : public StepTicker {
 public:
   void setMost(int most) { most_ = most; }

@@ -14,15 +14,16 @@ struct IterationRecord;
 
 namespace dewpoint::ui {
 
-/// The plots of a run, in the user's language: position, spread, sampleSize, likelihood, existence,
-/// error, duration. Likelihood and existence have one curve per camera.
+/// Returns the plots of a run, translated: position, spread, sampleSize, likelihood, existence,
+/// error, duration. Likelihood and existence have one curve per camera; existence has one more for
+/// all cameras together.
 std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
-/// The same ids of a run that follows boxes in images: position and spread in pixels, the
-/// similarity in place of the likelihood; there is neither existence nor error.
+/// Returns the plots, with the same ids, of a run that tracks bounding boxes: position and spread
+/// are in pixels, the similarity replaces the likelihood, and there is neither existence nor error.
 std::vector<PlotDeclaration> boxRunPlots();
-/// Values per row of the series that these plots are drawn from.
+/// Number of values per row of the series that these plots are drawn from.
 std::size_t runPlotColumns(int cameraCount);
-/// Spread of a row of such a series, all axes together: meters, of boxes pixels.
+/// Spread of a row of such a series, all axes combined: in meters, or in pixels for boxes.
 double spreadOf(const PlotSeries& series, std::size_t row, bool ofBoxes);
 /// Adds one iteration to the series of its target.
 void appendTo(PlotSeries& series, const IterationRecord& record);

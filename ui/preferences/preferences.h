@@ -12,47 +12,47 @@
 
 namespace dewpoint::ui {
 
-/// Colors of the window: those of the system, or always light or dark ones.
+/// Color theme of the window: as the system, or always light or dark.
 enum class Theme { System, Light, Dark };
 
-/// The user's settings for calibrating with a board, from project to project.
+/// Settings for calibrating with a board, shared by all projects.
 struct BoardPreferences {
-  QString board;            ///< as parseBoard() reads it; empty: the program's own
-  int lensModel = 0;        ///< IntrinsicsModel
-  bool lenses = true;       ///< lenses are to be found,
-  bool places = true;       ///< and positions
-  double lensAccuracy = 0;  ///< pixels
-  double placeAccuracy = 0; ///< share of the distance
+  QString board;            ///< in the format of parseBoard(); empty: the default board
+  int lensModel = 0;        ///< value of IntrinsicsModel
+  bool lenses = true;       ///< whether intrinsics are calibrated
+  bool places = true;       ///< whether positions are calibrated
+  double lensAccuracy = 0;  ///< requested accuracy of the intrinsics, pixels
+  double placeAccuracy = 0; ///< requested accuracy of the positions, as a share of the distance
 };
 
-/// Everything the program remembers of the user from one start to the next: typed, and with all
-/// keys in one file. It has no state of its own, so one is made wherever it is needed; all of a
-/// program say the same. What belongs to a project is in the project.
+/// Settings that the program stores for the user between sessions, with types; all keys are in one
+/// file. The class has no state, so create one wherever it is needed; all instances return the same
+/// values. Settings of a project are stored in the project.
 class Preferences {
 public:
   Theme theme() const;
   void setTheme(Theme theme);
 
-  /// Two letters; empty: the system's.
+  /// Two letters; empty: the language of the system.
   QString language() const;
   void setLanguage(const QString& language);
 
-  /// Size and position of the window (QWidget::saveGeometry); empty at the first start.
+  /// Size and position of the window (QWidget::saveGeometry); empty before the first session.
   QByteArray windowGeometry() const;
   void setWindowGeometry(const QByteArray& geometry);
 
-  /// Project files that were opened or saved last, the newest first; whether they are still
-  /// there, RecentProjects finds out.
+  /// Project files opened or saved last, newest first. `RecentProjects` checks whether they still
+  /// exist.
   QStringList recentProjects() const;
   void addRecentProject(const QString& file);
   void clearRecentProjects();
 
-  /// The folder in which a file was chosen last; empty: none yet.
+  /// Folder of the file selected last; empty: none yet.
   QString lastFolder() const;
   void setLastFolder(const QString& folder);
 
-  /// How many threads the filter uses from the next run on; 0: as core/session chooses
-  /// (base::filterThreads). Results are the same with any number.
+  /// Number of threads of the filter from the next run on; 0: selected by core/session
+  /// (base::filterThreads). The results do not depend on it.
   int filterThreads() const;
   void setFilterThreads(int threads);
 
@@ -60,23 +60,25 @@ public:
   bool slowUntilHeld() const;
   void setSlowUntilHeld(bool slow);
 
-  /// A shortcut that was chosen for an action (an empty one: none); nothing: as declared.
+  /// Shortcut that the user assigned to an action (an empty one: no shortcut); nothing: the default
+  /// shortcut.
   std::optional<QKeySequence> shortcut(const QString& action) const;
   void setShortcut(const QString& action, const std::optional<QKeySequence>& shortcut);
 
-  /// Ids of the plots that are shown; nothing: none were chosen yet.
+  /// Ids of the plots shown; nothing: the user has not selected any yet.
   std::optional<QStringList> shownPlots() const;
   void setShownPlots(const QStringList& plots);
   bool plotsOverTime() const;
   void setPlotsOverTime(bool time);
 
-  /// `otherwise` stands in for what was never set.
+  /// Returns the stored settings; `otherwise` provides values that were never set.
   BoardPreferences board(const BoardPreferences& otherwise) const;
   void setBoard(const BoardPreferences& board);
 };
 
-/// "system", "light" or "dark"; an unknown name is the system's.
+/// Returns the theme named "system", "light" or "dark"; `System` for an unknown name.
 Theme themeFromName(const QString& name);
+/// Returns the name of a theme, as `themeFromName()` reads it.
 QString themeName(Theme theme);
 
 } // namespace dewpoint::ui

@@ -11,13 +11,13 @@
 
 namespace dewpoint::ui {
 
-/// Every camera of a rig as the pyramid it looks through, and where it stands above the floor.
-/// Names are written over the picture.
+/// Cameras of a rig as viewing pyramids, with plumb lines to the floor. Names are painted over the
+/// picture.
 class CameraFrusta {
 public:
   explicit CameraFrusta(vtkRenderer* renderer);
-  /// `length`: from the optical center to the image, meters. Cameras with an unusable pose or
-  /// without intrinsics are left out.
+  /// Shows a rig. `length`: distance from the optical center to the image, meters. Cameras with an
+  /// invalid pose or without intrinsics are left out.
   void show(const CameraRig& rig, double length);
   const std::vector<CameraGlyph>& glyphs() const { return glyphs_; }
   void setPalette(const ScenePalette& palette);

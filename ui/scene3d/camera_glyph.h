@@ -11,12 +11,13 @@
 
 namespace dewpoint::ui {
 
-/// A camera as it is drawn in the scene: the pyramid it looks through. World, meters.
+/// A camera as drawn in the scene: its viewing pyramid. World coordinates, meters.
 struct CameraGlyph {
   std::string name;
-  Eigen::Vector3d center;                 ///< the apex
-  std::array<Eigen::Vector3d, 4> corners; ///< of the image, around from its upper left
-  std::size_t camera = 0;                 ///< its index in the rig
+  Eigen::Vector3d center; ///< apex
+  /// corners of the image, going around from the upper left
+  std::array<Eigen::Vector3d, 4> corners;
+  std::size_t camera = 0; ///< index in the rig
 };
 
 } // namespace dewpoint::ui

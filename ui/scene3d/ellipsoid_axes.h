@@ -8,17 +8,18 @@
 
 namespace dewpoint::ui {
 
-/// The axes of an ellipsoid, right-handed (a mirrored ball would be lit from inside), and the
-/// eigenvalues along them.
+/// Principal axes of an ellipsoid (columns of `directions`) and the eigenvalues along them. The
+/// axes are right-handed, because a mirrored sphere would be lit from inside.
 struct EllipsoidAxes {
   Eigen::Matrix3d directions;
   Eigen::Vector3d values;
 };
 
-/// Of a symmetric matrix; nothing where no eigenvalue is above 0.
+/// Returns the axes of a symmetric matrix; nothing if no eigenvalue is positive.
 std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix);
 
-/// Turns an actor so that its axes point along these, which are right-handed.
+/// Rotates an actor so that its axes point along the columns of `directions`, which are
+/// right-handed.
 void turn(vtkActor* actor, const Eigen::Matrix3d& directions);
 
 } // namespace dewpoint::ui

@@ -14,19 +14,19 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// A line through positions of which the older ones fade, with an outline under it.
+/// Line through positions, of which older ones fade, with an outline under it.
 class FadingLine {
 public:
-  /// `widthPx`: logical pixels; `outlinePx`: of the outline on each side, 0: none.
+  /// `widthPx`: width in logical pixels; `outlinePx`: width of the outline on each side, 0: none.
   FadingLine(vtkRenderer* renderer, double widthPx, double outlinePx);
   ~FadingLine();
   FadingLine(const FadingLine&) = delete;
   FadingLine& operator=(const FadingLine&) = delete;
 
-  /// Positions in meters, oldest first; where one is not finite the line has a gap: nothing is
-  /// known of what is between.
+  /// Shows positions in meters, oldest first. A position that is not finite makes a gap, because
+  /// nothing is known about the section around it.
   void show(const std::vector<Eigen::Vector3d>& points);
-  /// Of the newest position.
+  /// Sets the colors at the newest position.
   void setColors(const SceneColor& line, const SceneColor& outline);
   void prepareFrame(const ScreenScale& scale);
 

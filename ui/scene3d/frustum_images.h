@@ -18,18 +18,17 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// The newest images of the cameras, each on the far end of the pyramid its camera looks through,
-/// somewhat translucent. Distortion is left as it is in the image: it would not be visible at this
-/// size.
+/// Newest images of the cameras, each at the far end of its camera's viewing pyramid, slightly
+/// translucent. Distortion is not removed, because it would not be visible at this size.
 class FrustumImages {
 public:
-  /// Draws over what was added to `renderer` before.
+  /// Creates the images; they are drawn over everything added to `renderer` before.
   explicit FrustumImages(vtkRenderer* renderer);
   ~FrustumImages();
   FrustumImages(const FrustumImages&) = delete;
   FrustumImages& operator=(const FrustumImages&) = delete;
 
-  /// Of the cameras with a glyph that have an image in `frames` (null: none).
+  /// Shows the images in `frames` (null: none) of the cameras that have a glyph.
   void show(const std::vector<CameraGlyph>& glyphs, const FrameSetPtr& frames);
   void hide();
 

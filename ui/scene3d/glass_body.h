@@ -10,13 +10,13 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// A ball or an ellipsoid as one layer of glass: faint where it is looked through, and strong
-/// towards its rim. Two of them, with what is inside drawn between, are a body that hides nothing.
+/// Sphere or ellipsoid drawn as one layer of glass: faint at its center and strong towards its rim.
+/// Two layers, with the content drawn between them, form a body that hides nothing.
 class GlassBody {
 public:
   enum class Layer {
-    Fill, ///< all of it, with a gleam
-    Rim   ///< only the rim, to be drawn over what is inside
+    Fill, ///< the whole body, with a highlight
+    Rim   ///< only the rim, drawn over the content
   };
   GlassBody(vtkRenderer* renderer, Layer layer);
   ~GlassBody();
@@ -24,9 +24,9 @@ public:
   GlassBody& operator=(const GlassBody&) = delete;
 
   void setVisible(bool visible) { actor_->SetVisibility(visible); }
-  /// Opacities of the middle (Fill only) and of the rim, 0 to 1.
+  /// Sets the colors and the opacities (0 to 1) of the center (only Fill) and of the rim.
   void setLook(const SceneColor& color, const SceneColor& rim, double middle, double atRim);
-  /// Around `center`; the columns of `directions` are the axes, right-handed. Meters.
+  /// Places the body at `center`. The columns of `directions` are the axes, right-handed. Meters.
   void place(const Eigen::Vector3d& center, const Eigen::Matrix3d& directions,
              const Eigen::Vector3d& semiAxes, const ScreenScale& scale);
 

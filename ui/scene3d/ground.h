@@ -11,23 +11,23 @@
 
 namespace dewpoint::ui {
 
-/// The floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in meters along two edges, and
-/// the axes at the origin. Seen from the front, where the floor is a line, a wall in the plane of x
-/// and z replaces it.
+/// Floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in meters along two edges, and the
+/// axes at the origin. In the front view, where the floor is a line, a wall in the x-z plane
+/// replaces it.
 class Ground {
 public:
   explicit Ground(vtkRenderer* renderer);
-  /// The rectangle to cover and the height of the room; rounded outwards to whole steps. The plane
-  /// lies below `lowest`, so that it hides nothing from above where the world's z = 0 is no floor.
+  /// Sets the rectangle to cover, rounded outwards to whole steps, and the height of the room. The
+  /// plane lies below `lowest`, so that it hides nothing from above if z = 0 is not the floor.
   /// Meters.
   void cover(const Eigen::AlignedBox2d& extent, double height, double lowest = 0.0);
-  /// The sign between whole and parts of the numbers.
+  /// Sets the decimal separator of the numbers.
   void setDecimalPoint(const std::string& sign);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
-  /// See SceneLabels::appendPlaces().
+  /// Adds the areas of the texts, see `SceneLabels::appendPlaces()`.
   void appendTexts(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
-  /// What the floor covers, after rounding.
+  /// Rectangle covered by the floor after rounding, meters.
   const Eigen::AlignedBox2d& extent() const { return extent_; }
 
 private:
@@ -50,7 +50,7 @@ private:
   vtkSmartPointer<vtkActor> wallMajor_;
   vtkSmartPointer<vtkActor> axes_[3];
   SceneLabels numbers_[3]; ///< along x, y and, on the wall, z
-  SceneLabels names_[3];   ///< of the axes
+  SceneLabels names_[3];   ///< names of the axes
   Eigen::AlignedBox2d extent_;
   double height_ = 0.0;
   double planeHeight_ = 0.0;

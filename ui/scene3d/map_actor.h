@@ -15,8 +15,8 @@ class vtkImageData;
 
 namespace dewpoint::ui {
 
-/// A map of a rig in the room: the box of its volume, a layer of colored cells, and surfaces around
-/// what is good and what is measured at all.
+/// Map of the accuracy of a rig in the room: the box of its volume, a layer of colored cells, and
+/// surfaces around the parts with good accuracy and around all parts that can be measured.
 class MapActor {
 public:
   explicit MapActor(vtkRenderer* renderer);
@@ -24,16 +24,17 @@ public:
   MapActor(const MapActor&) = delete;
   MapActor& operator=(const MapActor&) = delete;
 
-  /// No map: nothing is shown.
+  /// Shows a map; null: nothing is shown.
   void show(std::shared_ptr<const RigMap> map, const MapLook& look);
   const MapLook& look() const { return look_; }
-  /// Empty without a map.
+  /// Volume of the map, meters; empty without a map.
   Eigen::AlignedBox3d volume() const;
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
 
 private:
-  /// Between two classes; kept, as making an actor again costs more than its data.
+  /// Surface between two classes. It is kept, because creating an actor is more expensive than
+  /// replacing its data.
   struct Surface {
     vtkNew<vtkPolyData> data;
     vtkSmartPointer<vtkActor> actor;

@@ -7,36 +7,39 @@
 
 namespace dewpoint::ui {
 
-/// What a map of a rig shows of each position.
+/// Quantity that a map of a rig shows.
 enum class MapQuantity {
-  Sigma,      ///< expected error: one standard deviation along the worst direction
-  CameraCount ///< how many cameras see it
+  Sigma,      ///< expected error: standard deviation along the worst direction
+  CameraCount ///< number of cameras that see the position
 };
 
-/// How a map of a rig is drawn.
+/// Appearance of a map of a rig.
 struct MapLook {
   MapQuantity quantity = MapQuantity::Sigma;
-  bool slice = true;        ///< a horizontal layer of it
-  double height = 0.0;      ///< of the layer, meters
-  bool volume = false;      ///< the surfaces between some of the classes
-  double goodSigma = 0.005; ///< what is good enough, meters: the center of the scale
+  bool slice = true;   ///< shows a horizontal layer
+  double height = 0.0; ///< height of the layer, meters
+  bool volume = false; ///< shows the surfaces between some of the classes
+  /// standard deviation that is good enough, meters: center of the color scale
+  double goodSigma = 0.005;
 
   bool operator==(const MapLook&) const = default;
 };
 
-/// Values that are drawn in one color: those up to `bound` that are in no class before.
+/// Class of values drawn in one color: values up to `bound` that belong to no earlier class.
 struct MapClass {
-  double bound; ///< meters or cameras; infinite for the last one of a Sigma
+  double bound; ///< meters or number of cameras; infinite for the last class of Sigma
   SceneColor color;
-  bool surface; ///< of a volume: its outer surface is drawn
+  bool surface; ///< whether the outer surface is drawn when the volume is shown
 };
 
-/// The classes of a map, by growing bound. Sigma: three blues up to what is good enough, three warm
-/// colors beyond (after ColorBrewer's RdYlBu, which color-blind people can tell apart).
-/// CameraCount: one (warm), then two, three, four, and more (blues); none is not drawn.
+/// Returns the classes of a map, by increasing bound. Sigma: three blues up to the good value,
+/// three warm colors above it (after the RdYlBu scale of ColorBrewer, which color-blind people can
+/// read). CameraCount: one camera (warm); two, three, four, and more (blues). Positions without a
+/// camera are not drawn.
 std::vector<MapClass> mapClasses(const MapLook& look);
 
-/// Index into the classes; their number when a value is not drawn (NaN, no camera).
+/// Returns the index of the class of a value; the number of classes if the value is not drawn (NaN,
+/// no camera).
 std::size_t classOf(const std::vector<MapClass>& classes, double value);
 
 } // namespace dewpoint::ui

@@ -10,15 +10,15 @@
 
 namespace dewpoint::ui {
 
-/// The way of each cloud's mean through the last snapshots, while its target is not held yet: how
-/// the filter comes to its estimate, iteration by iteration.
+/// Path of the mean of each particle cloud over the last snapshots, while its target is not held
+/// yet. It shows how the filter converges, iteration by iteration.
 class MeanPath {
 public:
   static constexpr std::size_t kLongest = 60; ///< positions
 
-  /// The next snapshot that came. One of the past, or of a run that began again, begins a new path.
+  /// Adds the next snapshot. A snapshot of the past, or of a restarted run, starts a new path.
   void add(const TrackSnapshot& snapshot);
-  /// World, meters, oldest first; empty for a held target.
+  /// Path of a target in world coordinates (meters), oldest first; empty for a held target.
   const std::vector<Eigen::Vector3d>& of(std::size_t target) const;
 
 private:

@@ -7,9 +7,9 @@
 
 namespace dewpoint::ui {
 
-/// Blends translucent things in the order in which they were added, so that a scene decides what
-/// lies over what. VTK's own way mixes all of them by their depth, in pictures of their own: a
-/// cloud inside of a shell is lost there, and software OpenGL takes longer.
+/// Renderer that blends translucent objects in the order in which they were added, so that the
+/// scene controls what covers what. The method of VTK (depth peeling) sorts all of them by depth in
+/// extra passes, which loses a cloud inside a shell and is slower with software OpenGL.
 class OrderedRenderer : public vtkOpenGLRenderer {
 public:
   static OrderedRenderer* New();

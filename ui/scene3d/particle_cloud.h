@@ -17,8 +17,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Particles as small discs of constant size on the screen, colored by weight, the likeliest on
-/// top. Drawn over what was added before it, whatever is nearer, unless that is opaque.
+/// Particles as small discs of constant size on the screen, colored by weight, the heaviest on top.
+/// Drawn over everything added before, regardless of depth, unless that is opaque.
 class ParticleCloud {
 public:
   explicit ParticleCloud(vtkRenderer* renderer);
@@ -26,12 +26,13 @@ public:
   ParticleCloud(const ParticleCloud&) = delete;
   ParticleCloud& operator=(const ParticleCloud&) = delete;
 
-  /// One particle a row, x y z in meters, and its weight (linear; all alike when there are fewer
-  /// weights). Of too many, and of those that are not finite, some are left out.
+  /// Shows one particle per row: x, y, z in meters, and its weight (linear). All weights are equal
+  /// if there are fewer weights than rows. Particles that are not finite are left out, and so are
+  /// some if there are too many.
   void show(const Eigen::ArrayXXd& rows, const Eigen::ArrayXd& weights);
   void hide() { actor_->VisibilityOff(); }
   void setColors(const SceneColor& unlikely, const SceneColor& likely);
-  /// `about`: where the particles are.
+  /// `about`: position of the cloud, world coordinates.
   void prepareFrame(const ScreenScale& scale, const Eigen::Vector3d& about);
 
 private:
@@ -40,7 +41,7 @@ private:
   vtkRenderer* renderer_;
   SceneColor unlikely_ = SceneColor::Zero();
   SceneColor likely_ = SceneColor::Zero();
-  std::vector<float> brightness_; ///< per drawn particle, 0 to 1, ascending
+  std::vector<float> brightness_; ///< one per drawn particle, 0 to 1, ascending
   vtkNew<vtkFloatArray> positions_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkUnsignedCharArray> colors_;

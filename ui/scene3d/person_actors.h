@@ -16,8 +16,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// The body of a person: the translucent hull of the 95 % volume, and on the floor the level curves
-/// of the density (Mohedano et al. 2009, figures 1 and 2c).
+/// Body of a person: the translucent hull of the 95 % volume and, on the floor, the level curves of
+/// the density (Mohedano et al. 2009, figures 1 and 2c).
 class PersonActors {
 public:
   explicit PersonActors(vtkRenderer* renderer);
@@ -25,7 +25,7 @@ public:
   PersonActors(const PersonActors&) = delete;
   PersonActors& operator=(const PersonActors&) = delete;
 
-  /// Null: nothing is shown.
+  /// Shows a person; null: nothing is shown.
   void show(const PersonShape* shape);
   void setChosen(bool chosen);
   void setColor(const SceneColor& color, const ScenePalette& palette);

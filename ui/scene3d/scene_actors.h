@@ -20,43 +20,44 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Where lines and texts of constant size on the screen are.
+/// Projection of the current view, used to keep lines and texts at a constant size on the screen.
 struct ScreenScale {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();
-  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ(); ///< unit, into the picture
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ(); ///< unit vector into the picture
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   bool parallel = true;
   double metersPerPixel = 0.01; ///< at the focus
-  double slope = 0.0;           ///< meters per pixel and meter of depth, perspective only
+  double slope = 0.0;           ///< meters per pixel and meter of depth; only for perspective
   double pixelRatio = 1.0;
 
-  /// Depth before the eye, meters.
+  /// Depth of a point in front of the viewer, meters.
   double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
-  /// By which factor to shrink something about the eye, so that it comes `distance` meters nearer
-  /// and appears as large; in parallel views it is only moved.
+  /// Returns the scale factor about the viewer that brings an object `distance` meters nearer
+  /// without changing its apparent size. In parallel views the object is only moved.
   double nearerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
-  /// Length in meters at `point` of a length in logical pixels.
+  /// Converts a length in logical pixels at `point` to meters.
   double meters(const Eigen::Vector3d& point, double pixels) const;
-  /// Where a point is in the picture: device pixels right of and above the center.
+  /// Position of a point in the picture: device pixels to the right of and above the center.
   Eigen::Vector2d place(const Eigen::Vector3d& point) const;
-  /// The point at a position in the picture that is as deep in it as `like` is.
+  /// Returns the world point at a position in the picture, at the same depth as `like`.
   Eigen::Vector3d world(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 
-/// Adds a new prop, which must not be there yet: AddActor would search all that are, so that the
-/// time to add thousands grew with their square.
+/// Adds a prop that the renderer does not have yet. AddActor searches all existing props first, so
+/// adding thousands would take quadratic time.
 void addNew(vtkRenderer* renderer, vtkProp* prop);
-/// An actor without lighting, of plain lines or faces.
+/// Creates an actor for lines or faces without lighting.
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
-/// The same, invisible at first, and added to be blended in its turn.
+/// Creates such an actor, hidden at first, and adds it; it is blended in the order of addition.
 vtkSmartPointer<vtkActor> addedInTurn(vtkRenderer* renderer, vtkPolyData* data);
+/// Sets the color and the opacity (0 to 1) of an actor.
 void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
 /// Red, green and blue, 0 to 255.
 std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 
-/// Builds line and face data.
+/// Builds poly data of lines and faces.
 class Strokes {
 public:
   Strokes();
@@ -71,7 +72,7 @@ private:
   std::vector<std::vector<Eigen::Vector3d>> faces_;
 };
 
-/// Texts of constant size on the screen, each at a point of the world.
+/// Texts of constant size on the screen, each anchored at a world point.
 class SceneLabels {
 public:
   explicit SceneLabels(vtkRenderer* renderer);
@@ -79,13 +80,13 @@ public:
   SceneLabels(const SceneLabels&) = delete;
   SceneLabels& operator=(const SceneLabels&) = delete;
   void clear();
-  /// `right`, `up`: where beside the point the text stands, in heights of the text.
+  /// `right`, `up`: offset of the text from the point, in text heights.
   void add(const std::string& text, const Eigen::Vector3d& point, double sizePx, double right = 0.0,
            double up = 0.0);
   void setVisible(bool visible) { visible_ = visible; }
   void setColors(const SceneColor& text, const SceneColor& background);
   void prepareFrame(const ScreenScale& scale);
-  /// Adds the rectangles that the texts take in the picture, about: device pixels right of and
+  /// Appends the approximate areas of the texts in the picture: device pixels to the right of and
   /// above the center.
   void appendPlaces(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
 

@@ -12,13 +12,13 @@
 
 namespace dewpoint::ui {
 
-/// RGB, 0 to 1.
+/// RGB, 0 to 1 each.
 using SceneColor = Eigen::Vector3d;
 
-/// The color of a number 0xRRGGBB.
+/// Returns the color 0xRRGGBB.
 SceneColor sceneColor(unsigned rgb);
 
-/// The colors of the scene for a light or a dark window.
+/// Colors of the scene for a light or a dark window.
 struct ScenePalette {
   SceneColor background;
   SceneColor floor;
@@ -29,19 +29,21 @@ struct ScenePalette {
   SceneColor truth;
 };
 
+/// Returns the colors for a dark or a light window.
 const ScenePalette& scenePalette(bool dark);
 
-/// Colors of targets whose own color does not tell them apart, from the color-blind-safe set of
+/// Colors for targets whose own colors cannot be distinguished, from the color-blind-safe set of
 /// Okabe and Ito (2008).
 const std::vector<SceneColor>& targetColors();
-/// The i-th of them, again from the first on.
+/// Returns color number `index` of that set, starting over after the last one.
 SceneColor targetColor(std::size_t index);
-/// Persons have the color of their identity everywhere; nothing for the name of any other target.
+/// Returns the color of a person's identity, which is the same in all views; nothing for the name
+/// of any other target.
 std::optional<SceneColor> identityColorOf(const std::string& name);
-/// Colors of the x, y and z axis, from the same set.
+/// Color of the x, y or z axis, from the same set.
 SceneColor axisColor(int axis);
 
-/// Straight from `from` (at 0) to `to` (at 1).
+/// Interpolates linearly between `from` (share 0) and `to` (share 1).
 inline SceneColor mix(const SceneColor& from, const SceneColor& to, double share) {
   return from + (to - from) * share;
 }

@@ -23,15 +23,15 @@
 
 namespace dewpoint::ui {
 
-/// What a Scene3d consists of, and how it is framed.
+/// Parts of a Scene3d, and the functions that fit the view to them.
 class SceneParts {
 public:
   using View = Scene3d::View;
-  // Thin beside targets and tails: they are not what is looked at.
-  static constexpr double kVolumeWidthPx = 1.2; ///< logical
+  // Thin compared with targets and tails, because they are less important.
+  static constexpr double kVolumeWidthPx = 1.2; ///< logical pixels
   static constexpr double kSightWidthPx = 1.6;
-  /// Targets that are drawn with all that belongs to one; of more, only the mean: by then nobody
-  /// can tell them apart, and a picture of thousands of clouds would hold up the window.
+  /// Maximum number of targets that are drawn in full. Of further targets only the mean is drawn: a
+  /// viewer cannot distinguish that many, and drawing thousands of clouds would block the window.
   static constexpr std::size_t kMostBodies = 100;
 
   SceneParts()
@@ -39,26 +39,27 @@ public:
         volume(renderer, kVolumeWidthPx), sight(renderer, kSightWidthPx), range(renderer),
         crowd(renderer) {
     renderer->SetActiveCamera(camera);
-    // Cullers ask for bounds that a cloud of bare points does not have.
+    // Cullers need bounds, which a cloud of bare points does not have.
     renderer->GetCullers()->RemoveAllItems();
   }
 
   const ScenePalette& palette() const { return scenePalette(dark); }
   ScenePalette plannedPalette() const;
   double rigSize() const { return rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm(); }
-  /// Meters; with images on them they are longer, so that something can be seen there.
+  /// Length of the viewing pyramids, meters. They are longer when they carry images, so that the
+  /// images are recognizable.
   double frustumLength() const {
     return imagesShown ? std::clamp(0.25 * rigSize(), 0.1, 2.0)
                        : std::clamp(0.09 * rigSize(), 0.05, 1.0);
   }
   void applyPalette();
-  /// The colors of all targets; to be called when one of them or the ground has changed.
+  /// Updates the colors of all targets; call it after one of them or the ground has changed.
   void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void include(const TrackSnapshot& snapshot);
   void showCrowd(const TrackSnapshot& snapshot);
   void coverGround();
-  Eigen::AlignedBox3d room() const; ///< floor and content
+  Eigen::AlignedBox3d room() const; ///< box around floor and content, meters
   void frame();
   void keepUpright();
   void setClipping();
@@ -67,28 +68,29 @@ public:
   vtkNew<OrderedRenderer> renderer;
   vtkNew<vtkCamera> camera;
   Ground ground;
-  FrustumImages images; ///< before all that is drawn over them
+  FrustumImages images; ///< drawn first; other parts are drawn over them
   CameraFrusta frusta;
   CameraFrusta planned;
   MapActor map;
-  WireActor volume;    ///< of interest
-  WireActor sight;     ///< a ray of a camera
-  RangeActor range;    ///< before the targets, which are drawn over it
+  WireActor volume;    ///< volume of interest
+  WireActor sight;     ///< line of sight of a camera
+  RangeActor range;    ///< drawn before the targets, which cover it
   ParticleCloud crowd; ///< means of the targets beyond `kMostBodies`
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::vector<DisplayColorWish> colorWishes; ///< one per target
   MeanPath path;
   std::shared_ptr<const CameraRig> rig;
-  std::shared_ptr<const CameraRig> framedRig; ///< the last one with cameras: what was framed
-  Eigen::AlignedBox3d rigBox;                 ///< cameras and what they look at; empty without
-  Eigen::AlignedBox3d content;                ///< all that was shown since the rig came
+  std::shared_ptr<const CameraRig> framedRig; ///< last rig with cameras that the view was fitted to
+  /// box around the cameras and what they look at, meters; empty without a rig
+  Eigen::AlignedBox3d rigBox;
+  Eigen::AlignedBox3d content; ///< box around everything shown since the rig was set, meters
   View view = View::Free;
   bool dark = false;
   int chosenTarget = -1;
   bool bestShown = false;
   bool raysShown = true;
   bool imagesShown = false;
-  bool moved = false; ///< by the user
+  bool moved = false; ///< whether the user moved the view
   bool frameWanted = true;
   int width = 0;
   int height = 0;

@@ -20,9 +20,9 @@
 
 namespace dewpoint::ui {
 
-/// One target: a body of glass with the particles in it, the ellipsoid that holds 95 % of the
-/// belief as rings, the particle of highest weight, tail, truth, lines of sight, the way of the
-/// mean, and the shadow on the floor. What is added later lies over what was added before.
+/// Actors of one target: a glass body with the particles inside, the 95 % ellipsoid as rings, the
+/// particle with the highest weight, tail, ground truth, lines of sight, path of the mean, and
+/// shadow on the floor. Parts added later cover those added before.
 class TargetActors {
 public:
   explicit TargetActors(vtkRenderer* renderer);
@@ -31,13 +31,13 @@ public:
   TargetActors& operator=(const TargetActors&) = delete;
 
   void show(const TargetSnapshot& target);
-  /// Empty: none.
+  /// Shows lines of sight; empty: none.
   void showSights(const std::vector<SightLine>& lines);
-  /// The way of the mean, oldest first, meters; empty: none.
+  /// Shows the path of the mean, oldest first, meters; empty: none.
   void showPath(const std::vector<Eigen::Vector3d>& path) { path_.show(path); }
-  /// A chosen person stands out.
+  /// Highlights the target if it is a selected person.
   void setChosen(bool chosen);
-  /// Whether the particle of highest weight is marked; not at first.
+  /// Sets whether the particle with the highest weight is marked; off by default.
   void setBestShown(bool shown);
   void setColors(const SceneColor& color, const ScenePalette& palette, bool dark);
   const SceneColor& color() const { return color_; }
@@ -46,7 +46,7 @@ public:
 private:
   void showPerson(const PersonShape* shape);
   void showEstimate(const TargetSnapshot& target);
-  /// The shape of the target, at the origin.
+  /// Shows the shape of the target, at the origin.
   void showBody(const TargetSnapshot& target);
   void showEllipsoid(const Eigen::Matrix3d& covariance);
   void showTruth(const TargetSnapshot& target);
@@ -61,20 +61,21 @@ private:
   ScenePalette palette_;
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d truth_ = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> best_; ///< particle of highest weight
+  std::optional<Eigen::Vector3d> best_; ///< particle with the highest weight, meters
   bool bestShown_ = false;
   bool held_ = false;
   bool chosen_ = false;
   double radius_ = 0.0;
-  /// Semi-axes of what is no ball, meters; all are the radius of a ball.
+  /// Semi-axes of the shape, meters; all equal the radius for a ball.
   Eigen::Vector3d semiAxes_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d directions_ = Eigen::Matrix3d::Identity(); ///< of the semi-axes
-  double cloudReach_ = 0.0; ///< from the mean to the rim of the ellipsoid, meters
+  /// Directions of the semi-axes (columns).
+  Eigen::Matrix3d directions_ = Eigen::Matrix3d::Identity();
+  double cloudReach_ = 0.0; ///< distance from the mean to the surface of the ellipsoid, meters
 
-  // In the order in which they are drawn.
+  // In drawing order.
   FloorShadow shadow_;
-  WireActor seen_;   ///< lines of sight
-  WireActor hidden_; ///< those of cameras that do not see it, broken
+  WireActor seen_;   ///< lines of sight of cameras that see the target
+  WireActor hidden_; ///< broken lines of sight of cameras that do not see it
   FadingLine tail_;
   FadingLine path_;
   GlassBody body_;
@@ -87,7 +88,8 @@ private:
   vtkNew<vtkPolyData> bestData_;
   vtkSmartPointer<vtkActor> truthMark_;
   vtkSmartPointer<vtkActor> bestMark_;
-  std::unique_ptr<PersonActors> person_; ///< made for the first shape: most targets have none
+  /// Created with the first shape, because most targets have none.
+  std::unique_ptr<PersonActors> person_;
 };
 
 } // namespace dewpoint::ui

@@ -10,18 +10,18 @@
 
 namespace dewpoint::ui {
 
-/// Thin lines in the room, of one color and of constant width on the screen.
+/// Thin lines of one color and of constant width on the screen.
 class WireActor {
 public:
-  /// `widthPx`: logical pixels.
+  /// `widthPx`: line width in logical pixels.
   WireActor(vtkRenderer* renderer, double widthPx);
   ~WireActor();
   WireActor(const WireActor&) = delete;
   WireActor& operator=(const WireActor&) = delete;
 
-  /// One line for each list of points, meters; none: nothing is shown.
+  /// Shows one line per list of points, meters; empty: none.
   void show(const std::vector<std::vector<Eigen::Vector3d>>& lines);
-  /// The box around all that is shown; empty when nothing is.
+  /// Bounding box of all lines, meters; empty without lines.
   const Eigen::AlignedBox3d& extent() const { return extent_; }
   void setColor(const SceneColor& color, double opacity);
   void prepareFrame(const ScreenScale& scale);

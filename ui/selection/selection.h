@@ -9,17 +9,17 @@
 
 namespace dewpoint::ui {
 
-/// A stretch of frames, both ends included.
+/// Range of frames, both ends included.
 struct SelectedRange {
   qint64 first = 0;
   qint64 last = 0;
   bool operator==(const SelectedRange&) const = default;
 };
 
-/// What is selected, in all views at once: frame, range, target and camera. A view shows what the
-/// `...Changed` signals report and passes on with `request...` and `select...` what the user points
-/// at; views never talk to each other. The window hands the request for a frame to the session and
-/// sets the current frame once its images are there.
+/// Selection shared by all views: frame, range, target and camera. Views show what the `...Changed`
+/// signals report, and pass on what the user points at with `request...` and `select...`; they
+/// never talk to each other. The window forwards requests for a frame to the session, and sets the
+/// current frame once its images are available.
 class Selection : public QObject {
   Q_OBJECT
 public:
@@ -27,30 +27,31 @@ public:
 
   /// Frame shown in all views; -1 before the first.
   qint64 currentFrame() const { return currentFrame_; }
-  /// Its time, seconds.
+  /// Time of that frame, seconds.
   double seconds() const { return seconds_; }
-  /// Whether that is an earlier frame than the run stands at, or an untracked one.
+  /// Whether that frame is earlier than the current frame of the run, or untracked.
   bool isPast() const { return past_; }
   const std::optional<SelectedRange>& selectedRange() const { return selectedRange_; }
   /// Index of the selected target or camera; -1: none.
   int target() const { return target_; }
   int camera() const { return camera_; }
-  /// Index of the selected one of the cameras that are only planned, which stands out in place of
-  /// the selected camera; -1: none.
+  /// Index of the selected planned camera, which is highlighted instead of the selected camera; -1:
+  /// none.
   int plannedCamera() const { return plannedCamera_; }
 
-  /// The user points at a frame (timeline, plot, table).
+  /// Requests a frame that the user points at (timeline, plot, table).
   void requestFrame(qint64 frame) { Q_EMIT frameRequested(frame); }
-  /// The user wants to see again where the run stands.
+  /// Requests the current frame of the run again.
   void requestLiveFrame() { Q_EMIT liveFrameRequested(); }
-  /// The frame that is shown from now on: for the window.
+  /// Sets the frame shown from now on; called by the window.
   void setCurrentFrame(qint64 frame, double seconds, bool past);
 
   void selectRange(std::optional<SelectedRange> selectedRange);
   void selectTarget(int target);
   void selectCamera(int camera);
   void selectPlannedCamera(int planned);
-  /// Nothing of a run is selected any more, and nothing shown. Cameras are not of the run.
+  /// Clears the selection and the current frame of a run. The selected camera stays, because it
+  /// does not depend on the run.
   void clear();
 
 Q_SIGNALS:

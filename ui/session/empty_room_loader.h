@@ -19,20 +19,21 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Reads the pictures of a project's empty rooms beside the window; a run takes them and goes on.
+/// Reads the background images of a project in another thread. The run continues and uses them once
+/// they are loaded.
 class EmptyRoomLoader : public QObject {
   Q_OBJECT
 public:
   explicit EmptyRoomLoader(QObject* parent = nullptr);
   ~EmptyRoomLoader() override;
 
-  /// Reads those of this project instead of those that are being read.
+  /// Reads the images of this project; replaces a load under way.
   void load(const Project& project);
-  /// Drops what is being read: neither loaded() nor failed() follows.
+  /// Drops a load under way: neither `loaded()` nor `failed()` follows.
   void forget();
 
 Q_SIGNALS:
-  /// The files, one per camera, and what they show; empty where a camera has none.
+  /// Files and images, one per camera; empty where a camera has none.
   void loaded(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
   void failed(const QString& sentence);
 
@@ -40,8 +41,8 @@ private:
   void start();
 
   BackgroundJob* job_;
-  std::shared_ptr<const Project> wanted_; ///< what is to be read next
-  int generation_ = 0;                    ///< counts up; an answer to an earlier one is not given
+  std::shared_ptr<const Project> wanted_; ///< project to read next
+  int generation_ = 0; ///< incremented by each load; results of earlier loads are dropped
 };
 
 } // namespace dewpoint::ui

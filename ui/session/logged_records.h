@@ -8,13 +8,13 @@
 
 namespace dewpoint::ui {
 
-/// Frames that were tracked since the last time; all of the run when it was `restarted`.
+/// Frames tracked since the last report; all frames of the run if it was `restarted`.
 struct LoggedFrames {
   std::vector<FrameRecord> records;
   bool restarted = false;
 };
 
-/// The same of the filter's iterations.
+/// Iterations of the filter since the last report; all of the run if it was `restarted`.
 struct LoggedIterations {
   std::vector<IterationRecord> records;
   bool restarted = false;

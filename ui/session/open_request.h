@@ -10,15 +10,16 @@
 
 namespace dewpoint::ui {
 
-/// A request to open a project, and what becomes of the document once it is open. It goes along
-/// with the opening and comes back with the result, so nothing waits for it elsewhere.
+/// Request to open a project, with what to do with the document once it is open. It travels with
+/// the opening and comes back with the result, so it is stored nowhere else.
 struct OpenRequest {
   SessionRequest what;
-  bool keepHistory = false; ///< the project of the document, with other inputs: it stays as it is
-  bool unsaved = false;     ///< it is in no file as it is
-  bool calibrate = false;   ///< with its calibration by hand in front
-  QString note = {};        ///< shown once it is open
-  std::optional<RecoverableWork> recovered = {}; ///< the copy it comes from
+  /// The project of the document is reopened with other inputs; the document stays as it is.
+  bool keepHistory = false;
+  bool unsaved = false;                          ///< no file contains this state of the project
+  bool calibrate = false;                        ///< opens the page for calibration by hand
+  QString note = {};                             ///< message shown once the project is open
+  std::optional<RecoverableWork> recovered = {}; ///< copy that the project comes from
 };
 
 } // namespace dewpoint::ui

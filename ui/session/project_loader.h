@@ -23,13 +23,13 @@ struct MissingFile;
 namespace dewpoint::ui {
 
 struct OpenRequest;
-/// Null: none.
+/// Missing files; null: none.
 using MissingFiles = std::shared_ptr<const std::vector<MissingFile>>;
 
-/// Opens a project as the application wires it. Called in a thread.
+/// Opens a project with the functions of the application. Called in another thread.
 using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
 
-/// Does what may take long, opening videos and joining threads, away from the window's thread,
+/// Does slow work, such as opening videos and joining threads, outside the thread of the window,
 /// which never waits for it.
 class ProjectLoader : public QObject {
   Q_OBJECT
@@ -37,22 +37,21 @@ public:
   explicit ProjectLoader(ProjectOpener opener, QObject* parent = nullptr);
   ~ProjectLoader() override;
 
-  /// Starts opening. While an opening is under way: the last request comes next, and what is under
-  /// way is dropped.
+  /// Starts opening. If an opening is under way, it is dropped, and the newest request comes next.
   void open(OpenRequest request);
-  /// For others that open a project in a thread of theirs.
+  /// Function for other classes that open a project in their own thread.
   const ProjectOpener& opener() const { return opener_; }
   bool isOpening() const { return opening_; }
-  /// Whether what will be opened in the end is the document's own project with other inputs.
+  /// Whether the newest request reopens the project of the document with other inputs.
   bool isReopening() const;
-  /// Lets a session end in a thread of its own, however long its cameras take.
+  /// Destroys a session in a thread, however long its cameras take.
   static void destroyInBackground(std::unique_ptr<Session> session);
 
 Q_SIGNALS:
   void openingChanged(bool opening);
-  /// What was requested is open. The inputs are the receiver's to move from.
+  /// The requested project is open. The receiver may move from the inputs.
   void opened(const OpenRequest& request, std::shared_ptr<SessionInputs> inputs);
-  /// `missing`: files that were looked for and are not there, perhaps the reason.
+  /// Opening failed. `missing`: files that were not found, which may be the reason.
   void failed(const OpenRequest& request, const QString& sentence, const MissingFiles& missing);
 
 private:
@@ -60,7 +59,7 @@ private:
 
   ProjectOpener opener_;
   bool opening_ = false;
-  std::unique_ptr<OpenRequest> wanted_; ///< what will be open in the end
+  std::unique_ptr<OpenRequest> wanted_; ///< newest request, which is opened last
   LatestJob job_{LatestJob::Overtaken::Dropped};
 };
 

@@ -14,38 +14,38 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-/// Keeps the results of a recording those of the settings shown, by the ChangeRule: waits until the
-/// settings have rested for a moment, and then tracks again what other settings gave, or says that
-/// this can be done.
+/// Keeps the results of a recording consistent with the current settings, according to the
+/// ChangeRule. Once the settings have not changed for a short time, it tracks frames with old
+/// results again, or offers to do so.
 class ResultKeeper : public QObject {
   Q_OBJECT
 public:
   explicit ResultKeeper(QObject* parent = nullptr);
 
-  /// A run begins, or is over: null.
+  /// Watches a run; null: the run is over.
   void watch(Session* session);
-  /// Tracking again that is expected to take less than so many seconds is quick.
+  /// Sets the limit in seconds below which tracking again counts as quick.
   void setQuick(double seconds) { quickSeconds_ = seconds; }
-  /// A setting of the run was changed.
+  /// Reports that a setting of the run was changed.
   void edited();
-  /// The user plays, restarts or tracks again: nothing is tracked again unasked before the next
-  /// change.
+  /// Reports that the user plays, restarts or tracks again: no frames are tracked again
+  /// automatically before the next change.
   void leaveAlone();
-  /// The newest snapshot; `wentBack`: what was logged of the run begins again.
+  /// Processes the newest snapshot. `wentBack`: the log of the run starts over.
   void see(const TrackSnapshot& snapshot, bool wentBack);
-  /// Tracks again from the first old result on; what is shown stays shown.
+  /// Tracks again from the first old result on; the frame shown stays.
   void trackAgain();
 
-  /// The results that are not of the settings of now; none of live cameras.
+  /// Results that do not match the current settings; none for live cameras.
   const OldResults& old() const { return old_; }
-  /// Whether frames are tracked again while the view is kept, and no snapshot tells of it.
+  /// Whether frames are being tracked again while the view stays and the snapshots do not show it.
   bool isRenewing() const { return renewing_ != Renewing::No && !isRerunning_; }
 
 Q_SIGNALS:
   void oldResultsChanged();
-  /// The results are of earlier settings, and could be tracked again; false: no more.
+  /// Whether results of earlier settings can be tracked again.
   void offered(bool offers);
-  /// The frames of trackAgain() are there, or were given up.
+  /// The frames of `trackAgain()` are done or were given up.
   void renewed();
 
 private:
@@ -56,8 +56,9 @@ private:
   void apply();
 
   Session* session_ = nullptr;
-  QTimer* quiet_;    ///< settings change again and again while a slider is dragged
-  QTimer* patience_; ///< with frames that are to be tracked again
+  /// Restarted by each change, because a dragged slider changes the settings repeatedly.
+  QTimer* quiet_;
+  QTimer* patience_; ///< time limit for frames that are to be tracked again
   double quickSeconds_ = ChangeRule::kQuick;
   OldResults old_;
   bool isLive_ = true;

@@ -19,8 +19,8 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Owns a Session and turns its wake-ups, which come from the tracking thread, into one queued and
-/// coalesced signal: however fast the filter runs, at most one event waits in the queue.
+/// Owns a Session and converts its wake-ups, which come from the tracking thread, into one queued
+/// signal. However fast the filter runs, at most one event waits in the queue.
 class SessionBridge : public QObject {
   Q_OBJECT
 public:
@@ -28,9 +28,9 @@ public:
   ~SessionBridge() override;
 
   Session& session() { return *session_; }
-  /// What camera views show of a snapshot: see LiveFrameFiller.
+  /// Returns a snapshot as camera views show it, see LiveFrameFiller.
   TrackSnapshotPtr asSeen(const TrackSnapshotPtr& snapshot);
-  /// Hands the session over, silenced, so that its thread can be joined elsewhere.
+  /// Releases the session and stops its wake-ups, so that its thread can be joined elsewhere.
   std::unique_ptr<Session> release();
 
 Q_SIGNALS:
@@ -41,7 +41,8 @@ private:
 
   std::atomic<bool> pending_ = false;
   std::unique_ptr<LiveFrameFiller> frameFiller_;
-  std::unique_ptr<Session> session_; // last: destroyed first, before what its thread calls
+  // last: destroyed first, before the members that its thread uses
+  std::unique_ptr<Session> session_;
 };
 
 } // namespace dewpoint::ui

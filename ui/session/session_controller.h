@@ -27,10 +27,10 @@ struct LoggedIterations;
 struct OpenRequest;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// The run of the window: opens it, ends it, passes on changes of the document and the selection,
-/// and gives the views what they show. Decides when a run begins to play, from which frame on
-/// another method holds, and whether another calibration keeps the run or opens it again; that
-/// results are those of the settings shown is the work of the ResultKeeper.
+/// Controls the run of the window: opens and ends it, passes on changes of the document and the
+/// selection, and gives the views their snapshots. Decides when a run starts to play, from which
+/// frame on a new method applies, and whether a new calibration keeps the run or reopens it. The
+/// ResultKeeper keeps results consistent with the settings.
 class SessionController : public QObject {
   Q_OBJECT
 public:
@@ -38,93 +38,94 @@ public:
                     QObject* parent = nullptr);
   ~SessionController() override;
 
-  /// Opens in the background what is requested; runStarted() or openFailed() follow.
+  /// Opens the requested project in the background; `runStarted()` or `openFailed()` follows.
   void open(OpenRequest request);
   bool isOpening() const { return loader_->isOpening(); }
-  /// Ends the run, and empties the document: nothing is open any more.
+  /// Ends the run and clears the document, so that nothing is open.
   void close();
-  /// Whether a project plays as soon as it is open.
+  /// Sets whether a project plays as soon as it is open.
   void setPlayOnOpen(bool play) { playOnOpen_ = play; }
-  /// For others that open a project in a thread of theirs.
+  /// Function for other classes that open a project in their own thread.
   const ProjectOpener& opener() const { return loader_->opener(); }
 
   bool isRunning() const { return bridge_ != nullptr; }
-  /// The running machine; null while none is open.
+  /// Running session; null while none is open.
   Session* session() const;
-  /// The newest snapshot that the views were given; null before the first.
+  /// Newest snapshot given to the views; null before the first.
   const TrackSnapshotPtr& shown() const { return shown_; }
   bool isPlaying() const;
-  /// A snapshot as camera views show it: with the last images of live cameras that are late.
+  /// Returns a snapshot as camera views show it: live cameras that are late keep their last image.
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
 
   /// Plays or pauses; at the end, plays from the beginning.
   void togglePlay();
   void play();
-  /// How fast this run and those to come are played.
+  /// Sets the playback speed of this run and of later ones.
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
-  /// Shows a frame, or where the run stands: nothing.
+  /// Shows a frame; nothing: the current frame of the run.
   void show(std::optional<qint64> frame);
-  /// From the beginning, with another seed or the same.
+  /// Restarts the run from the beginning, with a new seed or the same one.
   void restart(bool newSeed);
-  /// The filter of the run goes on with as many threads as the preferences say.
+  /// Applies the number of filter threads in the preferences to the run.
   void useFilterThreads();
   /// Tracks again from the current frame.
   void rerun();
-  /// Which results are of earlier settings.
+  /// Keeper of the results, which knows those of earlier settings.
   ResultKeeper& results() { return *results_; }
-  /// The color of a target was learned: whoever points at an object to follow wants to see it
-  /// tracked. A recording of which more was tracked than its beginning is left to the rule for
-  /// changes, and stays where it is.
+  /// Starts the run after a color was learned, because a user who points at an object wants to see
+  /// it tracked. A recording of which more than the beginning was tracked stays where it is, and
+  /// the rule for changes applies.
   void startAfterLearning(bool isNew);
-  /// The same of a target's box. More boxes are given on the same image, and a run that the user
-  /// has stopped stays where it is: only the first of all plays.
+  /// Starts the run after a target got its box. Only the first box starts it: users often set more
+  /// boxes on the same image, and a run that the user has stopped stays where it is.
   void startAfterBox(bool isNew);
 
 Q_SIGNALS:
   void openingChanged(bool opening);
-  /// The sentence why nothing was opened.
+  /// A sentence that explains why the project was not opened.
   void openFailed(const QString& sentence);
-  /// It may be because these files are not there: to open it again with where they are.
+  /// Opening may have failed because these files are missing; the request can be repeated with
+  /// their new paths.
   void filesMissing(const OpenRequest& request, const MissingFiles& missing);
-  /// The run before is gone, and the document is about to change.
+  /// The previous run has ended, and the document is about to change.
   void replacing(const OpenRequest& request);
-  /// The document holds what was opened; the run begins with the next turn of the event loop.
+  /// The document holds the opened project; the run starts with the next turn of the event loop.
   void replaced(const OpenRequest& request);
-  /// There is a session: views are made and connected to it. The first snapshot follows.
+  /// A session exists: views are created and connected to it. The first snapshot follows.
   void runStarted();
-  /// The run has begun to play, or waits for the user.
+  /// The run has started to play, or waits for the user.
   void opened(const OpenRequest& request);
-  /// The run begins again from the beginning: nothing of what it was is shown any more.
+  /// The run starts over from the beginning; earlier data are no longer shown.
   void restarting();
-  /// The session is gone; snapshotChanged() with null follows.
+  /// The session has ended; `snapshotChanged()` with null follows.
   void runEnded();
   /// The user closed the project.
   void closed();
-  /// What views show from now on; null: nothing, the run is over.
+  /// Snapshot that the views show from now on; null: nothing, the run is over.
   void snapshotChanged(const TrackSnapshotPtr& snapshot);
-  /// What was logged since the last time, all of it again after a restart. Frames come before the
-  /// snapshot that follows them, iterations after it.
+  /// Records logged since the last signal, or all of them after a restart. Frames are sent before
+  /// the snapshot that follows them, iterations after it.
   void framesLogged(const LoggedFrames& frames);
   void iterationsLogged(const LoggedIterations& iterations);
-  /// Something of the project cannot be used: the sentence why.
+  /// A sentence that explains why a part of the project cannot be used.
   void failed(const QString& sentence);
   void paceChanged(const Pace& pace);
 
 private:
-  /// How far one of the session's logs was read.
+  /// Read position in one of the logs of the session.
   struct LogCursor {
     std::uint64_t generation = 0;
     std::size_t position = 0;
   };
   void connectDocument();
   void applyOpened(const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs);
-  /// The document takes the image sizes that live cameras were found to send.
+  /// Stores the image sizes reported by live cameras in the document.
   void takeSizes(const Project& opened);
   void start(const OpenRequest& request, SessionInputs inputs);
   void endRun();
   void publish(const TrackSnapshotPtr& snapshot);
-  /// What was to come after frames are tracked again does not come.
+  /// Drops what was to be done after frames are tracked again.
   void forgetRequests();
   void reopen();
   void applyMethod();
@@ -136,14 +137,14 @@ private:
   Document& document_;
   Selection& selection_;
   SessionBridge* bridge_ = nullptr;
-  int starts_ = 0; ///< of runs, and closings: a start that was overtaken does not happen
+  int starts_ = 0; ///< counts starts and closings; an outdated start is skipped
   bool playOnOpen_ = true;
   Pace pace_;
-  // Requested while frames were tracked again, and done after that.
+  // Requests made while frames were tracked again, and carried out afterwards.
   bool playsWhenRenewed_ = false;
   std::optional<std::optional<qint64>> showsWhenRenewed_;
   TrackSnapshotPtr shown_;
-  TrackSnapshotPtr filledFrom_; ///< what filled_ was made of
+  TrackSnapshotPtr filledFrom_; ///< snapshot that `filled_` was made from
   TrackSnapshotPtr filled_;
   LogCursor frames_;
   LogCursor iterations_;

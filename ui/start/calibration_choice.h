@@ -16,19 +16,19 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// The calibration file of a new project, or none. It is read in a thread as soon as it is chosen,
-/// and a line below says what it is, or why it cannot be used.
+/// Selects the calibration file of a new project, or none. The file is read in another thread as
+/// soon as it is selected; a line below shows what it contains, or why it cannot be used.
 class CalibrationChoice : public QWidget {
   Q_OBJECT
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Empty: none.
+  /// Sets the file; empty: none.
   void setFile(const QString& file);
   QString file() const { return file_; }
-  /// What the cameras of the project are called.
+  /// Sets the names of the cameras of the project.
   void setCameras(std::vector<std::string> names);
-  /// The last of its buttons in the order of the Tab key.
+  /// Last button in the order of the Tab key.
   QWidget* lastButton() const;
 
 protected:
@@ -47,7 +47,7 @@ private:
   QLabel* result_;
   QString file_;
   std::vector<std::string> cameras_;
-  std::optional<CheckedCalibration> checked_; ///< of the file; nothing: it is being read
+  std::optional<CheckedCalibration> checked_; ///< result for the file; empty: it is being read
   LatestJob checking_{LatestJob::Overtaken::Dropped};
 };
 

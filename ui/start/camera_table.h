@@ -16,47 +16,47 @@
 
 namespace dewpoint::ui {
 
-/// What there is at a location, found out in a thread: its disk may be slow.
+/// Properties of a location. They are found in another thread, because the disk may be slow.
 struct FootagePlace {
   std::string location;
-  bool showsImages = false; ///< it can be a camera
-  bool isFile = false;      ///< or a folder: there, and no device
+  bool showsImages = false; ///< can be used as a camera
+  bool isFile = false;      ///< an existing file or folder, not a device
   bool isImages = false;    ///< a folder of images
 };
 
-/// The cameras of a new project, a row each: name, where its images come from, and what was found
-/// there. Each source is read in a thread as soon as it is in the table: a small picture, size,
-/// rate and length, or the reason why it cannot be read.
+/// Table of the cameras of a new project, one row each: name, image source, and what was found
+/// there. Each source is read in another thread as soon as it is in the table; the result is a
+/// small picture with size, frame rate and length, or the reason why it cannot be read.
 class CameraTable : public QTableWidget {
   Q_OBJECT
 public:
   explicit CameraTable(QWidget* parent = nullptr);
 
-  /// Empties it, and forgets what is being read.
+  /// Clears the table and drops reads under way.
   void begin();
   void add(const FootagePlace& place);
-  /// A row whose source the user types.
+  /// Adds a row whose source the user types.
   void addAddress();
   void removeSelected();
   bool isListed(const QString& location) const;
   bool hasSelection() const { return !selectedItems().isEmpty(); }
-  /// Whether a folder of images is among the sources.
+  /// Whether one of the sources is a folder of images.
   bool hasImageFolders() const;
   std::vector<NewCamera> cameras() const;
-  /// What the user should know of recordings that differ; empty: nothing.
+  /// Hint about recordings that differ from each other; empty: none.
   QString differenceText() const;
 
 Q_SIGNALS:
-  /// Rows, names, sources, what is known of them, or the selection.
+  /// Rows, names, sources, the information about them, or the selection changed.
   void changed();
 
 protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  /// What was found at a location.
+  /// Information about a location.
   struct Known {
-    std::optional<FootageFacts> facts; ///< nothing: of a live camera, or it cannot be read
+    std::optional<FootageFacts> facts; ///< empty for a live camera, or if it cannot be read
     std::optional<Error> problem;
   };
   void look(const QString& location);
@@ -67,8 +67,8 @@ private:
   void showKnown(int row);
 
   std::map<QString, Known> known_; ///< by location
-  QSet<QString> imageFolders_;     ///< of the sources; known to be some
-  std::unique_ptr<JobQueue> jobs_; ///< of this project; one that is given up is not heard
+  QSet<QString> imageFolders_;     ///< sources that are known to be folders of images
+  std::unique_ptr<JobQueue> jobs_; ///< of this project; results for an earlier project are dropped
 };
 
 } // namespace dewpoint::ui

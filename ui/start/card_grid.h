@@ -11,12 +11,12 @@ namespace dewpoint::ui {
 
 class GalleryCard;
 
-/// Cards in rows of equal ones, as many beside each other as there is room for.
+/// Grid of cards of equal size, with as many columns as fit.
 class CardGrid : public QWidget {
 public:
   explicit CardGrid(QWidget* parent = nullptr);
 
-  /// Becomes its parent.
+  /// Adds a card and becomes its parent.
   void add(GalleryCard* card);
 
   QSize sizeHint() const override;

@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Says where videos can be dropped while there are none yet; pressed, it asks for some. The window
-/// takes what is dropped.
+/// Shows where videos can be dropped while there are none; a click asks for videos. The window
+/// handles the drop.
 class DropZone : public QToolButton {
   Q_OBJECT
 public:

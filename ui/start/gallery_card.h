@@ -8,24 +8,24 @@
 
 namespace dewpoint::ui {
 
-/// A flat button of the start page: a picture or an icon, a title, and one line that says what it
-/// is for. Enter and Space press it; hover and focus are shown by its border.
+/// Flat button of the start page with a picture or an icon, a title, and a line that describes it.
+/// Enter and Space press it; its border shows hover and focus.
 class GalleryCard : public QToolButton {
   Q_OBJECT
 public:
   enum class Form {
-    Tile,  ///< picture above, texts below
-    Large, ///< picture at the left, large texts beside it
-    Row    ///< icon at the left, both texts beside it
+    Tile,  ///< picture above the texts
+    Large, ///< picture on the left, large texts beside it
+    Row    ///< icon on the left, both texts beside it
   };
   GalleryCard(const char* name, Form form, QWidget* parent);
 
-  /// The picture of a tile, from the resources: gallery/`name`.jpg.
+  /// Sets the picture of a tile, from the resources: gallery/`name`.jpg.
   void setPicture(const QString& name);
-  /// The icon of a row, from the resources: icons/`name`.svg.
+  /// Sets the icon of a row, from the resources: icons/`name`.svg.
   void setSymbol(const QString& name);
   void setTexts(const QString& title, const QString& line);
-  /// While it opens what it is for, it says so in place of its line.
+  /// Sets whether the card is being opened; a text replaces its line meanwhile.
   void setBusy(bool busy);
   bool isBusy() const { return busy_; }
 
@@ -42,7 +42,7 @@ protected:
 private:
   QFont titleFont() const;
   QString lineShown() const;
-  /// How high title and line are, one above the other.
+  /// Height of title and line, one above the other, pixels.
   int textHeight(int width) const;
   void paintTexts(QPainter& painter, const QRect& area) const;
   void paintPicture(QPainter& painter, const QRect& area);
@@ -50,7 +50,7 @@ private:
 
   Form form_;
   QPixmap picture_;
-  QPixmap shownPicture_; ///< the picture as it was drawn last, with its corners
+  QPixmap shownPicture_; ///< the picture as drawn last, with its corners
   QString symbol_;
   QString line_;
   bool busy_ = false;

@@ -25,25 +25,26 @@ namespace dewpoint::ui {
 class CalibrationChoice;
 class DropZone;
 
-/// Puts a project together: cameras with their sources, and a calibration file. What is chosen is
-/// read at once, beside the window, so that the page says what will not work before it is made.
+/// Page that creates a project from cameras with their sources and a calibration file. Files are
+/// read in another thread as soon as they are selected, so that the page shows problems before the
+/// project is created.
 class NewProjectPage : public QWidget {
   Q_OBJECT
 public:
   explicit NewProjectPage(QWidget* parent = nullptr);
 
-  /// Starts from scratch, with these files (videos, image folders, a calibration) already in it.
+  /// Starts from scratch with these files (videos, image folders, a calibration).
   void begin(const QStringList& files);
-  /// Adds files to those it has, once it is known what they are; one that ends as calibrations do
-  /// is the calibration.
+  /// Adds files once their kind is known. A file with the suffix of a calibration becomes the
+  /// calibration.
   void addFiles(const QStringList& files);
-  /// Asks for videos, and adds them.
+  /// Asks for videos and adds them.
   void chooseVideos();
-  /// Adds the cameras that are connected to this computer.
+  /// Adds the cameras connected to this computer.
   void addConnectedCameras();
 
 Q_SIGNALS:
-  /// It is made; the note says what the user should know of it, or is empty.
+  /// The project was created. `note`: a hint for the user; may be empty.
   void made(const dewpoint::project::Project& project, const QString& note);
   void failed(const QString& sentence);
   void cancelled();
@@ -55,10 +56,10 @@ private:
   void makeButtons();
   void arrange();
   void retranslateUi();
-  /// Finds out in a thread what there is at locations; requests are answered in their order.
+  /// Examines locations in another thread; requests are answered in order.
   void search(std::function<std::vector<FootagePlace>()> look,
               std::function<void(const std::vector<FootagePlace>&)> found);
-  /// Drops what is being searched for or made.
+  /// Drops searches and project creation under way.
   void forgetWork();
   void addFootage(const std::vector<FootagePlace>& places);
   void chooseFolder();
@@ -71,10 +72,10 @@ private:
   QLabel* lead_;
   QLineEdit* name_;
   QLabel* nameLabel_;
-  QStackedWidget* list_; ///< the table, or where to drop videos as long as it is empty
+  QStackedWidget* list_; ///< the table, or the drop zone while the table is empty
   CameraTable* cameras_;
   DropZone* dropZone_;
-  QLabel* note_; ///< what the user should know of recordings that differ
+  QLabel* note_; ///< hint about recordings that differ from each other
   QPushButton* addVideos_ = nullptr;
   QPushButton* addFolder_ = nullptr;
   QPushButton* addDevices_ = nullptr;
@@ -86,9 +87,11 @@ private:
   QDialogButtonBox* buttons_;
   QPushButton* create_ = nullptr;
   QPushButton* cancel_ = nullptr;
-  std::unique_ptr<JobQueue> searches_; ///< of this project; one that is given up is not heard
-  int underWay_ = 0;                   ///< searches whose rows are still to come
-  LatestJob making_{LatestJob::Overtaken::Dropped}; ///< the first image of a video may take long
+  /// Jobs of this project; results for an earlier project are dropped.
+  std::unique_ptr<JobQueue> searches_;
+  int underWay_ = 0; ///< searches whose rows are not added yet
+  /// reading the first image of a video may take long
+  LatestJob making_{LatestJob::Overtaken::Dropped};
 };
 
 } // namespace dewpoint::ui

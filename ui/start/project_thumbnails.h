@@ -17,16 +17,18 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Small pictures of projects, in the cache folder of the user: what the first camera of each saw
-/// last. A project that is gone leaves one that takes about 5 kB.
+/// Thumbnails of projects in the cache folder of the user: the last image of the first camera of
+/// each. The thumbnail of a deleted project stays; it takes about 5 kB.
 class ProjectThumbnails : public QObject {
   Q_OBJECT
 public:
   using QObject::QObject;
 
-  /// The picture of the project in this file; null when there is none. Any thread.
+  /// Returns the thumbnail of the project in this file; null if there is none. May be called in any
+  /// thread.
   static QImage read(const QString& projectFile);
-  /// Makes it again in a thread of its own, of the first camera that has an image; kept() follows.
+  /// Makes the thumbnail again in another thread, from the first camera that has an image; `kept()`
+  /// follows.
   void keep(const QString& projectFile, const TrackSnapshotPtr& shown);
 
 Q_SIGNALS:

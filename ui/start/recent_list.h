@@ -9,15 +9,15 @@ namespace dewpoint::ui {
 
 class RecentProjects;
 
-/// The projects that were open last, with a small picture, name, folder and date each. Those whose
-/// file is gone are gray, with the reason, and cannot be opened. As high as its rows: the page
-/// scrolls.
+/// List of recent projects, each with a thumbnail, name, folder and date. Projects whose file is
+/// missing are gray, show the reason and cannot be opened. The list is as high as its rows, because
+/// the page scrolls.
 class RecentList : public QListWidget {
   Q_OBJECT
 public:
   RecentList(RecentProjects& projects, QWidget* parent);
 
-  /// Lists them again.
+  /// Lists the projects again.
   void fill();
 
 Q_SIGNALS:

@@ -16,35 +16,35 @@
 
 namespace dewpoint::ui {
 
-/// A project that was open last, with what is known of its file so far.
+/// A recent project and what is known of its file.
 struct RecentProject {
   QString file;
-  bool isMissing = false; ///< the file is gone
-  QDateTime changed = {}; ///< when it was saved last; invalid: not known
-  QImage thumbnail = {};  ///< see ProjectThumbnails; null: there is none
+  bool isMissing = false; ///< the file does not exist
+  QDateTime changed = {}; ///< time of the last save; invalid: unknown
+  QImage thumbnail = {};  ///< see ProjectThumbnails; null: none
 
   bool operator==(const RecentProject&) const = default;
 };
 
-/// The projects that were open last. A thread finds out whether their files are there, as the disk
-/// may not answer; until it does, a project is taken to be there.
+/// Recent projects. Another thread checks whether their files exist, because the disk may not
+/// respond; until then, a file is assumed to exist.
 class RecentProjects : public QObject {
   Q_OBJECT
 public:
-  /// Whether there is such a file; called in a thread.
+  /// Whether a file exists; called in another thread.
   using Exists = std::function<bool(const QString& file)>;
   explicit RecentProjects(QObject* parent = nullptr);
   void setExists(Exists exists) { exists_ = std::move(exists); }
 
-  /// Those that can be opened, the newest first.
+  /// Projects that can be opened, newest first.
   QStringList files() const;
-  /// All of them, the newest first.
+  /// All projects, newest first.
   std::vector<RecentProject> all() const;
-  /// This one was opened or saved just now.
+  /// Adds a project that was just opened or saved.
   void add(const QString& file);
   void clear();
-  /// Finds out in a thread what there is to know of the files; changed() follows when it is
-  /// something else than before.
+  /// Checks the files in another thread; `changed()` follows if the result differs from the
+  /// previous one.
   void checkFiles();
 
 Q_SIGNALS:
@@ -56,7 +56,8 @@ private:
 
   Exists exists_;
   Known known_;
-  LatestJob checking_{LatestJob::Overtaken::Kept}; ///< a dead disk holds one thread up and no more
+  /// An unresponsive disk blocks at most one thread.
+  LatestJob checking_{LatestJob::Overtaken::Kept};
 };
 
 } // namespace dewpoint::ui

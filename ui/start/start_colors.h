@@ -8,7 +8,8 @@
 
 namespace dewpoint::ui {
 
-/// Of the line below a title: quieter than the text, and still read with ease on cards and lists.
+/// Color of the line below a title: fainter than normal text, but still easy to read on cards and
+/// in lists.
 inline QColor secondaryText(const QPalette& palette) {
   return mixedColor(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.3);
 }

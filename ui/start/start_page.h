@@ -16,25 +16,25 @@ class GalleryCard;
 class RecentList;
 class RecentProjects;
 
-/// What the user sees while no project is open: a gallery of scenes to try, the ways to begin with
-/// videos and cameras of one's own, and what was open last.
+/// Page shown while no project is open: a gallery of scenes to try, ways to start with your own
+/// videos and cameras, and recent projects.
 class StartPage : public QWidget {
   Q_OBJECT
 public:
   explicit StartPage(RecentProjects& recent, QWidget* parent = nullptr);
 
-  /// Reads the list of recent projects again, and finds out which of them are still there.
+  /// Reads the list of recent projects again, and checks which of them still exist.
   void refresh();
-  /// Whether something is being opened: the card that was pressed says so.
+  /// Sets whether a project is being opened; the card that was pressed shows it.
   void setOpening(bool opening);
 
 Q_SIGNALS:
-  /// The built-in scene with this name (empty: the demo); `calibrate`: with its calibration by hand
-  /// open.
+  /// The user chose the built-in scene with this name (empty: the demo). `calibrate`: opens its
+  /// calibration by hand.
   void sceneWanted(const QString& name, bool calibrate);
   void videosWanted();
   void camerasWanted();
-  void projectWanted(const QString& file); ///< empty: to be chosen
+  void projectWanted(const QString& file); ///< empty: the user selects a file
 
 private:
   void makeScenes();
@@ -44,12 +44,12 @@ private:
   void showRecentTitle();
 
   RecentProjects& projects_;
-  QWidget* page_; ///< what is scrolled
+  QWidget* page_; ///< scrolled content
   QLabel* title_;
   QLabel* lead_;
   GalleryCard* demo_;
   CardGrid* gallery_;
-  std::vector<GalleryCard*> scenes_; ///< of the gallery, in the order of kGallery
+  std::vector<GalleryCard*> scenes_; ///< cards of the gallery, in the order of kGallery
   QLabel* ownTitle_;
   GalleryCard* videos_;
   GalleryCard* cameras_;
@@ -57,7 +57,7 @@ private:
   QLabel* recentTitle_;
   RecentList* recent_;
   QLabel* hint_;
-  GalleryCard* pressed_ = nullptr; ///< the card that was pressed last
+  GalleryCard* pressed_ = nullptr; ///< card that was pressed last
 };
 
 } // namespace dewpoint::ui

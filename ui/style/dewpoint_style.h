@@ -5,9 +5,9 @@
 
 namespace dewpoint::ui {
 
-/// Qt's Fusion style with flat buttons, drop-down boxes and table heads in place of gradients, and
-/// with an edge around boxes and circles to be marked and around buttons that are on: Fusion's own
-/// edges are darker than the ground, which in dark colors is no edge at all.
+/// Fusion style of Qt with flat buttons, drop-down boxes and table headers instead of gradients.
+/// Adds an edge around check boxes, radio buttons and checked buttons: the edges of Fusion are
+/// darker than the background and therefore invisible in dark colors.
 class DewpointStyle : public QProxyStyle {
 public:
   DewpointStyle();

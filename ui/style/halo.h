@@ -9,29 +9,29 @@
 
 namespace dewpoint::ui {
 
-/// The dark line under a bright stroke, so that it reads on any image.
+/// Dark line under a bright stroke that makes it readable on any image.
 struct Halo {
   int alpha = 150;
-  double extra = 2.2;                    ///< wider than the stroke, pixels
-  bool whole = false;                    ///< unbroken, also under a dashed stroke
-  Qt::PenCapStyle cap = Qt::RoundCap;    ///< of the stroke, too
-  Qt::PenJoinStyle join = Qt::RoundJoin; ///< of the stroke, too
+  double extra = 2.2;                    ///< extra width over the stroke, pixels
+  bool whole = false;                    ///< solid, also under a dashed stroke
+  Qt::PenCapStyle cap = Qt::RoundCap;    ///< of the stroke as well
+  Qt::PenJoinStyle join = Qt::RoundJoin; ///< of the stroke as well
 };
-/// Under the lines of grids and boards, of which there are many side by side.
+/// Halo under the lines of grids and boards, which lie close together.
 inline constexpr Halo kGridHalo{170, 2.0};
 
-/// A halo under frames, crosses and handles: whole, and with corners that are not rounded.
+/// Returns the halo under frames, crosses and handles: solid, with corners that are not rounded.
 constexpr Halo edgeHalo(int alpha, double extra) {
   return {alpha, extra, true, Qt::SquareCap, Qt::BevelJoin};
 }
 
-/// The pen of the halo under a stroke of this width.
+/// Returns the pen of the halo under a stroke of this width (pixels).
 inline QPen haloPen(double width, const Halo& halo = {}, Qt::PenStyle style = Qt::SolidLine) {
   return QPen(QColor(0, 0, 0, halo.alpha), width + halo.extra, halo.whole ? Qt::SolidLine : style,
               halo.cap, halo.join);
 }
 
-/// Strokes twice: the halo, then the bright line.
+/// Draws twice: the halo, then the bright stroke.
 template <class Draw>
 void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw,
               Qt::PenStyle style = Qt::SolidLine, const Halo& halo = {}) {

@@ -11,13 +11,13 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// The color of a person's identity.
+/// Color of a person's identity.
 QColor personColor(int identity);
-/// Black or white, whichever reads on this ground.
+/// Returns black or white, whichever is readable on this background.
 QColor inkOn(const QColor& ground);
 
-/// The number of a person on the color of its identity, in a round badge above `foot`, within
-/// `room`.
+/// Draws the number of a person in a round badge above `foot` and within `room`, on the color of
+/// the identity.
 void paintBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
                 bool chosen);
 

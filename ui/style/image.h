@@ -11,7 +11,7 @@ class Mat;
 
 namespace dewpoint::ui {
 
-/// A copy of a BGR image (CV_8UC3) as Format_RGB32, the format QPainter draws fastest.
+/// Returns a copy of a BGR image (CV_8UC3) as Format_RGB32, which QPainter draws fastest.
 QImage toImage(const cv::Mat& bgr);
 
 } // namespace dewpoint::ui

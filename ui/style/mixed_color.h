@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// A color between two: the first for a share of 0, the second for 1.
+/// Interpolates between two colors: `one` for a share of 0, `other` for 1.
 inline QColor mixedColor(const QColor& one, const QColor& other, double share) {
   return QColor::fromRgbF(static_cast<float>((1.0 - share) * one.redF() + share * other.redF()),
                           static_cast<float>((1.0 - share) * one.greenF() + share * other.greenF()),

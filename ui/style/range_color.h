@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// A light and clear color from the middle of a range: what the user sees of a learned color.
+/// Returns a light and clear color from the center of a range, which represents a learned color.
 QColor rangeColor(const ColorRange& range);
 
 } // namespace dewpoint::ui

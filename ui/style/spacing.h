@@ -5,8 +5,8 @@
 
 namespace dewpoint::ui {
 
-/// Between neighboring controls, and from them to the border of what they lie on: pixels; chosen,
-/// as most desktops have 6 to 9.
+/// Spacing between neighboring controls and to the border of their container, pixels. A chosen
+/// value; most desktops use 6 to 9.
 inline constexpr int kSpacing = 8;
 
 } // namespace dewpoint::ui

@@ -10,7 +10,8 @@ class QPalette;
 
 namespace dewpoint::ui {
 
-/// One of the window's own one-stroke icons (resources/icons), drawn in the palette's text color.
+/// Returns one of the single-stroke icons of the window (resources/icons), in the text color of the
+/// palette.
 QIcon symbolicIcon(const QString& name, const QPalette& palette);
 
 } // namespace dewpoint::ui

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Whether the system's colors are light or dark ones, also when the user changes that while the
+/// Tracks whether the colors of the system are dark, also when the user changes them while the
 /// program runs.
 class SystemColors : public QObject {
   Q_OBJECT
@@ -18,7 +18,7 @@ public:
 
 Q_SIGNALS:
   void changed(bool dark);
-  /// The colors of the application were replaced from outside: a theme must be applied again.
+  /// The colors of the application were replaced from outside; a theme must be applied again.
   void replaced();
 
 protected:

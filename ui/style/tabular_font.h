@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// A font for numbers that change: this one where its digits are all equally wide, so that nothing
-/// jumps; else the system's font of fixed width in the same size and weight.
+/// Returns a font for numbers that change: `font` if all its digits have the same width, so that
+/// numbers do not jump; otherwise the fixed-width font of the system in the same size and weight.
 QFont tabularFont(const QFont& font);
 
 } // namespace dewpoint::ui

@@ -10,20 +10,23 @@
 
 namespace dewpoint::ui {
 
-/// The one palette of the window, in two tunings, on Qt's Fusion style.
+/// Returns the palette of the window, in its dark or light variant, for the Fusion style of Qt.
 QPalette themePalette(bool dark);
-/// Whether the colors of a palette are dark ones.
+/// Whether a palette has dark colors.
 bool isDarkPalette(const QPalette& palette);
-/// Style, palette and tooltips of the whole application: dark or light.
+/// Applies the style, palette and tooltip colors to the whole application, dark or light.
 void applyTheme(bool dark);
-/// The palette that applyTheme() set is the application's, and nobody has set another one since.
+/// Whether the palette set by `applyTheme()` is still that of the application.
 bool isThemeApplied();
 
-/// The color of a state that reads on the given palette; its words are holdText() (ui/text).
+/// Returns the color of a state, readable on the given palette; `holdText()` (ui/text) returns the
+/// words.
 QColor holdColor(HoldState state, const QPalette& palette);
-/// Okabe-Ito, by index of the target; for strokes on images and dark ground.
+/// Returns the color of a target by index (Okabe-Ito), for strokes on images and on a dark
+/// background.
 QColor targetColor(int target);
-/// The same for targets of the project; persons have the color of their identity everywhere.
+/// Returns the color of a target of the project. A person has the color of the identity in all
+/// views.
 QColor targetColor(const std::string& name, int target);
 
 } // namespace dewpoint::ui

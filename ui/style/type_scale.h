@@ -7,9 +7,9 @@
 
 namespace dewpoint::ui {
 
-// The sizes in which the window writes: its own font, and one step below it.
+// Font sizes of the window: its own font, and one step smaller.
 
-/// One step smaller: for what stands beside something or explains it.
+/// Font one step smaller, for secondary and explanatory texts.
 inline QFont smallerFont(QFont font) {
   constexpr double kStep = 0.9;
   font.pointSizeF() > 0.0 ? font.setPointSizeF(kStep * font.pointSizeF())
@@ -17,13 +17,13 @@ inline QFont smallerFont(QFont font) {
   return font;
 }
 
-/// For the name of one thing among several.
+/// Font for the name of one item among several.
 inline QFont mediumFont(QFont font) {
   font.setWeight(QFont::DemiBold);
   return font;
 }
 
-/// For the heading of a section within a panel.
+/// Font for the heading of a section in a panel.
 inline QFont headingFont(const QFont& font) {
   return mediumFont(smallerFont(font));
 }

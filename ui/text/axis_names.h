@@ -5,7 +5,7 @@
 
 namespace dewpoint::ui {
 
-/// The world's axes as fields and messages name them; no words, so they are not translated.
+/// Names of the world axes in fields and messages. They are symbols, so they are not translated.
 inline constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
 } // namespace dewpoint::ui

@@ -7,14 +7,15 @@
 
 namespace dewpoint::ui {
 
-/// The filter of dialogs for calibrations of all tools that are known: all their endings first, one
-/// row for each format, then all files.
+/// File filter for dialogs that open calibrations: first the suffixes of all supported formats,
+/// then one row per format, then all files.
 QString calibrationFileFilter();
 
-/// The formats by their usual names: "OpenCV, Anipose, …".
+/// Names of the formats: "OpenCV, Anipose, …".
 QString calibrationFormatTitles();
 
-/// Whether a file ends as calibrations do, and so is taken for one when it is dropped.
+/// Whether a file name has the suffix of a calibration. Such a file is treated as one when it is
+/// dropped.
 bool endsAsCalibration(const QString& file);
 
 } // namespace dewpoint::ui

@@ -13,10 +13,10 @@ struct NamedFault;
 
 namespace dewpoint::ui {
 
-/// "In this volume ±3.1 mm (95 %), scale ±0.10 %, up ±0.20°." in the language of the window.
+/// Returns the translated text "In this volume ±3.1 mm (95 %), scale ±0.10 %, up ±0.20°.".
 QString accuracyText(const CalibrationAccuracy& accuracy);
 
-/// Likely cause of a fault and what to do, in the language of the window.
+/// Returns the likely cause of a fault and what to do, translated.
 QString faultText(const NamedFault& fault, const QStringList& cameraNames);
 
 } // namespace dewpoint::ui

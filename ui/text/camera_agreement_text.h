@@ -10,11 +10,12 @@
 
 namespace dewpoint::ui {
 
-/// What is wrong: "left is about 0.20 s late." `names`: of all cameras.
+/// Returns a description of a disagreement: "left is about 0.20 s late." `names`: names of all
+/// cameras.
 QString disagreementText(const CameraDisagreement& found, const QStringList& names);
 
-/// What one of the ways to mend it does (mendingChoices()): "Swap left and right". A button, and
-/// the name of the step that can be taken back.
+/// Returns the text of one way to correct a disagreement (`mendingChoices()`): "Swap left and
+/// right". Used for a button and for the undoable step.
 QString mendingText(const CameraDisagreement& found, std::size_t choice, const QStringList& names);
 
 } // namespace dewpoint::ui

@@ -7,9 +7,10 @@
 
 namespace dewpoint::ui {
 
-/// The newest report of a camera that does not stand as it was calibrated; null when it does.
+/// Returns the newest report of a camera that has moved since it was calibrated; null if it has
+/// not.
 const CameraMotionReport* cameraMotionOf(const TrackSnapshot& snapshot, int camera);
-/// "turned by 0.31°"; empty for null.
+/// Returns how far the camera moved, such as its rotation in degrees; empty for null.
 QString cameraMotionText(const CameraMotionReport* report);
 
 } // namespace dewpoint::ui

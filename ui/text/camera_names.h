@@ -11,10 +11,11 @@
 
 namespace dewpoint::ui {
 
-/// What a camera is called everywhere in the window: its name, or "camera 2" for number 1 where it
-/// has none.
+/// Returns the name of a camera as the window shows it: its own name or, without one, "camera 2"
+/// for index 1.
 QString cameraName(const std::string& name, std::size_t camera);
 QString cameraName(const CameraRig& rig, std::size_t camera);
+/// Returns the names of all cameras of a rig, in their order.
 QStringList cameraNames(const CameraRig& rig);
 
 } // namespace dewpoint::ui

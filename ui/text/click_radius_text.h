@@ -9,11 +9,11 @@
 
 namespace dewpoint::ui {
 
-/// What clicks on a target show of its radius (meters), where that is not the one `given` (0:
-/// unknown); empty where they agree or show none.
+/// Returns what clicks on a target show about its radius (meters) if that differs from `given` (0:
+/// unknown); empty if they agree or if clicks show no radius.
 QString clickRadiusText(double given, const std::optional<double>& shown);
-/// What is said of a target that was marked as a part of something larger of its color; `radius` in
-/// meters.
+/// Returns the text about a target that was marked as a part of a larger object of its color;
+/// `radius` in meters.
 QString markedPartText(double radius);
 
 } // namespace dewpoint::ui

@@ -9,10 +9,10 @@
 
 namespace dewpoint::ui {
 
-/// The quality of a color range in sentences; `cameras` are the names of the cameras.
+/// Returns the assessment of a color range in sentences; `cameras`: names of the cameras.
 QString colorAssessmentText(const ColorAssessment& assessment, const std::vector<QString>& cameras);
 
-/// "red", "turquoise", ...
+/// Returns the name of a color: "red", "turquoise", ...
 QString colorName(ColorWord color);
 
 } // namespace dewpoint::ui

@@ -11,8 +11,7 @@ struct Error;
 
 namespace dewpoint::ui {
 
-/// The sentence of an error for the user, in the language of the window; file, field and
-/// particulars stay as they are.
+/// Returns the sentence of an error, translated. File, field and details stay as they are.
 QString errorSentence(const Error& error);
 
 } // namespace dewpoint::ui

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Word and shape: "● held".
+/// Shape and word of a state: "● held".
 QString holdText(HoldState state);
 
 } // namespace dewpoint::ui

@@ -8,12 +8,12 @@
 
 namespace dewpoint::ui {
 
-/// The languages that have a catalog (translations/), by their two letters: "de", "en", "es", ...
+/// Languages that have a catalog (translations/), as two letters: "de", "en", "es", ...
 QStringList languages();
 
-/// From now on the application speaks this language: its own texts, Qt's, and the form of numbers.
-/// Empty: the system's. English stands in for a language without a catalog. All
-/// widgets get (QEvent::LanguageChange).
+/// Changes the language of the application: its own texts, those of Qt, and the number format.
+/// Empty: the language of the system. English replaces a language without a catalog. All widgets
+/// receive QEvent::LanguageChange.
 void useLanguage(const QString& language);
 
 } // namespace dewpoint::ui

@@ -7,17 +7,18 @@
 
 namespace dewpoint::ui {
 
-/// What a user reads of a method before choosing it, in the language of the window.
+/// Texts about a method that help the user select one, translated.
 struct MethodWords {
-  QString heading;  ///< what the methods among which it is listed are for
-  QString title;    ///< what it follows
-  QString sentence; ///< what sets it apart
-  QString name;     ///< as in files and on the command line, in no language
-  QString paper;    ///< of which it is, in no language; empty: of none
+  QString heading;  ///< heading of its group: what the methods in it are for
+  QString title;    ///< what it tracks
+  QString sentence; ///< how it differs from others
+  QString name;     ///< name in files and on the command line, not translated
+  QString paper;    ///< paper it is from, not translated; empty: none
 };
+/// Returns the texts about a method.
 MethodWords methodWords(const Method& method);
 
-/// Why a method cannot work here and what helps; empty when it can.
+/// Returns why a method cannot be used here and what to do; empty if it can.
 QString methodObstacleText(MethodObstacle obstacle);
 
 } // namespace dewpoint::ui

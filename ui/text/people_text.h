@@ -9,15 +9,16 @@
 
 namespace dewpoint::ui {
 
-/// How much of the background a camera has learned, 0 to 1; nothing when it is not learning.
+/// Share of the background that a camera has learned, 0 to 1; nothing if it is not learning.
 std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera);
-/// "learning the empty room: 60 % · keep out of view".
+/// Returns the learning progress in percent and the request to keep out of view.
 QString learningText(double share);
-/// The same where there is little room: "learning: 60 %".
+/// Returns the short form: "learning: 60 %".
 QString shortLearningText(double share);
-/// What keeps a camera from detecting people: learning, or too much moves; empty: nothing.
+/// Returns what keeps a camera from detecting people (it is learning, or too much moves); empty:
+/// nothing.
 QString peopleObstacleText(const TrackSnapshot& snapshot, int camera);
-/// How many people are there in the frame shown.
+/// Number of people present in the frame shown.
 int peopleThere(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

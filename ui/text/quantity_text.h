@@ -7,70 +7,73 @@
 
 namespace dewpoint::ui {
 
-// How numbers and quantities are written in the language of the window: one function for each.
+// Formatting of numbers and quantities in the language of the window, with one function for each.
 
-/// How a number is written that is negative, zero or not finite.
+/// Format of numbers that are negative, zero or not finite.
 enum class NumberForm {
-  Plain,   ///< as the language has it
-  Signed,  ///< "+" before what is above zero
-  Rounded, ///< rounded first: no minus before nothing but zeros
-  Table    ///< with a true minus sign; "–" for what is not finite
+  Plain,   ///< as usual in the language
+  Signed,  ///< "+" before positive numbers
+  Rounded, ///< rounded first, so that zero has no minus sign
+  Table    ///< with a true minus sign; "–" if not finite
 };
-/// With `decimals` decimals; "∞" for what is infinite.
+/// Returns a number with `decimals` decimals; "∞" if it is infinite.
 QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
-/// As it stands in a table.
+/// Returns a number in the form for tables.
 QString tableText(double value, int decimals);
-/// With `digits` digits that count, at most four decimals and never as a power of ten.
+/// Returns a number with `digits` significant digits, at most four decimals and no exponent.
 QString digitsText(double value, int digits);
-/// Three digits at most: a ratio of 1000 or of 1.08.
+/// Returns a ratio with at most three digits: 1000 or 1.08.
 QString ratioText(double value);
-/// Six digits at most: a bound or the default of a parameter, as it was declared.
+/// Returns a bound or default of a parameter as declared, with at most six digits.
 QString declaredText(double value);
-/// Four digits at most: 30 or 29.97 per second.
+/// Returns a rate with at most four digits: 30 or 29.97 per second.
 QString rateText(double perSecond);
 
-/// How exactly a length is written, with its unit.
+/// Precision of a length, which is written with its unit.
 enum class LengthForm {
-  Readout,  ///< "4.2 mm", "123 mm", "1.23 m": of something that changes all the time
-  Short,    ///< "0.4 mm", "12 mm", "1.20 m": as short as it is exact enough
+  Readout,  ///< "4.2 mm", "123 mm", "1.23 m": a value that changes continuously
+  Short,    ///< "0.4 mm", "12 mm", "1.20 m": the shortest form that is precise enough
   TwoDigits ///< "0.35 mm", "12 mm", "1.2 m": an accuracy
 };
+/// Returns a length with the unit that suits its size.
 QString lengthText(double meters, LengthForm form = LengthForm::Readout);
-/// The unit of lengths that are compared with each other, however large they are.
+/// Fixed unit for lengths that are compared with each other.
 enum class LengthScale { Millimeters, Centimeters, Meters };
-/// "12.50 mm", "1.3 cm", "1.234 m": with `decimals` decimals.
+/// Returns a length with `decimals` decimals: "12.50 mm", "1.3 cm", "1.234 m".
 QString lengthText(double meters, LengthScale scale, int decimals,
                    NumberForm form = NumberForm::Plain);
-/// The number alone, where a heading or what follows has the unit.
+/// Returns the number without the unit, where a heading or the following text gives the unit.
 QString lengthNumber(double meters, LengthScale scale, int decimals,
                      NumberForm form = NumberForm::Plain);
 
-/// "0.31°"
+/// Returns an angle in degrees: "0.31°".
 QString angleText(double radians, int decimals, NumberForm form = NumberForm::Plain);
-/// The degrees alone, where a heading has the unit.
+/// Returns the number of degrees without the unit, where a heading gives it.
 QString angleNumber(double radians, int decimals, NumberForm form = NumberForm::Plain);
-/// "0.20°", "1.2°": an accuracy, two digits that count.
+/// Returns the accuracy of an angle with two significant digits: "0.20°", "1.2°".
 QString angleAccuracyText(double radians);
 
-/// A share (0 to 1) in percent: 100 only when nothing is left, 0 only when there is nothing.
+/// Returns a share (0 to 1) as percent. It is 100 only if nothing is missing, and 0 only if there
+/// is nothing.
 QString shareText(double share);
-/// A share in percent, the number alone.
+/// Returns a share (0 to 1) as percent, without the sign.
 QString percentText(double share, int decimals = 0);
-/// The same of an accuracy: two digits that count.
+/// Returns an accuracy given as a share as percent, with two significant digits.
 QString percentAccuracyText(double share);
 
-/// "4.40 s"
+/// Returns a time: "4.40 s".
 QString secondsText(double seconds, int decimals);
-/// "12.3 ms"
+/// Returns a duration: "12.3 ms".
 QString millisecondsText(double milliseconds);
-/// Seconds as a number of milliseconds alone, where a heading has the unit.
+/// Converts seconds to milliseconds and returns the number without the unit, where a heading gives
+/// it.
 QString millisecondsNumber(double seconds, NumberForm form = NumberForm::Plain);
-/// "850 µs", from 10 ms on "12.3 ms"
+/// Returns a duration: "850 µs"; from 10 ms on "12.3 ms".
 QString durationText(double microseconds);
 
-/// "12.3 px"
+/// Returns a length in image pixels: "12.3 px".
 QString pixelText(double pixels, int decimals = 1);
-/// "0.0031 px": two digits at most, however small it is; how far pixels are off.
+/// Returns a difference in image pixels with at most two significant digits: "0.0031 px".
 QString pixelDifferenceText(double pixels);
 
 } // namespace dewpoint::ui

@@ -8,18 +8,18 @@
 
 namespace dewpoint::ui {
 
-/// Why one camera does not confirm a target, in a few words ("hidden"); empty when it does.
+/// Returns why a camera does not confirm a target, in a few words ("hidden"); empty if it does.
 QString cameraReasonText(const CameraReport& report);
-/// The same where it stands with the image of that camera ("hidden here").
+/// Returns the reason in the form shown with the image of that camera ("hidden here").
 QString cameraReasonHereText(const CameraReport& report);
-/// Whether a camera with this reason does not see the target at all, though it has an image.
+/// Whether a camera with this reason does not see the target at all, although it has an image.
 bool isBlind(const CameraReport& report);
-/// What such a camera's image says in place of the target's state: "◌ hidden here".
+/// Returns the text shown for such a camera instead of the state of the target: "◌ hidden here".
 QString cameraBlindText(const CameraReport& report);
-/// All cameras in one sentence: "left: hidden · right: 3 px beside a look-alike"; empty when none
-/// has any trouble.
+/// Returns the reasons of all cameras in one sentence: "left: hidden · right: …"; empty if all
+/// cameras confirm the target.
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames);
-/// Names of a snapshot's cameras, see cameraName().
+/// Names of the cameras of a snapshot, see cameraName().
 QStringList cameraNames(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

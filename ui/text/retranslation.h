@@ -9,8 +9,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Runs `retranslate` now and whenever the language changes, as long as `widget` lives: for
-/// every setText(tr(...)) of a widget that outlives a change of language.
+/// Calls `retranslate` now and after every change of language while `widget` exists. For every
+/// setText(tr(...)) of a widget that outlives a change of language.
 void onRetranslate(QWidget* widget, std::function<void()> retranslate);
 
 } // namespace dewpoint::ui

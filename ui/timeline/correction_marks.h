@@ -5,7 +5,7 @@
 
 namespace dewpoint::ui {
 
-/// Draws a diamond in the ribbon of a target at each frame at which the user said where it is.
+/// Draws a diamond in the ribbon of a target at each frame for which the user set a correction.
 void paintCorrections(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                       const TimelineRows& rows, const QPalette& palette);
 

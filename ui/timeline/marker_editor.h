@@ -13,8 +13,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Changes the markers of the project, each time as an undoable step, and edits their names on the
-/// spot in the timeline.
+/// Changes the markers of the project, each change as an undoable step, and edits their names in
+/// place in the timeline.
 class MarkerEditor : public QObject {
   Q_OBJECT
 public:
@@ -22,9 +22,9 @@ public:
 
   /// Adds a marker at a frame that has none.
   void add(qint64 frame);
-  /// Removes the marker at a frame; false when there is none.
+  /// Removes the marker at a frame; returns false if there is none.
   bool remove(qint64 frame);
-  /// Edits the name of a marker where its flag lies in the timeline.
+  /// Edits the name of a marker in place, at its flag in the timeline (widget coordinates).
   void editName(const ProjectMarker& marker, const QRectF& flag);
   void retranslate();
 

@@ -16,49 +16,49 @@ namespace dewpoint::ui {
 class Document;
 class MarkerEditor;
 
-/// The run along time: how surely each target was held, which cameras were missing, markers, the
-/// current frame. Dragging goes through time, dragging in the axis (or with Shift) selects a range,
-/// the wheel zooms; arrows, Page, Home and End go by frames, seconds and to the ends.
+/// Timeline of the run: the state of each target, missing camera images, markers, and the current
+/// frame. A drag moves through time; a drag in the axis (or with Shift) selects a range; the wheel
+/// zooms. Arrow keys move by frames, page keys by seconds, Home and End to the ends.
 class Timeline : public QWidget {
   Q_OBJECT
 public:
   Timeline(Selection& selection, Document& document, QWidget* parent = nullptr);
 
-  /// What there is along time; null: no run, and nothing.
+  /// Sets the snapshot, which describes the run; null: no run, and the timeline is empty.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void append(const std::vector<FrameRecord>& records, bool restarted);
-  /// The frames whose results are of earlier settings.
+  /// Sets the frames whose results are from earlier settings.
   void setOldResults(const std::vector<FrameSpan>& frames) {
     model_.oldResults = frames;
     update();
   }
   void clear();
 
-  /// Goes by this number of frames from the current frame, or the one requested.
+  /// Moves by this number of frames from the current or the requested frame.
   void step(qint64 frames);
-  /// To the next (1) or previous (-1) marker.
+  /// Moves to the next (1) or previous (-1) marker.
   void stepToMarker(int direction);
-  /// Adds a marker at the current frame, as an undoable step, and edits its name on the spot.
+  /// Adds a marker at the current frame, as an undoable step, and edits its name in place.
   void addMarker();
-  /// Removes the marker at the current frame; false when there is none.
+  /// Removes the marker at the current frame; returns false if there is none.
   bool removeMarker();
-  /// Where the pointer is in another view; negative: nowhere.
+  /// Sets the frame under the pointer in another view; negative: none.
   void setHovered(qint64 frame);
   void zoomToRange();
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
-  /// Center of a frame in the ribbon, widget coordinates.
+  /// Center of a frame in the ribbons, widget coordinates.
   QPoint positionOf(qint64 frame) const;
 
   QSize sizeHint() const override { return {600, std::max(110, leastHeight_)}; }
-  /// Grows with the rows there are.
+  /// Minimum size; it grows with the number of rows.
   QSize minimumSizeHint() const override { return {240, std::max(84, leastHeight_)}; }
 
 Q_SIGNALS:
-  /// The pointer is on this frame; negative: it has left.
+  /// The pointer is on this frame; negative: on none.
   void hovered(qint64 frame);
-  /// A menu is requested at this position on the screen, for the current frame.
+  /// A menu for the current frame is requested at this screen position.
   void menuWanted(const QPoint& place);
 
 protected:
@@ -78,7 +78,7 @@ private:
   TimelineRows rows() const;
   int camerasWithDropouts() const;
   void place();
-  /// The current frame, or the one requested just now.
+  /// Current frame, or the frame requested last.
   qint64 reached() const;
   void want(qint64 frame, bool extendsRange = false);
   void selectTo(qint64 frame);
@@ -95,12 +95,12 @@ private:
   enum class Drag { None, Frame, Range };
   Drag drag_ = Drag::None;
   qint64 hovered_ = -1;
-  qint64 anchor_ = -1;           ///< where the range began
-  std::optional<qint64> wanted_; ///< requested, but not shown yet
+  qint64 anchor_ = -1;           ///< frame where the range began
+  std::optional<qint64> wanted_; ///< requested but not shown yet
   QElapsedTimer sinceWanted_;
   MarkerEditor* markers_;
   double gutter_ = 90.0;
-  int leastHeight_ = 0; ///< in which all rows can be read
+  int leastHeight_ = 0; ///< height in which all rows are readable, pixels
 };
 
 } // namespace dewpoint::ui

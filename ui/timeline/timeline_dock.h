@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 class Timeline;
 struct Workbench;
 
-/// Adds the timeline to the window, with the actions that go through time: markers, earlier frames,
-/// tracking again from one. Sets the current frame of the selection.
+/// Adds the timeline to the window, with the actions for markers, earlier frames and tracking again
+/// from a frame. Sets the current frame of the selection.
 Timeline* installTimeline(const Workbench& bench);
 
 } // namespace dewpoint::ui

@@ -12,35 +12,36 @@
 
 namespace dewpoint::ui {
 
-/// What a timeline shows, apart from the selection.
+/// Data that a timeline shows, except the selection.
 struct TimelineModel {
-  std::vector<FrameRecord> records; ///< by rising frame; old ones in coarse steps
+  std::vector<FrameRecord> records; ///< by increasing frame; old ones in coarse steps
   QStringList targets;
   QStringList cameras;
   std::vector<ProjectMarker> markers;
-  std::vector<PositionCorrection> corrections; ///< by rising frame
-  std::vector<FrameSpan> oldResults;           ///< those of earlier settings, by rising frame
+  std::vector<PositionCorrection> corrections; ///< by increasing frame
+  /// frames with results of earlier settings, by increasing frame
+  std::vector<FrameSpan> oldResults;
   bool isOld(qint64 frame) const;
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;
-  double framesPerSecond = 30.0; ///< of the recording, by the time stamps of the records
+  double framesPerSecond = 30.0; ///< of the recording, from the time stamps of the records
 
-  /// Takes in what is new in the log; a frame that comes again replaces the old one.
+  /// Adds new records of the log; a repeated frame replaces its old record.
   void append(const std::vector<FrameRecord>& more, bool restarted);
-  /// One past the last frame that a record stands for: the next record's, unless there are frames
-  /// between that were never tracked.
+  /// Returns one past the last frame that a record represents: the frame of the next record, unless
+  /// untracked frames lie between them.
   qint64 endOf(std::size_t record) const;
-  /// The record of a frame, or of the last one before it within a coarse step; null when there is
-  /// none.
+  /// Returns the record of a frame, or of the last frame before it within a coarse step; null if
+  /// there is none.
   const FrameRecord* at(qint64 frame) const;
-  /// Time of a frame in seconds, from its record or by the rate.
+  /// Time of a frame in seconds, from its record or from the frame rate.
   double secondsOf(qint64 frame) const;
   /// Whether any frame lacks the image of this camera.
   bool hasDropouts(std::size_t camera) const { return (missing_ >> camera & 1U) != 0; }
-  /// Whether the user has said where this target is at this frame.
+  /// Whether the user corrected the position of this target in this frame.
   bool isCorrected(std::size_t target, qint64 frame) const;
-  /// "Frame 132, 4.400 s: ball held (0.99) · …".
+  /// Returns a description of a frame: "Frame 132, 4.400 s: ball held (0.99) · …".
   QString describe(qint64 frame) const;
 
 private:

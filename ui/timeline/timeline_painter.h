@@ -13,17 +13,18 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Where the rows of a timeline lie, in the units of the widget.
+/// Positions of the rows of a timeline, in widget coordinates.
 struct TimelineRows {
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
                         double gutter);
-  /// The height in which these rows can be read; of more than a few targets it wants no more.
+  /// Height in which these rows are readable; it does not grow beyond a few targets.
   static int leastHeight(int targets, int cameras, double fontHeight);
 
-  QRectF axis;    ///< time and markers, at the top; dragging here selects a range
+  QRectF axis;    ///< time and markers, at the top; a drag here selects a range
   QRectF ribbons; ///< of the targets, one below the other
-  QRectF cameras; ///< drop-outs, one thin row per camera that has any; one for all in little room
-  QRectF footer;  ///< memory of the history
+  /// missing images: one thin row per affected camera, or one row for all without enough room
+  QRectF cameras;
+  QRectF footer; ///< frames kept in memory
   double ribbonHeight = 0.0;
   double cameraHeight = 0.0;
   bool camerasShareRow = false;
@@ -32,14 +33,13 @@ struct TimelineRows {
 };
 
 /// Draws a timeline: ribbons (held: a thin line; ambiguous: dotted; searching: hatched; lost:
-/// crossed; of earlier settings: pale), drop-outs, markers, the range, the play head, and a thin
-/// line where the pointer is
-/// (`hovered`, a frame; negative: none).
+/// crossed; results of earlier settings: pale), missing images, markers, the range, the play head,
+/// and a thin line at the frame under the pointer (`hovered`; negative: none).
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,
                    const QPalette& palette);
 
-/// The part of the widget that a marker's flag takes.
+/// Area of the flag of a marker in the widget.
 QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
                   const QFontMetricsF& metrics);
 

@@ -10,10 +10,10 @@
 
 namespace dewpoint::ui {
 
-/// Which frames lie where along a timeline: frame k takes the stretch from x(k) to x(k + 1).
+/// Maps frames to positions along a timeline: frame k covers x(k) to x(k + 1), widget units.
 class TimelineScale {
 public:
-  /// Frames there are, both included.
+  /// Sets the first and last frame, both included.
   void setExtent(qint64 first, qint64 last) {
     const bool whole = showsAll();
     first_ = first;
@@ -46,7 +46,7 @@ public:
     length_ = static_cast<double>(last - first + 1);
     keepInside();
   }
-  /// What lies at `x` stays there; `factor` above 1 shows more detail.
+  /// Zooms by `factor` (above 1: in) around `x`, which keeps its frame.
   void zoom(double factor, double x) {
     const double frame = begin_ + (x - left_) / pixelsPerFrame();
     const double share = (x - left_) / width_;
@@ -59,7 +59,7 @@ public:
     begin_ += frames;
     keepInside();
   }
-  /// Scrolls as little as it takes to show a frame.
+  /// Scrolls just far enough to show a frame.
   void reveal(qint64 frame) {
     const double margin = std::min(0.05 * length_, 20.0);
     const auto at = static_cast<double>(frame);
@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  static constexpr double kFewest = 10.0; ///< frames shown at the closest
+  static constexpr double kFewest = 10.0; ///< minimum number of frames shown
 
   void keepInside() {
     const auto all = static_cast<double>(last_ - first_ + 1);

@@ -5,11 +5,11 @@
 
 namespace dewpoint::ui {
 
-/// Pales what is known, but cannot be shown any more.
+/// Fades the frames whose results are known but can no longer be shown.
 void paintForgotten(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                     const TimelineRows& rows, const QPalette& palette);
 
-/// Pales and hatches the ribbons where the results are of earlier settings.
+/// Fades and hatches the ribbons where the results are from earlier settings.
 void paintOldResults(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                      const TimelineRows& rows, const QPalette& palette);
 

@@ -10,7 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// The boxes of a run as a table, one row per target and frame, pixels. Grows with the run.
+/// Table of the bounding boxes of a run, one row per target and frame, in pixels. Grows with the
+/// run.
 class BoxModel : public QAbstractTableModel {
   Q_OBJECT
 public:
@@ -19,9 +20,9 @@ public:
 
   const std::vector<BoxSample>& samples() const { return samples_; }
   void clear() { replaceFrom(0, {}); }
-  /// Samples from number `first` on are these now.
+  /// Replaces the samples from index `first` on.
   void replaceFrom(std::size_t first, const std::vector<BoxSample>& samples);
-  /// Names of the targets, in their order.
+  /// Sets the names of the targets, in their order.
   void setNames(const QStringList& names);
 
   int rowCount(const QModelIndex& parent = {}) const override;

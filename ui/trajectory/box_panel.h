@@ -21,23 +21,23 @@ class BoxModel;
 class Selection;
 class TableHead;
 
-/// The boxes of a run whose method follows boxes in images: a table that follows the frame shown.
+/// Bounding boxes of a run whose method tracks boxes: a table that follows the frame shown.
 class BoxPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Session::boxesSince() of the session followed.
+  /// Session::boxesSince() of the session to follow.
   using Source =
       std::function<Session::BoxesPiece(std::uint64_t& generation, std::size_t& position)>;
 
   explicit BoxPanel(Selection& selection, QWidget* parent = nullptr);
 
-  /// What is followed; an empty function: nothing.
+  /// Sets the source of the boxes; an empty function: none.
   void follow(Source source);
-  /// There may be new boxes: fetches them soon, and only while the panel is visible.
+  /// Schedules a fetch of new boxes; they are fetched only while the panel is visible.
   void refresh();
-  /// The newest snapshot: what the targets are called.
+  /// Sets the newest snapshot, which provides the names of the targets.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// The rows selected, or all, as in boxes.csv.
+  /// Returns the selected rows, or all rows, in the format of boxes.csv.
   QByteArray csv();
 
 Q_SIGNALS:

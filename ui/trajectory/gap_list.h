@@ -11,7 +11,7 @@
 
 namespace dewpoint::ui {
 
-/// The gaps of a trajectory: from, to, length. The newest kMostGaps.
+/// List of the gaps of a trajectory, with start, end and length; the newest kMostGaps.
 class GapList : public QTableWidget {
   Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
   explicit GapList(QWidget* parent = nullptr);
 
   void setGaps(std::vector<TrajectoryGap> gaps);
-  /// Highlights the gap that is exactly this range.
+  /// Highlights the gap that equals this range.
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
 
 Q_SIGNALS:

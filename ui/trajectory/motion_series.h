@@ -9,21 +9,21 @@
 
 namespace dewpoint::ui {
 
-/// Speed (m/s) and height (m) of one target over time, as plots draw them.
+/// Speed (m/s) and height (m) of one target over time, as input for plots.
 class MotionSeries {
 public:
-  static constexpr std::size_t kSpeed = 0; ///< columns
+  static constexpr std::size_t kSpeed = 0; ///< column indices
   static constexpr std::size_t kHeight = 1;
   static constexpr std::size_t kColumns = 2;
 
   MotionSeries() { series_.reset(kColumns); }
 
   const PlotSeries& series() const { return series_; }
-  /// Whose they are; empty while nobody was tracked.
+  /// Name of the target; empty while nothing was tracked.
   const std::string& target() const { return target_; }
-  /// Those of another target, from all rows of the log.
+  /// Selects a target and fills the series from all rows of the log.
   void setTarget(const std::string& target, const std::vector<MotionLog::Row>& rows);
-  /// Rows of the log from this one on have changed.
+  /// Updates the series after the rows of the log from `firstChanged` on have changed.
   void update(const std::vector<MotionLog::Row>& rows, std::size_t firstChanged);
   void clear();
 
@@ -34,8 +34,8 @@ private:
   std::string target_;
 };
 
-/// What a target went through in the room in rows [first, last) of a log, meters: one stroke for
-/// each uninterrupted piece, of at most `most` positions in all.
+/// Returns the path of a target in rows [first, last) of a log, in meters: one stroke per
+/// uninterrupted part, with at most `most` positions in total.
 std::vector<std::vector<Eigen::Vector3d>> strokesOf(const std::vector<MotionLog::Row>& rows,
                                                     std::size_t first, std::size_t last,
                                                     const std::string& target, std::size_t most);

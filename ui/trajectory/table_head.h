@@ -14,27 +14,29 @@ namespace dewpoint::ui {
 
 class Selection;
 
-/// Marks the rows of the frame shown in a table with one or more rows per frame, and keeps them in
-/// sight: not while a range is selected, nor once the user has scrolled them out of sight, until
-/// they are scrolled back or a frame is requested. The table's delegate; rows are of one height.
+/// Delegate of a table with one or more rows per frame. It highlights the rows of the frame shown
+/// and scrolls them into view. It does not scroll while a range is selected, or after the user has
+/// scrolled them out of view, until they are scrolled back or a frame is requested. All rows have
+/// the same height.
 class TableHead : public QStyledItemDelegate {
   Q_OBJECT
 public:
-  /// Rows [first, last) of a frame; where it has none, both are where they would be.
+  /// Returns the rows [first, last) of a frame. If it has none, both are the index where they would
+  /// be.
   using RowsOf = std::function<std::pair<int, int>(qint64 frame)>;
 
   TableHead(QTableView* table, Selection& selection, RowsOf rowsOf);
 
-  /// The table has other rows, or another frame is shown.
+  /// Updates after the rows of the table or the frame shown have changed.
   void refresh();
-  /// The rows that are marked.
+  /// Highlighted rows.
   std::pair<int, int> rows() const { return rows_; }
 
 protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 
 private:
-  /// The row to be seen: the last of the frame shown, or of all; -1: none.
+  /// Row to keep in view: the last row of the frame shown, or the last row of all; -1: none.
   int wantedRow() const;
   int rowsInSight() const;
   bool isInSight(int row) const;
@@ -46,7 +48,7 @@ private:
   RowsOf rowsOf_;
   std::pair<int, int> rows_;
   bool following_ = true;
-  bool moving_ = false; ///< the table is being scrolled, but not by the user
+  bool moving_ = false; ///< the table is being scrolled by the program
 };
 
 } // namespace dewpoint::ui

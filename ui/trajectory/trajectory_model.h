@@ -10,7 +10,7 @@
 
 namespace dewpoint::ui {
 
-/// The trajectory of a run as a table, one row per target and frame. Grows with the run.
+/// Table of the trajectory of a run, one row per target and frame. Grows with the run.
 class TrajectoryModel : public QAbstractTableModel {
   Q_OBJECT
 public:
@@ -34,9 +34,9 @@ public:
 
   const MotionLog& log() const { return log_; }
   void clear();
-  /// Samples from number `first` on are these now; the first row that has changed.
+  /// Replaces the samples from index `first` on; returns the first row that has changed.
   std::size_t replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
-  /// Rows [first, last) of the frames of a range.
+  /// Returns the rows [first, last) of a range of frames.
   std::pair<int, int> rowsOf(const SelectedRange& selectedRange) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -47,7 +47,7 @@ public:
 
 private:
   MotionLog log_;
-  int rows_ = 0; ///< of the log, that the views know of
+  int rows_ = 0; ///< rows of the log that the views know
 };
 
 } // namespace dewpoint::ui

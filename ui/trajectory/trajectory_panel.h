@@ -33,44 +33,44 @@ class PlotStack;
 class TableHead;
 class TrajectoryModel;
 
-/// The trajectory of the run: a table that follows the frame shown, speed and height over time, and
-/// the gaps. A range selected in any of them is selected in all. Of a run that follows boxes in
-/// images: its boxes.
+/// Trajectory of the run: a table that follows the frame shown, plots of speed and height over
+/// time, and the gaps. A range selected in one of them is selected in all. For methods that track
+/// bounding boxes: their boxes.
 class TrajectoryPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Session::samplesSince() of the session followed.
+  /// Session::samplesSince() of the session to follow.
   using Source =
       std::function<Session::SamplesPiece(std::uint64_t& generation, std::size_t& position)>;
 
-  /// Connects the registry's trajectory actions.
+  /// Connects the trajectory actions of the registry.
   TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~TrajectoryPanel() override;
 
-  /// What is followed; an empty function: nothing, and the table becomes empty.
+  /// Sets the source of the samples; an empty function: none, and the table is cleared.
   void follow(Source source);
-  /// There may be new samples: fetches them soon, and only while the panel is visible.
+  /// Schedules a fetch of new samples; they are fetched only while the panel is visible.
   void refresh();
-  /// The newest snapshot: which targets there are.
+  /// Sets the newest snapshot, which provides the targets.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// The user points at a position of a target's trajectory: requests that frame, or, to `extend`,
-  /// selects the range from the current frame to it.
+  /// Handles a click on a position (meters) in the trajectory of a target: requests that frame or,
+  /// with `extend`, selects the range from the current frame to it.
   void choosePlace(int target, const Eigen::Vector3d& place, bool extend);
-  /// The boxes of a run whose method follows those.
+  /// Panel of the boxes, for methods that track bounding boxes.
   BoxPanel& boxes() { return *boxes_; }
   PlotStack& plots() { return *plots_; }
-  /// The rows selected, or all: onto the clipboard, prepared in a thread.
+  /// Copies the selected rows, or all rows, to the clipboard; they are prepared in another thread.
   void copyCsv();
-  /// What the last fetching and drawing took, milliseconds.
+  /// Duration of the last fetch and redraw, milliseconds.
   double lastRefreshMs() const { return lastRefreshMs_; }
 
   QSize sizeHint() const override { return {900, 240}; }
 
 Q_SIGNALS:
   void notice(const QString& sentence);
-  /// The correction of this target at this frame is to be taken away.
+  /// The user wants to remove the correction of this target at this frame.
   void correctionRemovalWanted(qint64 frame, int target);
-  /// The positions of the selected range, meters: one stroke for each uninterrupted piece.
+  /// Positions of the selected range, meters: one stroke per uninterrupted part.
   void highlightChanged(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
 protected:
@@ -79,7 +79,7 @@ protected:
 private:
   void setTarget(const std::string& name);
   void showSelectedRange();
-  /// At a place of the screen; with what can be done to a row of the table, if it is about one.
+  /// Opens the menu at a screen position, with the entries for a table row; a negative `row`: none.
   void showMenu(const QPoint& place, int row);
   void showCurrentFrame();
   void makeTable();
@@ -102,16 +102,16 @@ private:
   PlotStack* plots_;
   BoxPanel* boxes_;
   QStackedLayout* pages_;
-  MotionSeries motion_;            ///< of one target
-  std::vector<std::string> names_; ///< of all targets
+  MotionSeries motion_;            ///< motion of one target
+  std::vector<std::string> names_; ///< names of all targets
   Source source_;
   std::uint64_t generation_ = 0;
   std::size_t position_ = 0;
-  bool choosing_ = false; ///< rows are being selected, but not by the user
+  bool choosing_ = false; ///< rows are being selected by the program
   QTimer timer_;
   QElapsedTimer sinceRefresh_;
   double lastRefreshMs_ = 0.0;
-  LatestJob csv_{LatestJob::Overtaken::Kept}; ///< for the clipboard
+  LatestJob csv_{LatestJob::Overtaken::Kept}; ///< prepares the clipboard text
 };
 
 } // namespace dewpoint::ui

@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 class BirdsEyeView;
 struct Workbench;
 
-/// Adds the bird's-eye view to the window. Methods that follow boxes in images have no positions
-/// in the room: while one is chosen, the view is hidden.
+/// Adds the bird's-eye view to the window. It is hidden while a method that tracks bounding boxes
+/// is selected, because boxes have no positions in the room.
 BirdsEyeView* installBirdsEyeView(const Workbench& bench);
 
 } // namespace dewpoint::ui

@@ -24,9 +24,9 @@ namespace dewpoint::ui {
 
 class OffscreenVtk;
 
-/// The 3D picture of the room. VTK renders into its own off-screen context; this widget only paints
-/// the resulting image, so the rest of the window is never composed through OpenGL. Draws at its
-/// own rate, slower than the cameras. Without OpenGL it says so and the program goes on.
+/// 3D view of the room. VTK renders into its own off-screen context and this widget paints the
+/// resulting image, so OpenGL is not used for the rest of the window. It is redrawn at its own
+/// rate, slower than the cameras. Without OpenGL it shows a message, and the program continues.
 class BirdsEyeView : public QWidget {
   Q_OBJECT
 
@@ -34,74 +34,77 @@ public:
   explicit BirdsEyeView(QWidget* parent = nullptr);
   ~BirdsEyeView() override;
 
-  /// To be called once before the QApplication is made.
+  /// Must be called once before the QApplication is created.
   static void prepareSurfaceFormat();
 
-  /// Makes the OpenGL context and draws once, unseen: what the first picture would be waited for.
+  /// Creates the OpenGL context and renders once while hidden, so that the first picture appears
+  /// without delay.
   void prepare();
 
-  /// Shows a frame with the next picture; null empties the scene. Cheap, also while hidden.
+  /// Sets the frame for the next picture; null clears the scene. Cheap, also while hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Another project: shows all of it in perspective, whatever was in view before.
+  /// Shows all of another project in perspective, whatever the view showed before.
   void startAnew() { lookFree(); }
-  /// Highlights a part of a trajectory: strokes of positions, meters; none: nothing.
+  /// Highlights a part of a trajectory: strokes of positions, meters; empty: none.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
-  /// Cameras that can be dragged, the chosen one also by what it looks at; empty: none.
+  /// Sets the cameras that can be dragged; the selected one also has a handle for the point it
+  /// looks at. Empty: none.
   void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
 
-  /// How well the cameras see the room, with a legend; null: nothing is shown of it.
-  /// Drawn with the next picture, however many maps come until then.
+  /// Shows the map of expected errors with a legend; null: none. If several maps arrive before the
+  /// next picture, only the last one is drawn.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
   const RigMap* map() const { return map_.map(); }
   const MapLook& mapLook() const { return map_.look(); }
-  /// Cameras that are thought of: drawn otherwise than those of the snapshots.
+  /// Shows planned cameras, drawn differently from those of the snapshots.
   void showPlanned(const CameraRig& cameras);
 
-  /// The volume of interest; nothing: none.
+  /// Shows the volume of interest; nothing: none.
   void showVolume(const std::optional<WorldBox>& volume) {
     scene_.showVolume(volume);
     requestPicture();
   }
-  /// A line of sight through the room, meters; empty: none.
+  /// Shows a line of sight through the room, meters; empty: none.
   void showSight(const std::vector<Eigen::Vector3d>& line) {
     scene_.showSight(line);
     requestPicture();
   }
 
-  /// The selected target; a person stands out. -1: none.
+  /// Highlights the selected target if it is a person; -1: none.
   void setChosenTarget(int target);
-  /// The particle of highest weight of each target.
+  /// Sets whether the particle with the highest weight of each target is shown.
   void setBestShown(bool shown) {
     scene_.showBest(shown);
     requestPicture();
   }
-  /// Lines of sight from the cameras to the estimates.
+  /// Sets whether lines of sight from the cameras to the estimates are shown.
   void setRaysShown(bool shown) {
     scene_.showRays(shown);
     sceneStale_ = true;
     requestPicture();
   }
-  /// The images of the cameras, in the scene.
+  /// Sets whether the images of the cameras are shown in the scene.
   void setImagesShown(bool shown) {
     scene_.showImages(shown);
     sceneStale_ = true;
     requestPicture();
   }
-  /// While placing, a click on the floor of this height (world z, meters) is a placeClicked().
+  /// Sets the placing mode, in which a click on the floor emits `placeClicked()`. `floor`: its
+  /// height, world z in meters.
   void setPlacing(bool placing, double floor = 0.0);
 
   Scene3d::View currentView() const;
-  /// The picture as it is now, with its legend but without the buttons; null without OpenGL. Device
-  /// pixels.
+  /// Returns the current picture with its legend, without the buttons, in device pixels; null
+  /// without OpenGL.
   QImage currentPicture();
-  /// The scene as drawn, for those who convert between pixels and meters.
+  /// The scene as drawn, for conversions between pixels and meters.
   const Scene3d& scene() const { return scene_; }
   const CameraLabels& cameraLabels() const { return labels_; }
   const SceneInset& cloudInset() const { return inset_; }
-  /// Whether the picture shows all that was given last; true while hidden.
+  /// Whether the picture shows everything given last; true while hidden.
   bool isDrawn() const { return !isVisible() || (!pictureStale_ && !timer_.isActive()); }
-  /// False when there is no usable OpenGL (known after the first attempt to draw).
+  /// Whether OpenGL is usable; known after the first attempt to draw.
   bool hasPicture() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -111,27 +114,28 @@ public Q_SLOTS:
   void lookFromAbove() { look(Scene3d::View::Above); }
   void lookFromFront() { look(Scene3d::View::Front); }
   void lookFree() { look(Scene3d::View::Free); }
-  /// Frames everything in the current view.
+  /// Fits the current view to everything.
   void resetView();
 
 Q_SIGNALS:
   void viewChanged(dewpoint::ui::Scene3d::View view);
-  /// A click on a target's tail: the nearest position in it, meters. `extend`: with Shift.
+  /// A click on the tail of a target. `place`: the nearest position in it, meters. `extend`: Shift
+  /// was held down.
   void tailClicked(int target, const Eigen::Vector3d& place, bool extend);
-  /// While placing: a click on the floor here, world x and y in meters.
+  /// A click on the floor in placing mode: world x and y in meters.
   void placeClicked(const Eigen::Vector2d& place);
-  /// A click on a person: its index among the targets.
+  /// A click on a person: index among the targets.
   void personClicked(int target);
   /// A handle was pressed.
   void cameraChosen(int camera);
-  /// A camera (or the point it looks at) is dragged here, meters: in the plane of a flat view, else
-  /// parallel to the picture.
+  /// A camera, or the point it looks at, is dragged to this world position (meters): in the plane
+  /// of a flat view, otherwise parallel to the picture.
   void cameraDragged(int camera, const Eigen::Vector3d& center);
   void cameraAimed(int camera, const Eigen::Vector3d& target);
   void cameraDropped();
 
 protected:
-  /// A tool tip over the map says its value there.
+  /// Shows a tooltip with the value of the map under the pointer.
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -148,7 +152,7 @@ private:
   void startVtk();
   void requestPicture();
   void renderPicture();
-  /// What is part of the picture, but is painted over it.
+  /// Paints the parts of the picture that lie over the rendered image.
   void paintOver(QPainter& painter) const;
   void applyTheme();
   void retranslate();
@@ -158,23 +162,23 @@ private:
   QSize pictureSize() const;
 
   Scene3d scene_;
-  std::unique_ptr<OffscreenVtk> vtk_; ///< after the scene: must go first
+  std::unique_ptr<OffscreenVtk> vtk_; ///< declared after the scene: must be destroyed first
   TrackSnapshotPtr snapshot_;
   CameraHandles* handles_;
   CameraLabels labels_;
   SceneInset inset_;
   MapOverlay map_;
-  PersonBadges people_; ///< in the picture
+  PersonBadges people_; ///< badges in the picture
   ViewButtons* buttons_;
   QImage picture_;
   int chosenTarget_ = -1;
   bool placing_ = false;
   double floor_ = 0.0;
-  QPointF pressed_;     ///< where the left button went down
-  std::string failure_; ///< why there is no 3D; empty while there is
+  QPointF pressed_;     ///< position where the left button went down, widget coordinates
+  std::string failure_; ///< why 3D is not available; empty if it is
   QTimer timer_;
   QElapsedTimer sincePicture_;
-  qint64 pictureMs_ = 0; ///< what the last one cost
+  qint64 pictureMs_ = 0; ///< duration of the last rendering, milliseconds
   bool started_ = false;
   bool sceneStale_ = false;
   bool pictureStale_ = true;

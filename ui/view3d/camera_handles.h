@@ -14,23 +14,24 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// A camera that can be taken hold of: where it stands, and a point it looks at; meters.
+/// Handle of a camera that can be dragged: its position and a point it looks at, world coordinates
+/// in meters.
 struct CameraHandle {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d target = Eigen::Vector3d::Zero();
 };
 
-/// Cameras that are dragged with the mouse in a picture of the scene, the chosen one also by what
-/// it looks at.
+/// Handles to drag cameras with the mouse in a picture of the scene; the selected camera also has a
+/// handle for the point it looks at.
 class CameraHandles : public QObject {
   Q_OBJECT
 public:
-  /// `view` shows the whole picture of `scene`.
+  /// `view` must show the whole picture of `scene`.
   CameraHandles(QWidget& view, Scene3d& scene);
 
-  /// Empty: none can be dragged.
+  /// Sets the handles; empty: no camera can be dragged.
   void set(std::vector<CameraHandle> handles, int chosen);
-  /// Takes hold of the handle at a position of the view; false when there is none.
+  /// Starts dragging the handle at a position of the view; returns false if there is none.
   bool take(QPointF position);
   bool isHeld() const { return held_.has_value(); }
   void drag(QPointF position);
@@ -40,8 +41,8 @@ public:
 Q_SIGNALS:
   /// A handle was pressed.
   void chosen(int camera);
-  /// A camera (or the point it looks at) is dragged here, meters: in the plane of a flat view, else
-  /// parallel to the picture.
+  /// A camera, or the point it looks at, is dragged to this world position (meters): in the plane
+  /// of a flat view, otherwise parallel to the picture.
   void dragged(int camera, const Eigen::Vector3d& center);
   void aimed(int camera, const Eigen::Vector3d& target);
   void dropped();

@@ -12,18 +12,17 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// The names of the cameras, written beside the pyramids that stand for them.
+/// Names of the cameras beside their viewing pyramids.
 class CameraLabels {
 public:
   explicit CameraLabels(const Scene3d& scene) : scene_(scene) {}
 
   struct Label {
     QString text;
-    QRectF place; ///< in the view
+    QRectF place; ///< view coordinates
   };
-  /// Where they stand: beside all pyramids, the numbers at the floor and each other, where there is
-  /// room. Cameras that are
-  /// not in the picture have none.
+  /// Returns the labels. They avoid all pyramids, the numbers on the floor and each other if there
+  /// is room. Cameras outside the picture have none.
   std::vector<Label> labels(const QWidget& view) const;
   void paint(QPainter& painter, const QWidget& view) const;
 

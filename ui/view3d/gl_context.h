@@ -8,8 +8,8 @@
 
 namespace dewpoint::ui {
 
-/// An OpenGL context on an off-screen surface. Apart from the VTK code, because the OpenGL headers
-/// of Qt and of VTK's loader cannot be read together.
+/// OpenGL context on an off-screen surface. Kept apart from the VTK code, because the OpenGL
+/// headers of Qt and of the VTK loader cannot be included together.
 class GlContext {
 public:
   GlContext();
@@ -17,13 +17,15 @@ public:
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// To be called once before the QApplication is made.
+  /// Must be called once before the QApplication is created.
   static void prepareSurfaceFormat();
 
-  /// Makes it, and current. Empty on success, otherwise why not, for people.
+  /// Creates the context and makes it current. Returns an empty text on success, otherwise a
+  /// message for users.
   std::string start();
   bool isCurrent() const;
-  /// Only if it is not current: doing it again would go behind VTK's state cache (empty pictures).
+  /// Makes the context current only if it is not: a second call would bypass the state cache of VTK
+  /// and give empty pictures.
   void makeCurrent();
   void doneCurrent();
 

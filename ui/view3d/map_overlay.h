@@ -13,20 +13,20 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// How well the cameras see the room: a map in the scene, its legend over the picture, and its
-/// values in words.
+/// Map of expected errors: the map in the scene, its legend over the picture, and its values as
+/// text.
 class MapOverlay {
   Q_DECLARE_TR_FUNCTIONS(MapOverlay)
 public:
   explicit MapOverlay(Scene3d& scene) : scene_(scene) {}
 
-  /// Null: nothing is shown. False when nothing changes.
+  /// Sets the map; null: none. Returns false if nothing changes.
   bool set(std::shared_ptr<const RigMap> map, const MapLook& look);
   const RigMap* map() const { return map_.get(); }
   const MapLook& look() const { return look_; }
-  /// Brings the scene up to date, however many maps have come since.
+  /// Updates the scene once, however many maps were set since the last update.
   void updateScene();
-  /// The value at a position of the picture; empty beside the map.
+  /// Returns the value at a position of the view; empty outside the map.
   QString textAt(const ViewProjection& projection, QPointF position) const;
   void paintLegend(QPainter& painter, const QWidget& view) const;
 

@@ -15,8 +15,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Renders a VTK scene in an OpenGL context of its own that belongs to no window, and hands out
-/// pictures. Only for the GUI thread. No VTK or OpenGL header is needed to use it.
+/// Renders a VTK scene in its own OpenGL context, which belongs to no window, and returns pictures.
+/// Only for the GUI thread. Using it requires no VTK or OpenGL header.
 class OffscreenVtk {
 public:
   enum class Pointer {
@@ -36,15 +36,16 @@ public:
   OffscreenVtk(const OffscreenVtk&) = delete;
   OffscreenVtk& operator=(const OffscreenVtk&) = delete;
 
-  /// Makes the context; to be called once. False when there is no usable OpenGL: `reason()` then
-  /// says why, in English, and nothing else may be called.
+  /// Creates the context; call it once. Returns false if OpenGL is not usable: `reason()` then
+  /// explains why, in English, and nothing else may be called.
   bool start();
   const std::string& reason() const;
 
-  /// One picture of this size in device pixels.
+  /// Renders one picture of this size in device pixels.
   QImage render(QSize size);
 
-  /// Feeds the trackball camera; `position` in device pixels from the top left corner.
+  /// Passes a mouse event to the trackball camera; `position` in device pixels from the top left
+  /// corner.
   void pointer(Pointer what, QPoint position, bool shift, bool control);
   /// Called when the trackball has moved the camera.
   std::function<void()> onCameraMoved;

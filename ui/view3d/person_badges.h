@@ -12,22 +12,22 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// The numbers of people, above their heads in a picture of the scene.
+/// Badges with the numbers of people, above their heads in a picture of the scene.
 class PersonBadges {
 public:
-  /// Those of the snapshot that the picture shows; null: nobody.
+  /// Sets the people of the snapshot that the picture shows; null: none.
   void setSnapshot(const TrackSnapshot* snapshot);
-  /// The person whose badge or body is at a position of the view, as index among the targets; -1:
-  /// nobody.
+  /// Returns the person whose badge or body is at a position of the view, as an index among the
+  /// targets; -1: none.
   int personAt(const ViewProjection& projection, QPointF position) const;
-  /// The chosen one (index among the targets) stands out.
+  /// Draws the badges; the selected person (`chosen`, an index among the targets) is highlighted.
   void paint(QPainter& painter, const QWidget& view, const ViewProjection& projection,
              int chosen) const;
 
 private:
   struct Badge {
     int identity;
-    Eigen::Vector3d place; ///< above the head
+    Eigen::Vector3d place; ///< above the head, world coordinates in meters
   };
   std::vector<Badge> badges_;
 };

@@ -12,18 +12,18 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// A magnifier for a cloud of particles that is too small to be seen in the picture: enlarged in a
-/// corner, with the ellipsoid that holds 95 % of the belief and a bar that says how long it is.
+/// Inset that enlarges a particle cloud too small to see in the picture, in a corner of the view,
+/// with its 95 % ellipsoid and a scale bar.
 class SceneInset {
 public:
   explicit SceneInset(const Scene3d& scene) : scene_(scene) {}
 
-  /// The one that the picture shows; null: none.
+  /// Sets the snapshot that the picture shows; null: none.
   void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
-  /// The target that is enlarged: the chosen one, else the first whose cloud is too small to be
-  /// seen; -1: none, as when the view has no room for it.
+  /// Returns the target that is enlarged: the selected one, else the first whose cloud is too small
+  /// to see; -1: none, or no room in the view.
   int target(const QWidget& view, int chosen) const;
-  /// Where it is, view pixels.
+  /// Area of the inset, view pixels.
   static QRectF place(const QWidget& view);
   void paint(QPainter& painter, const QWidget& view, int chosen) const;
 

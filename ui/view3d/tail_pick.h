@@ -8,14 +8,14 @@
 
 namespace dewpoint::ui {
 
-/// A position in the tail of a target, meters.
+/// Position in the tail of a target, world coordinates in meters.
 struct TailPlace {
   int target = -1;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
 
-/// The position in any tail that is seen nearest to a position of the picture, within `reach`; all
-/// in device pixels right of and above the center.
+/// Returns the position in any tail that appears nearest to `position` in the picture, within
+/// `reach`. Both are in device pixels; `position` is counted to the right of and above the center.
 std::optional<TailPlace> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
                                         const Eigen::Vector2d& position, double reach);
 

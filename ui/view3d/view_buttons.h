@@ -13,8 +13,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// The buttons in a corner of the picture that choose the view (3D, from the top, from the front),
-/// and the one that frames everything.
+/// Buttons in a corner of the picture that select the view (3D, top, front), and a button that fits
+/// it to everything.
 class ViewButtons : public QObject {
   Q_OBJECT
 public:
@@ -22,7 +22,7 @@ public:
 
   void setCurrent(Scene3d::View view);
   void setShown(bool shown);
-  /// Puts them into the lower left corner of the view.
+  /// Places the buttons in the lower left corner of the view.
   void place();
   void retranslate();
 

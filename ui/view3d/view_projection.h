@@ -8,21 +8,24 @@
 
 namespace dewpoint::ui {
 
-/// Between positions in a widget that shows the whole picture of a scene, and the scene.
+/// Converts between positions in a widget that shows the whole picture of a scene, and positions in
+/// the scene.
 class ViewProjection {
 public:
   ViewProjection(const QWidget& view, const Scene3d& scene) : view_(view), scene_(scene) {}
 
-  /// Where a point of the world (meters) is seen, widget pixels.
+  /// Position of a world point (meters) in the widget, pixels.
   QPointF inWidget(const Eigen::Vector3d& point) const {
     return inWidget(scene_.placeInPicture(point));
   }
-  /// The same of a position in the picture: device pixels right of and above the center.
+  /// Position in the widget of a position in the picture: device pixels to the right of and above
+  /// the center.
   QPointF inWidget(const Eigen::Vector2d& picture) const {
     const Eigen::Vector2d place = picture / view_.devicePixelRatioF();
     return {view_.width() / 2.0 + place.x(), view_.height() / 2.0 - place.y()};
   }
-  /// Device pixels right of and above the center of the picture.
+  /// Position in the picture of a widget position: device pixels to the right of and above the
+  /// center.
   Eigen::Vector2d inPicture(QPointF position) const {
     const QPointF middle(view_.width() / 2.0, view_.height() / 2.0);
     const QPointF offset = (position - middle) * view_.devicePixelRatioF();

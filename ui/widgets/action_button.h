@@ -9,8 +9,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// A button that triggers an action, with its icon and hint, as long as both live: enabled and
-/// checked as the action is. What stands on it is the caller's: a shorter word than in a menu.
+/// Creates a button that triggers an action and shows its icon and hint while both exist; it is
+/// enabled and checked like the action. The caller sets its text, which is shorter than in a menu.
 QToolButton* makeActionButton(const char* name, QAction* action, QWidget* parent);
 
 } // namespace dewpoint::ui

@@ -10,10 +10,11 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// A choice with this object name, which may be narrower than its longest text.
+/// Creates a combo box with this object name that may be narrower than its longest text.
 QComboBox* makeChoice(const char* name, QWidget* parent);
 
-/// Gives a choice other texts, which nobody is told; the same row stays chosen, or the first.
+/// Replaces the texts of a combo box without emitting signals; keeps the selected row, else selects
+/// the first.
 void setTexts(QComboBox& box, const QStringList& texts);
 
 } // namespace dewpoint::ui

@@ -11,8 +11,8 @@ class QVBoxLayout;
 
 namespace dewpoint::ui {
 
-/// A part of a form under a heading that opens and closes it, with a mark where something in it
-/// deserves notice. Closed at first; it speaks the language in which it was made.
+/// Section of a form under a heading that opens and closes it, with a dot if something inside
+/// deserves notice. Closed at first. The texts keep the language in which it was created.
 class CollapsibleSection : public QWidget {
   Q_OBJECT
 public:
@@ -22,11 +22,11 @@ public:
   void addWidget(QWidget* widget);
   bool isOpen() const;
   void setOpen(bool open);
-  /// Shows a dot behind the heading, with a hint; an empty one takes it away.
+  /// Shows a dot behind the heading, with a hint; an empty hint removes it.
   void setMark(const QString& hint);
 
 Q_SIGNALS:
-  /// The user opened or closed it.
+  /// The user opened or closed the section.
   void openedByUser(bool open);
 
 private:

@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// A number as the chosen language writes it. Point and comma are both understood as the decimal
-/// sign; what was typed shows at once how it was taken. Thousands are not grouped.
+/// Number field in the format of the selected language. It accepts a point or a comma as decimal
+/// separator and shows at once how the input is read. Thousands are not grouped.
 class DecimalField : public QDoubleSpinBox {
 public:
   using QDoubleSpinBox::QDoubleSpinBox;

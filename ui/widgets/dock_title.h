@@ -13,29 +13,29 @@ namespace dewpoint::ui {
 
 class ElidedLabel;
 
-/// Title of a dock: its name, the state of what it shows (word, shape and color), and a button to
-/// float it. A double click maximizes it; then a button with a word gives the other views back.
+/// Title of a dock: its name, the state of its content (word, shape and color), and a button to
+/// float it. A double click maximizes it; a button with a text then restores the other views.
 class DockTitle : public QWidget {
   Q_OBJECT
 public:
   explicit DockTitle(QDockWidget* dock);
 
-  /// Whether the name is shown: not where a tab above has it.
+  /// Sets whether the name is shown; it is not if a tab above shows it.
   void setNameShown(bool shown);
   void setState(HoldState state);
-  /// Why the state is what it is, in a few words; empty: nothing to say.
+  /// Sets the reason for the state, in a few words; empty: none.
   void setReason(const QString& reason);
-  /// The same in place of the state, in the color of a target that is not seen.
+  /// Sets a reason that replaces the state, in the color of a target that is not seen.
   void setReasonAlone(const QString& reason);
   /// Adds a widget (a small tool button) before the float button.
   void addTool(QWidget* tool);
-  /// Whether the dock fills the window.
+  /// Sets whether the dock fills the window.
   void setMaximized(bool maximized);
 
 Q_SIGNALS:
-  /// The whole window is wanted for the dock, or no longer.
+  /// The user wants to maximize the dock or restore the other views.
   void maximizeWanted();
-  /// The dock is wanted in a window of its own, or back in its place.
+  /// The user wants to float the dock or put it back.
   void floatWanted();
 
 protected:
@@ -51,7 +51,7 @@ private:
   QLabel* name_;
   QLabel* state_;
   ElidedLabel* reason_;
-  QToolButton* restore_; ///< while the dock fills the window
+  QToolButton* restore_; ///< visible while the dock fills the window
   QToolButton* float_;
   HoldState shown_ = HoldState::NoImages;
   bool stateful_ = false;

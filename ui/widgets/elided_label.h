@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// A line of text that takes the room there is: what does not fit is cut at its end, with an
-/// ellipsis, and can be read in the tooltip.
+/// Line of text that uses the available width. Text that does not fit is cut at its end with an
+/// ellipsis; the tooltip shows all of it.
 class ElidedLabel : public QLabel {
 public:
   explicit ElidedLabel(QWidget* parent = nullptr);

@@ -10,8 +10,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-// Dialogs for files that begin in the folder in which something was chosen last, and remember
-// theirs. What they return is empty when nothing was chosen.
+// File dialogs that start in the folder used last, and save their own. They return an empty result
+// if nothing was selected.
 
 QString askForFile(QWidget* parent, const QString& title, const QString& filter);
 QStringList askForFiles(QWidget* parent, const QString& title, const QString& filter);

@@ -10,9 +10,9 @@
 
 namespace dewpoint::ui {
 
-/// The circle of hues with a range as an arc. Its ends and the arc as a whole can be dragged; with
-/// the keyboard, Tab chooses an end or the arc and the arrows move it. Degrees, 0 to 360; a range
-/// from > to wraps through red.
+/// Color ring of hues that shows a range as an arc. Its ends and the whole arc can be dragged; with
+/// the keyboard, Tab selects an end or the arc and the arrows move it. Degrees, 0 to 360; if from >
+/// to, the range wraps through red.
 class HueRing : public QWidget {
   Q_OBJECT
 public:
@@ -21,7 +21,8 @@ public:
   void setRange(double from, double to);
   double from() const { return from_; }
   double to() const { return to_; }
-  /// How often the image has each hue, evenly from 0 degrees on; drawn inside the ring.
+  /// Sets the frequency of each hue in the image, in equal bins from 0 degrees on; drawn inside the
+  /// ring.
   void setHistogram(std::vector<double> counts);
 
   QSize sizeHint() const override { return {200, 200}; }
@@ -29,7 +30,7 @@ public:
 
 Q_SIGNALS:
   void rangeEdited(double from, double to);
-  /// A drag has ended: what comes next is another step.
+  /// A drag has ended; the next change is a new step.
   void editingFinished();
 
 protected:
@@ -56,7 +57,7 @@ private:
   double to_ = 60.0;
   std::vector<double> histogram_;
   Part dragged_ = Part::None;
-  Part chosen_ = Part::Arc; ///< of the keyboard
+  Part chosen_ = Part::Arc; ///< part selected with the keyboard
   double lastHue_ = 0.0;
   QImage wheel_;
 };

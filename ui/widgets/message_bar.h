@@ -19,40 +19,40 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// How much a message matters: a word, a color and a shape for each.
+/// Importance of a message; each has a word, a color and a shape.
 enum class Severity { Information, Warning, Error };
 
-/// One sentence in a strip across the window (MessageRow): what failed, what is worth knowing, or a
-/// question with its answers. It blocks nothing. What is only worth knowing goes by itself when
-/// there was time to read it; the others stay until closed, answered or replaced. Where the keys
-/// went before somebody answered or closed it, they go again.
+/// Message strip across the window (MessageRow) with one sentence: an error, a notice, or a
+/// question with answers. It blocks nothing. A notice disappears once there was time to read it;
+/// others stay until closed, answered or replaced. When the user answers or closes it, the keyboard
+/// focus returns to where it was before.
 class MessageBar : public QFrame {
   Q_OBJECT
 public:
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showError(const QString& text);
-  /// What needs attention, and stays until it is closed.
+  /// Shows a message that needs attention; it stays until closed.
   void showWarning(const QString& text);
   void showNotice(const QString& text);
-  /// An answer: its text, and what it does.
+  /// Answer to a question: its text, and the function it calls.
   using Answer = std::pair<QString, std::function<void()>>;
-  /// Asks; closing the bar answers nothing.
+  /// Asks a question; closing the bar gives no answer.
   void ask(const QString& question, const std::vector<Answer>& answers);
-  /// Asks, and asks again whenever another message that replaced the question has gone, until it
-  /// was answered or closed.
+  /// Asks a question, and again after another message that replaced it is gone, until it is
+  /// answered or closed.
   void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
   QString text() const;
-  /// Takes away what it says.
+  /// Removes the current message.
   void dismiss();
-  /// Other work has begun: an error is over, and with `notices` so is what was worth knowing.
-  /// Questions stay.
+  /// Removes an outdated message after other work has begun: an error or warning, and with
+  /// `notices` also a notice. Questions stay.
   void forget(bool notices);
-  /// The last messages of this window, oldest first, each with the time at which it came.
+  /// Last messages of this window, oldest first, each with its time.
   const QStringList& recent() const { return recent_; }
 
 protected:
-  void enterEvent(QEnterEvent* event) override; ///< whoever points at it reads it
+  void enterEvent(QEnterEvent* event) override; ///< keeps the message while the pointer is on it
   void leaveEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override; ///< Esc closes it
@@ -73,13 +73,13 @@ private:
   QTimer* leave_;
   std::vector<QPushButton*> answers_;
   Severity severity_ = Severity::Information;
-  QPointer<QWidget> focusBefore_; ///< what had the keys before a part of this got them
+  QPointer<QWidget> focusBefore_; ///< widget that had the keyboard focus before a part of the bar
   QStringList recent_;
   struct Question {
     QString text;
     std::vector<Answer> answers;
   };
-  std::optional<Question> pending_; ///< to be answered
+  std::optional<Question> pending_; ///< question still to be answered
   bool showsPending_ = false;
 };
 

@@ -9,20 +9,20 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// The row under the toolbar in which messages stand: they push the views down and cover nothing.
-/// It has no height while there is no message. A toolbar, so that the window gives it a row; it is
-/// always shown, so that no layout that is restored brings or takes a message.
+/// Row under the toolbar for messages. It pushes the views down and covers nothing; without a
+/// message it has no height. It is a toolbar, so that the window gives it a row, and always shown,
+/// so that restoring a layout neither shows nor hides a message.
 class MessageRow : public QToolBar {
   Q_OBJECT
 public:
-  /// Takes the bar. To be added to a window below its other toolbars.
+  /// Takes ownership of the bar. Add the row to a window below its other toolbars.
   explicit MessageRow(MessageBar* bar, QWidget* parent = nullptr);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-  /// Its height is about to change.
+  /// The height is about to change.
   void heightChanging();
   void heightChanged();
 

@@ -6,7 +6,8 @@
 
 namespace dewpoint::ui {
 
-/// Gives a new widget the name by which style sheets and tests find it, and returns it.
+/// Sets the object name of a new widget, by which style sheets and tests find it, and returns the
+/// widget.
 template <class Widget> Widget* named(Widget* widget, const char* name) {
   widget->setObjectName(QLatin1String(name));
   return widget;

@@ -10,14 +10,14 @@
 
 namespace dewpoint::ui {
 
-/// A button with an object name; its texts come with the language.
+/// Creates a button with an object name; its texts are set with the language.
 inline QPushButton* makeButton(const char* name, QWidget* parent) {
   auto* button = new QPushButton(parent);
   button->setObjectName(QLatin1String(name));
   return button;
 }
 
-/// A square of one color, for lists.
+/// Returns a square icon of one color, for lists. `size`: pixels.
 inline QIcon colorChip(const QColor& color, int size) {
   QPixmap pixmap(size, size);
   pixmap.fill(color);

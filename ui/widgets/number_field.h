@@ -11,23 +11,24 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// A field for a number with a unit: tabular, right-aligned, reported only when it is finished or
-/// stepped.
+/// Bounds, step and number of decimals of a number field. The field shows a unit, has tabular
+/// digits, is right-aligned, and reports a value only when editing ends or it is stepped.
 struct NumberRange {
   double low = -1e4;
   double high = 1e4;
   double step = 0.01;
   int decimals = 3;
 };
+/// Creates a number field with this object name.
 QDoubleSpinBox* makeNumberField(const QString& name, const NumberRange& range, QWidget* parent);
 
-/// Another unit, range and precision for what the field shows next.
+/// Changes the unit, range and precision of a field.
 void setRange(QDoubleSpinBox& field, const NumberRange& range, const QString& unit);
 
-/// Shows a value without telling anyone.
+/// Shows a value without emitting signals.
 void showValue(QDoubleSpinBox& field, double value);
 
-/// Lets a choice be narrower than its longest text.
+/// Allows a combo box to be narrower than its longest text.
 void makeNarrow(QComboBox& box);
 
 } // namespace dewpoint::ui

@@ -7,14 +7,15 @@
 
 namespace dewpoint::ui {
 
-/// A field for a path or an address. While nobody edits it, what does not fit is cut at its
-/// beginning, with an ellipsis: the end tells files apart. The tooltip then begins with all of it.
+/// Field for a path or an address. While it is not edited, text that does not fit is cut at its
+/// beginning with an ellipsis, because files differ at the end. The tooltip then starts with the
+/// full text.
 class PathField : public QLineEdit {
   Q_OBJECT
 public:
   using QLineEdit::QLineEdit;
 
-  /// What stands in the field while nobody edits it.
+  /// Text shown while the field is not edited.
   QString shownText() const;
 
 protected:

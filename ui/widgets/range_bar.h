@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// A bar from 0 to 1 with a range on it, and the image's histogram behind it. Its ends and the
-/// range as a whole can be dragged; with the keyboard, Tab chooses and the arrows move.
+/// Bar from 0 to 1 that shows a range, with the histogram of the image behind it. Its ends and the
+/// whole range can be dragged; with the keyboard, Tab selects a part and the arrows move it.
 class RangeBar : public QWidget {
   Q_OBJECT
 public:
@@ -19,9 +19,9 @@ public:
   void setRange(double from, double to);
   double from() const { return from_; }
   double to() const { return to_; }
-  /// How often the image has each value, evenly from 0 to 1.
+  /// Sets the frequency of each value in the image, in equal bins from 0 to 1.
   void setHistogram(std::vector<double> counts);
-  /// The colors under the bar, from 0 to 1.
+  /// Sets the colors under the bar, at 0 and at 1.
   void setColors(const QColor& low, const QColor& high);
 
   QSize sizeHint() const override { return {200, 44}; }
@@ -29,7 +29,7 @@ public:
 
 Q_SIGNALS:
   void rangeEdited(double from, double to);
-  /// A drag has ended: what comes next is another step.
+  /// A drag has ended; the next change is a new step.
   void editingFinished();
 
 protected:

@@ -9,11 +9,11 @@ class QSpinBox;
 
 namespace dewpoint::ui {
 
-/// Asks how many threads the filter uses, and keeps the answer as a preference.
+/// Asks for the number of threads of the filter, and stores it in the preferences.
 class ThreadCountDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `most`: as many threads as this machine runs at once.
+  /// `most`: number of threads that this machine runs at once.
   explicit ThreadCountDialog(int most, QWidget* parent = nullptr);
 
 private:

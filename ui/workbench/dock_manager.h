@@ -20,59 +20,60 @@ class DockNames;
 class Document;
 class SessionController;
 
-/// The docks of the window: makes and arranges them, maximizes and restores one, hides all while a
-/// page fills the center of the window, and keeps their layout in the document. As long as nobody
-/// has arranged them otherwise, they are arranged for the size that the window has.
+/// Docks of the window: creates and arranges them, maximizes and restores one, hides all while a
+/// page fills the center of the window, and stores their layout in the document. Until the user
+/// rearranges them, they are arranged to suit the size of the window.
 class DockManager : public QObject {
   Q_OBJECT
 public:
-  /// The central widget of the window shows the pages.
+  /// The central widget of `window` must show the pages.
   DockManager(QMainWindow& window, Document& document, const SessionController& session,
               QObject* parent = nullptr);
 
   ViewDock* make(const DockDeclaration& declaration);
-  /// Takes a dock, with its view, out of the window for good.
+  /// Removes a dock and its view from the window permanently.
   void remove(ViewDock* dock);
-  /// All there are, in the order of the window's children.
+  /// All docks, in the order of the children of the window.
   std::vector<ViewDock*> docks() const;
-  /// Whether a widget is in a dock of which nothing is seen.
+  /// Whether a widget is in a dock that is not visible at all.
   static bool isBehind(const QWidget* widget);
 
-  /// The arrangement that the window begins with, then that of the document, if it has one.
+  /// Applies the default arrangement, then the one of the document if it has one.
   void layOut();
-  /// Forgets the document's arrangement, and what was put away of the cameras.
+  /// Restores the default arrangement, also of hidden camera views, and drops that of the document.
   void reset();
-  /// Gives the views the sizes that suit the window, once the layout has settled; nothing when
-  /// somebody has arranged them otherwise.
+  /// Resizes the views to suit the window once the layout has settled; does nothing if the user has
+  /// rearranged them.
   void distributeDockSizesSoon();
-  /// Room above the views comes or goes (`kept`), or has (not `kept`): the images take it, and what
-  /// lies below them stays.
+  /// Call with `kept` true before the height above the views changes, and with false afterwards:
+  /// the images take or give the room, and the docks below them keep their heights.
   void keepHeightsBelow(bool kept);
-  /// Puts the layout into the document: that of all views, also while one fills the window or a
-  /// page hides them.
+  /// Stores the layout of all views in the document, also while one is maximized or a page hides
+  /// them.
   void storeLayout();
 
   /// Shows the views, or the page in the center of the window.
   void showViews(bool shown);
-  /// The views of another project follow: those put aside do not come back.
+  /// Drops the layout saved behind a page, because the views of another project follow.
   void forgetLayoutBehindPages() { layoutBehindPages_.clear(); }
 
-  /// Maximizes a dock, or restores all views; a floating dock is docked again.
+  /// Maximizes a dock, or restores all views; docks a floating dock again.
   void toggleMaximized(ViewDock* dock);
   void restoreMaximized();
-  /// The dock that fills the window; null when none does.
+  /// Dock that fills the window; null if none does.
   ViewDock* maximized() const { return maximized_; }
 
 Q_SIGNALS:
   void made(ViewDock* dock);
-  /// The docks have been arranged again: modes of the window show theirs.
+  /// The docks have been arranged again; modes of the window show theirs.
   void laidOut();
-  /// The views, or the page, are about to come, and have come.
+  /// The views or the page are about to be shown, and have been shown.
   void viewsShowing(bool shown);
   void viewsShown(bool shown);
 
 protected:
-  /// Of the window: another size, a separator that is dragged, and Esc, which gives all views back.
+  /// Handles events of the window: resizing, dragging a separator, and Esc, which restores all
+  /// views.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -83,14 +84,15 @@ private:
   }
   void arrange();
   void arrangeCameras(ViewDock* scene);
-  /// Cameras stand in so many columns from now on; what is hidden or in front stays so.
+  /// Arranges the cameras in this number of columns; hidden docks stay hidden and front tabs stay
+  /// in front.
   void rearrange(int columns);
   ViewShares shares() const;
   ImageGrid cameraGrid(const QSize& room) const;
   void distributeDockSizes();
   void distributeCameras(const ImageGrid& grid, int height);
   QByteArray save() const;
-  /// The version of the layout.
+  /// Restores a layout and returns its version.
   int restore(const QByteArray& layout);
   void maximize(ViewDock* dock);
 
@@ -98,17 +100,17 @@ private:
   Document& document_;
   const SessionController& session_;
   DockNames* names_;
-  int cameraColumns_ = 0;    ///< in which the cameras stand; 0: not arranged yet
-  bool suitsSize_ = true;    ///< nobody has arranged the views otherwise
-  bool arranging_ = false;   ///< what moves now, nobody has moved
-  bool separator_ = false;   ///< the pointer was pressed on one
-  int adjustments_ = 0;      ///< so often are sizes given soon
-  HeldHeights heightsBelow_; ///< of what lies below, while messages come and go
+  int cameraColumns_ = 0;    ///< columns of the camera views; 0: not arranged yet
+  bool suitsSize_ = true;    ///< false after the user has rearranged the views
+  bool arranging_ = false;   ///< docks are being moved by the program
+  bool separator_ = false;   ///< the pointer was pressed on a separator
+  int adjustments_ = 0;      ///< number of scheduled resizings
+  HeldHeights heightsBelow_; ///< heights of the docks below while messages come and go
   ViewDock* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
-  /// Which docks were put away when one was maximized.
+  /// Docks, and whether they were hidden, when one was maximized.
   std::vector<std::pair<ViewDock*, bool>> hiddenBeforeMaximized_;
-  QByteArray layoutBehindPages_; ///< of the views while a page hides them
+  QByteArray layoutBehindPages_; ///< layout of the views while a page hides them
 };
 
 } // namespace dewpoint::ui

@@ -11,22 +11,22 @@ namespace dewpoint::ui {
 
 class ViewDock;
 
-/// Lets the name of each view stand once: in its tab where it has one, else in its title.
+/// Shows the name of each view only once: in its tab if it has one, otherwise in its title.
 class DockNames : public QObject {
   Q_OBJECT
 public:
   DockNames(QMainWindow& window, QObject* parent);
 
-  /// Takes care of a dock from now on.
+  /// Handles a dock from now on.
   void follow(ViewDock* dock);
-  /// Looks at all docks once the layout has settled.
+  /// Updates all docks once the layout has settled.
   void showSoon();
 
 private:
   void show();
 
   QMainWindow& window_;
-  bool isComing_ = false; ///< show() is about to
+  bool isComing_ = false; ///< a call of show() is scheduled
 };
 
 } // namespace dewpoint::ui

@@ -14,19 +14,19 @@ class QMainWindow;
 
 namespace dewpoint::ui {
 
-/// Keeps the heights of the docks at the bottom of a window while room at its top comes or goes, so
-/// that only what is between shrinks and grows. Always the same heights, until they are forgotten:
-/// what the layout of a window rounds does not add up.
+/// Keeps the heights of the docks at the bottom of a window while the height above them changes, so
+/// that only the views between shrink and grow. It keeps the same heights until they are forgotten,
+/// so that rounding in the layout of the window does not accumulate.
 class HeldHeights : public QObject {
   Q_OBJECT
 public:
   explicit HeldHeights(QMainWindow& window, QObject* parent = nullptr);
 
-  /// Another arrangement counts from now on.
+  /// Forgets the heights, after the docks were rearranged.
   void forget() { heights_.clear(); }
-  /// The docks keep their heights, whatever comes, until release().
+  /// Fixes the heights of the docks until `release()`.
   void hold();
-  /// Lays the window out and lets go of the docks.
+  /// Updates the layout of the window and releases the heights.
   void release();
 
 private:

@@ -12,29 +12,29 @@ namespace dewpoint::ui {
 
 class DockTitle;
 
-/// Where a dock stands in the arrangement that the window begins with.
+/// Position of a dock in the default arrangement.
 enum class DockPlace {
-  Cameras,   ///< to the left, in as many columns as keep the images near square
-  Scene,     ///< right of the cameras
+  Cameras,   ///< on the left, in the number of columns that keeps the images nearly square
+  Scene,     ///< to the right of the cameras
   Inspector, ///< tabs at the right edge
   History,   ///< below the inspector
   Plots,     ///< tabs below the cameras and the scene
   Timeline   ///< below the plots
 };
 
-/// What a dock is, declared once.
+/// Declares one dock.
 struct DockDeclaration {
-  QString name;                   ///< objectName: layouts are saved by it
+  QString name;                   ///< objectName, used in saved layouts
   std::function<QString()> title; ///< called again when the language changes
   QWidget* content;
   DockPlace place = DockPlace::Inspector;
-  int rank = 100;              ///< among the docks that stand there: the lowest comes first
-  bool hiddenAtFirst = false;  ///< until it is wanted
-  bool openedByAction = false; ///< an action of its own shows it: the palette lists that one
+  int rank = 100;              ///< order among the docks at this position; the lowest comes first
+  bool hiddenAtFirst = false;  ///< until the user opens it
+  bool openedByAction = false; ///< an action shows it, so the palette lists the action instead
 };
 
-/// A dock of the window, with the title that is common to all, and what is known of it besides Qt's
-/// own state: whether the user put it away, and whether it lies behind another tab.
+/// Dock of the window with the common title. Besides the state of Qt, it knows whether the user hid
+/// it and whether it lies behind another tab.
 class ViewDock : public QDockWidget {
   Q_OBJECT
 public:
@@ -44,32 +44,33 @@ public:
   DockPlace place() const { return place_; }
   int rank() const { return rank_; }
   bool isOpenedByAction() const { return openedByAction_; }
-  /// Put away by the user or by the method: it is not shown with the other views.
+  /// Whether the user or the method hid it; it is then not shown with the other views.
   bool isHiddenByUser() const { return hiddenByUser_; }
   void setHiddenByUser(bool hidden) { hiddenByUser_ = hidden; }
-  /// Wanted or put away from now on, and shown or hidden at once.
+  /// Shows or hides the dock, and stores that as the choice of the user.
   void setWanted(bool wanted);
-  /// Nothing of it is seen, because it lies behind another tab or is hidden.
+  /// Whether nothing of it is visible, because it lies behind another tab or is hidden.
   bool isBehind() const { return behind_; }
-  /// Wanted, shown, and in front of its tabs.
+  /// Shows the dock in front of its tabs, and marks it as wanted.
   void bringToFront();
-  /// Into a window of its own, beside where it was and in front, or back to its place.
+  /// Moves the dock into its own window, beside its former position and in front, or puts it back.
   void toggleFloating();
 
 protected:
-  /// A view that was dragged out of the window gets its frame where it is let go.
+  /// Gives a view that was dragged out of the window its frame where it is dropped.
   bool event(QEvent* event) override;
-  /// Closed by the frame of its window: put away.
+  /// Hides the dock when the user closes its window.
   void closeEvent(QCloseEvent* event) override;
 
 Q_SIGNALS:
-  /// The whole window is wanted for this dock, or no longer.
+  /// The user wants to maximize this dock or restore the other views.
   void maximizeWanted();
-  /// The user put it away or took it out again, in the list of views.
+  /// The user hid or showed the dock in the list of views.
   void toggledByUser(bool shown);
 
 private:
-  /// Gives a floating view the frame of a window, so that it is moved and maximized like any other.
+  /// Gives a floating view a window frame, so that it can be moved and maximized like any other
+  /// window.
   void takeFrame();
 
   DockPlace place_;

@@ -17,24 +17,25 @@ namespace dewpoint::ui {
 
 class ViewDock;
 
-/// What a window of its size gives to each kind of view: images first. Pixels.
+/// Sizes for each kind of view in a window of its size, with priority for images. Pixels.
 struct ViewShares {
-  QSize cameras;           ///< as much as all camera views may have together
-  int leastForCameras = 0; ///< width that two cameras and more have at least
+  QSize cameras;           ///< maximum size of all camera views together
+  int leastForCameras = 0; ///< minimum width for two or more cameras
   int inspector = 0;       ///< width
-  int scene = 0;           ///< width that the scene keeps; 0: it is hidden
+  int scene = 0;           ///< width of the scene; 0: it is hidden
   int plots = 0;           ///< height
   int timeline = 0;        ///< height
 };
 
-/// Between two docks, about.
+/// Approximate width of the separator between two docks, pixels.
 inline constexpr int kDockSeparator = 6;
 
-/// `inspectors`: all that stand there; the widest that is shown counts.
+/// Returns the sizes for a window. `inspectors`: all docks at that position; the widest visible one
+/// counts.
 ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
                         const ViewDock& scene, const ViewDock& timeline);
 
-/// Width / height of the images of each camera, as far as they are known.
+/// Width / height of the images of each camera, as far as known.
 std::vector<double> imageAspectsOf(const project::Project& project, std::size_t cameras);
 
 } // namespace dewpoint::ui

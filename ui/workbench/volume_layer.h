@@ -12,8 +12,9 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Tells a view which volume of interest to show, now and whenever that changes: the project's, or
-/// nothing where its method goes by none or the layer is switched off. As long as `view` lives.
+/// Calls `show` with the volume of interest to show, now and after every change, while `view`
+/// exists: the volume of the project, or nothing if its method does not use one or the layer is
+/// switched off.
 void connectVolume(const Workbench& bench, QObject* view,
                    const std::function<void(const std::optional<WorldBox>&)>& show);
 

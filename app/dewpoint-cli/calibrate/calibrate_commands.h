@@ -7,7 +7,7 @@
 
 namespace dewpoint::app {
 
-// The subcommands of `calibrate`, one line each; as in commands.h.
+// Functions that add the subcommands of `calibrate`, one per line, as in commands.h.
 void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);

@@ -14,30 +14,32 @@
 
 namespace dewpoint::app {
 
-/// What the commands below `calibrate` have in common.
+/// Output options shared by the commands below `calibrate`.
 struct CalibrateOutput {
-  std::string out;    ///< calibration file to write, or empty
-  std::string report; ///< HTML page to write, or empty
-  bool apply = false; ///< write into the project file itself
+  std::string out;    ///< calibration file to write; empty: none
+  std::string report; ///< HTML page to write; empty: none
+  bool apply = false; ///< write the calibration into the project file
 };
 
-/// Adds the options for it.
+/// Adds the options to a command. `ofProject`: the command calibrates a project, so the calibration
+/// can be written into its file.
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject);
 
-/// Writes what is requested, everything at the end: a calibration that was stopped changes no file.
+/// Writes all requested files at the end, so that an interrupted calibration changes no file.
 Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
                        const std::string& reportHtml);
 
-/// Shows the stages of a computation as progress bars, and ends it on Ctrl-C.
+/// Returns a function that shows the stages of a computation as progress bars and ends it on
+/// Ctrl-C.
 CalibrationProgress interruptibleProgress();
 
 /// Prints the sentence of the accuracy (or why there is none), what it was widened by, and the
-/// faults that have a name.
+/// named faults.
 void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
                    const std::vector<NamedFault>& faults);
 
-/// What the process returns after an error: kExitInterrupted when it was Ctrl-C, without a word
-/// besides that nothing was changed.
+/// Reports an error and returns the exit code. For Ctrl-C it returns kExitInterrupted and prints
+/// only that nothing was changed.
 int reportCalibration(const Error& error);
 
 } // namespace dewpoint::app

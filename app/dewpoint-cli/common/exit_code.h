@@ -5,18 +5,18 @@
 
 namespace dewpoint::app {
 
-/// What the process returns, as promised by --help.
+/// Exit codes of the process, as documented by --help.
 enum ExitCode {
   kExitDone = 0,
   kExitProblems = 1,   ///< a check found a problem (doctor, self-test)
-  kExitUsage = 2,      ///< the command line cannot be understood
-  kExitBadInput = 3,   ///< nothing could be computed
-  kExitEndedEarly = 4, ///< the input broke off, or results are missing; what there is is kept
+  kExitUsage = 2,      ///< the command line is invalid
+  kExitBadInput = 3,   ///< nothing could be computed from the input
+  kExitEndedEarly = 4, ///< the input ended early, or results are missing; existing results are kept
   kExitOutput = 5,     ///< the output cannot be written; what was written so far is kept
   kExitInterrupted = 130,
 };
 
-/// Prints the error's sentence to stderr and returns the exit code that fits it.
+/// Prints the sentence of an error to stderr and returns its exit code.
 int report(const Error& error);
 
 } // namespace dewpoint::app

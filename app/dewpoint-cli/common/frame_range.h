@@ -8,8 +8,7 @@
 
 namespace dewpoint::app {
 
-/// Reads "A:B", either of which may be empty; all frames where the text is empty. Errors name
-/// --frames.
+/// Parses "A:B", where A or B may be empty; an empty text means all frames. Errors name --frames.
 Result<FrameRange> parseFrames(const std::string& text);
 
 } // namespace dewpoint::app

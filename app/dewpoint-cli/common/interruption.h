@@ -5,9 +5,9 @@
 
 namespace dewpoint::app {
 
-/// From now on Ctrl-C (and a request to end) only requests a stop.
+/// Makes Ctrl-C (and a termination request) only request a stop from now on.
 void catchInterruption();
-/// Whether it was pressed since.
+/// Whether a stop was requested since then.
 bool interruptionRequested();
 
 } // namespace dewpoint::app

@@ -8,7 +8,7 @@
 
 namespace dewpoint::app {
 
-/// Sets the parameters named in the texts "key=value" of --set; errors name it.
+/// Sets the parameters given as "key=value" texts of --set. Errors name that option.
 Status applySettings(const std::vector<std::string>& settings, ParameterValues& parameters);
 
 } // namespace dewpoint::app

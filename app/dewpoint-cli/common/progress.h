@@ -9,13 +9,13 @@
 
 namespace dewpoint::app {
 
-/// A progress bar on stderr; silent when stderr is not a terminal.
+/// Progress bar on stderr; silent if stderr is not a terminal.
 class Progress {
 public:
-  /// `total` 0: unknown, only the count is shown.
+  /// `total`: number of steps; 0: unknown, only the count is shown.
   Progress(std::string label, std::int64_t total);
   void show(std::int64_t done);
-  /// Removes the bar, so that what follows starts on a clean line.
+  /// Removes the bar, so that later output starts on a clean line.
   void finish();
 
 private:

@@ -13,21 +13,23 @@ class App;
 
 namespace dewpoint::app {
 
-/// How a command that tracks is called as one of many jobs.
+/// Options of a tracking command that is run as one of many jobs.
 struct JobOptions {
-  std::string label;  ///< of the recording; empty: the project as it was named
-  bool force = false; ///< do again what is done
+  std::string label;  ///< label of the recording; empty: the project as it was named
+  bool force = false; ///< track again even if the result exists
 };
 
+/// Adds the options for JobOptions to a command.
 void addJobOptions(CLI::App& command, JobOptions& options);
 
-/// What a job will be called in gathered tables, and what its result depends on: `command` is that
-/// of dewpoint-cli, `project` has all options applied, `more` says the others. Without a key where
-/// the project's files cannot be read: what opens them says why.
+/// Returns the name of a job in combined tables, and a key computed from everything its result
+/// depends on. `command`: command of dewpoint-cli; `project`: the project with all options applied;
+/// `more`: description of the other options. The key is empty if the files of the project cannot be
+/// read; opening them reports the error.
 JobRecord plannedJob(const std::string& command, const Project& project, const std::string& label,
                      const std::string& frames, const std::string& more);
 
-/// Whether the folder has the result of this job already, which is then said.
+/// Whether the folder already has the result of this job; if so, prints a message.
 bool isDoneAlready(const std::filesystem::path& folder, const JobRecord& job,
                    const JobOptions& options);
 

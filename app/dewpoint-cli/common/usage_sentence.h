@@ -12,8 +12,9 @@ class ParseError;
 
 namespace dewpoint::app {
 
-/// What is wrong with a command line, in one sentence: the option, what it may be, where help is.
-/// What is unknown is reported before what is missing: it may be the same word misspelt.
+/// Returns what is wrong with a command line in one sentence: the option, its allowed values, and
+/// where to find help. Unknown words are reported before missing ones, because both may be the same
+/// misspelled word.
 std::string usageSentence(const CLI::App& app, const CLI::ParseError& error);
 
 } // namespace dewpoint::app

@@ -7,16 +7,16 @@
 
 namespace dewpoint::app {
 
-// The subcommands of `experiment`, one line each; as in commands.h.
-/// The figures of the papers.
+// Functions that add the subcommands of `experiment`, one per line, as in commands.h.
+/// Adds the commands for the figures of the papers.
 void addFigureCommands(CLI::App& group, int& exitCode);
-/// `people-<scenario>`, for each scenario with people.
+/// Adds `people-<scenario>` for each scenario with people.
 void addPeopleExperiments(CLI::App& group, int& exitCode);
-/// `sugandi-rmse`.
+/// Adds `sugandi-rmse`.
 void addSugandiExperiment(CLI::App& group, int& exitCode);
-/// `fingerprint`: the states of the methods.
+/// Adds `fingerprint`: the states of the methods.
 void addFingerprintCommand(CLI::App& group, int& exitCode);
-/// `seeds`: the blocks of seeds.
+/// Adds `seeds`: the blocks of seeds.
 void addSeedsCommand(CLI::App& group, int& exitCode);
 
 } // namespace dewpoint::app

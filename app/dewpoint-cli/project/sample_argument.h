@@ -9,16 +9,17 @@
 
 namespace dewpoint::app {
 
-/// The camera meant by a name, or by its number in the project, from 1. BadValue names `option`.
+/// Returns the index of a camera given by its name or by its number in the project, counted from 1.
+/// The error BadValue names `option`.
 Result<int> cameraNamed(const Project& project, const std::string& text, const char* option);
 
-/// A click "X,Y". BadValue names `option`.
+/// Parses a click "X,Y" (pixels). The error BadValue names `option`.
 Result<ColorSample> clickFrom(const std::string& text, const char* option);
 
-/// A box "X,Y,WIDTH,HEIGHT". BadValue names `option`.
+/// Parses a box "X,Y,WIDTH,HEIGHT" (pixels). The error BadValue names `option`.
 Result<ColorSample> boxFrom(const std::string& text, const char* option);
 
-/// A click elsewhere "CAMERA:FRAME:X,Y". BadValue names `option`.
+/// Parses a click in another image, "CAMERA:FRAME:X,Y". The error BadValue names `option`.
 Result<ColorSample> sampleFrom(const Project& project, const std::string& text, const char* option);
 
 } // namespace dewpoint::app

@@ -9,14 +9,14 @@
 
 namespace dewpoint::app {
 
-/// A text as it stands in a cell of a table or in a paragraph: signs that mean something in
-/// Markdown or HTML mean themselves.
+/// Escapes a text for a table cell or a paragraph, so that special characters of Markdown and HTML
+/// are shown literally.
 std::string markdownText(std::string_view text);
 
-/// A text between backticks.
+/// Returns a text between backticks.
 std::string markdownCode(std::string_view text);
 
-/// A table; every row has as many cells as the head. Cells are Markdown already.
+/// Returns a table. Every row must have as many cells as the head; cells must already be Markdown.
 std::string markdownTable(const std::vector<std::string>& head,
                           const std::vector<std::vector<std::string>>& rows);
 

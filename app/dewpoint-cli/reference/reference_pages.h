@@ -9,15 +9,15 @@
 
 namespace dewpoint::app {
 
-// Pages of the manual in Markdown, made from the declarations that the program itself works with.
+// Pages of the manual in Markdown, generated from the declarations that the program itself uses.
 
-/// Every command below `app` with its arguments and options.
+/// Describes every command below `app` with its arguments and options.
 std::string commandsPage(const CLI::App& app);
 
-/// The methods by their use, each with its parameters.
+/// Lists the methods by their use, each with its parameters.
 std::string methodsPage();
 
-/// The formats that trajectories and calibrations are written in.
+/// Lists the formats for trajectories and calibrations.
 std::string formatsPage();
 
 } // namespace dewpoint::app

@@ -12,9 +12,9 @@ struct OfficeScene;
 
 namespace dewpoint::app {
 
-/// Writes a simulated office scene with people to disk, ready to track: a video per camera,
-/// pictures of the empty room, project.toml, calibration.toml, truth.csv. `option` is the one that
-/// names the folder. Returns the exit code.
+/// Writes a simulated office scene with people, ready to track: a video and a background image per
+/// camera, project.toml, calibration.toml, truth.csv. `option`: name of the option that gives the
+/// folder, for errors. Returns the exit code.
 int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
                  const std::string& option);
 

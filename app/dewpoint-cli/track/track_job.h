@@ -11,15 +11,15 @@
 
 namespace dewpoint::app {
 
-/// `dewpoint-cli track`: runs a project from its first to its last frame and writes what it found.
+/// Implements `dewpoint-cli track`: tracks a project over a range of frames and writes the results.
 struct TrackJob {
   std::filesystem::path folder;
   int threads = 1;
-  bool reasons = false; ///< write reasons.csv, too
+  bool reasons = false; ///< also writes reasons.csv
   FrameRange frames;
-  JobRecord record; ///< what is known of it before it runs
+  JobRecord record; ///< identity of the job, known before it runs
 
-  /// The process's exit code.
+  /// Runs the job and returns the exit code of the process.
   int run(SessionInputs inputs) const;
 };
 

@@ -15,13 +15,13 @@ class BoardCalibrator;
 class BoardForm;
 class BoardLive;
 
-/// The page of the calibration dock for calibrating with a printed board.
+/// Page of the calibration dock for calibrating with a printed board.
 class BoardCalibrationPage : public QWidget {
   Q_OBJECT
 public:
   explicit BoardCalibrationPage(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
-  /// Asks for a file and writes the board as a PDF.
+  /// Asks the user for a file and writes the board to it as a PDF.
   void print();
 
 private:

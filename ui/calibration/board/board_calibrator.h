@@ -18,71 +18,71 @@ class Document;
 struct BoardPreferences;
 class BackgroundJob;
 
-/// Calibrating with a board: the user's settings, the search in a recording or the guidance before
-/// live cameras, and the result, which becomes one step of the document.
+/// Calibration with a board. Holds the settings of the user, searches a recording for the board or
+/// guides the user in front of live cameras, and applies the result as one step of the document.
 class BoardCalibrator : public QObject {
   Q_OBJECT
 public:
-  /// Opens the document's recording once more; called in a thread.
+  /// Opens the recording of the document a second time; called in another thread.
   using Opener = std::function<Result<SessionInputs>(const SessionRequest&)>;
   BoardCalibrator(Document& document, Opener open, QObject* parent = nullptr);
   ~BoardCalibrator() override;
 
-  /// Remembered for the next time, besides the frame of the floor.
+  /// Settings, saved in the preferences except for the frame of the floor.
   const BoardGuideRequest& request() const { return request_; }
   void setRequest(const BoardGuideRequest& request);
   const Project& project() const;
-  /// "camera 2" where it has no name.
+  /// Returns the name of a camera, or "camera 2" if it has none.
   QString nameOf(std::size_t camera) const;
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   bool isLive() const { return live_; }
-  /// The frame shown, -1 before there is one.
+  /// Number of the frame shown; -1 before the first one.
   qint64 shownFrame() const { return shownFrame_; }
 
   // A recording.
   void calibrate();
   void cancel();
-  /// Whether something is computed: a recording, or the result of live cameras.
+  /// Whether a computation is running: on a recording, or on the views of live cameras.
   bool isComputing() const;
-  /// Whether the recording is being searched, and nothing solved yet.
+  /// Whether the recording is still being searched for the board, before solving starts.
   bool isLooking() const { return *looking_; }
 
   // Live cameras.
-  void start(); ///< or starts over
+  void start(); ///< starts the guidance, or starts it over
   void stop();
   bool isWatching() const { return watching_; }
   void captureNow() { watch_->captureNow(); }
   void captureFloor() { watch_->captureFloor(); }
   void goOn() { watch_->goOn(); }
-  /// Calibrates from what was taken so far, and ends the guidance.
+  /// Calibrates from the views captured so far and ends the guidance.
   void finish();
-  /// The newest state of the guidance; never null.
+  /// Newest state of the guidance; never null.
   BoardGuideStatePtr guide() const { return watch_->newest(); }
-  /// Whether anything was taken.
+  /// Whether any view has been captured.
   bool hasViews() const;
 
-  // What came of it.
-  /// The last calibration; null before there was one, and after a failure.
+  // The result.
+  /// The last calibration; null before the first one and after a failure.
   std::shared_ptr<const BoardOutcome> outcome() const { return outcome_; }
-  /// One sentence, when it was none.
+  /// One sentence that explains why the last calibration failed.
   const QString& failure() const { return failure_; }
-  /// Whether the project's cameras are those of the outcome.
+  /// Whether the cameras of the project are those of the outcome.
   bool isApplied() const;
   void apply();
-  /// Writes the report (HTML) in a thread; saved() or failed() follow.
+  /// Writes the HTML report in another thread; `saved()` or `failed()` follows.
   void saveReport(const QString& file);
-  /// Writes the board (PDF) likewise.
+  /// Writes the board as a PDF in another thread; `saved()` or `failed()` follows.
   void printBoard(const QString& paper, const QString& file);
 
 Q_SIGNALS:
   void requestChanged();
-  void changed(); ///< of everything else
+  void changed(); ///< anything else has changed
   void guideChanged();
-  void progressChanged(double part); ///< 0 to 1; less: unknown
-  void calibrated();                 ///< over, whatever came of it
+  void progressChanged(double part); ///< 0 to 1; negative: unknown
+  void calibrated();                 ///< the computation has ended, with or without a result
   void playWanted();                 ///< live images are needed
-  void boardShown(bool shown);       ///< to live cameras, from now on (or no more)
+  void boardShown(bool shown);       ///< whether the board is now being shown to live cameras
   void saved(const QString& file);
   void failed(const QString& sentence);
 
@@ -106,12 +106,13 @@ private:
   FrameSetPtr shownToWatch_;
   std::shared_ptr<const BoardOutcome> outcome_;
   QString failure_;
-  bool forgotten_ = false; ///< what is computed is of another project
+  bool forgotten_ = false; ///< the running computation belongs to an earlier project
   std::shared_ptr<std::atomic<bool>> looking_;
-  BackgroundJob* job_; ///< children: end with the calibrator
+  BackgroundJob* job_; ///< child of the calibrator; ends with it
   BackgroundJob* writer_;
-  JobMailbox mailbox_;                                ///< what the watch's thread has seen
-  std::unique_ptr<BoardWatch, DetachedDelete> watch_; ///< its thread ends beside the window
+  JobMailbox mailbox_; ///< results from the thread of the watch
+  /// its thread may end after the window closes
+  std::unique_ptr<BoardWatch, DetachedDelete> watch_;
 };
 
 } // namespace dewpoint::ui

@@ -18,13 +18,13 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// The board that is shown: kind, squares, sizes, markers; and a button to print it.
+/// Fields that describe the board (kind, squares, sizes, markers), and a button to print it.
 class BoardForm : public QWidget {
   Q_OBJECT
 public:
   explicit BoardForm(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
-  /// Asks for a file and writes the board as a PDF in its true size.
+  /// Asks the user for a file and writes the board to it as a PDF at true size.
   void print();
 
 private:

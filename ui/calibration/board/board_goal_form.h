@@ -22,8 +22,8 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// What is to be found with the board: lenses, positions or both, which lens model, how well, and
-/// whether the board lies on the floor somewhere in the recording.
+/// Fields for the goal of a board calibration: intrinsics, poses or both; the lens model; the
+/// requested accuracy; and whether the board lies on the floor in some frame of the recording.
 class BoardGoalForm : public QWidget {
   Q_OBJECT
 public:

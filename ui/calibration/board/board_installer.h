@@ -9,7 +9,8 @@ class CalibrationMode;
 class CameraDocks;
 struct Workbench;
 
-/// Adds calibration with a board: its page, its actions, and what it found over the camera views.
+/// Adds board calibration to the window: its page, its actions, and the outlines of detected boards
+/// over the camera views.
 void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
                              const CameraDocks& cameras);
 

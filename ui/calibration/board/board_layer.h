@@ -10,8 +10,8 @@ namespace dewpoint::ui {
 class BoardCalibrator;
 class CameraView;
 
-/// Lies over a camera view while the board is searched for live: the outline of the board that is
-/// found, lit briefly when it is taken. Takes no mouse and no keys.
+/// Overlay of a camera view during live board calibration. Draws the outline of the detected board
+/// and highlights it briefly when the view is captured. Ignores mouse and keys.
 class BoardLayer : public QWidget {
   Q_OBJECT
 public:

@@ -17,15 +17,15 @@ namespace dewpoint::ui {
 class BoardCalibrator;
 class BoardMap;
 
-/// Guidance before live cameras: buttons, and for each camera its coverage, sharpness, accuracy and
-/// what to show it next.
+/// Guidance in front of live cameras: buttons and, for each camera, its coverage, sharpness,
+/// accuracy and the view to show next.
 class BoardLive : public QWidget {
   Q_OBJECT
 public:
   explicit BoardLive(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
-  /// What is shown of one camera.
+  /// Widgets of one camera.
   struct Row {
     BoardMap* map;
     QLabel* name;

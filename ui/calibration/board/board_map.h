@@ -9,15 +9,15 @@
 
 namespace dewpoint::ui {
 
-/// Where in one camera's image, and at which tilts, the board was taken so far: regions filled by
-/// how many corners they have, outlines of the views, the board as it is seen now, and what is
-/// to be shown next. A view that is taken lights up briefly.
+/// Shows where in the image of one camera, and at which tilts, the board has been captured. Draws
+/// regions filled by their number of corners, outlines of the captured views, the board as it is
+/// seen now, and the view to show next. A captured view is highlighted briefly.
 class BoardMap : public QWidget {
   Q_OBJECT
 public:
   explicit BoardMap(QWidget* parent = nullptr);
 
-  /// `lens`: regions and tilts count, besides the outlines.
+  /// Shows the state of a camera. `lens`: draws regions and tilts besides the outlines.
   void setCamera(const BoardGuideState::PerCamera& camera, bool lens);
 
   QSize sizeHint() const override { return {148, 140}; }

@@ -9,27 +9,28 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// "upper left": a region of BoardCoverage.
+/// Name of a region of `BoardCoverage`: "upper left".
 QString regionText(int region);
-/// "its left side nearer".
+/// Description of a tilt: "its left side nearer".
 QString tiltText(BoardTilt tilt);
 
-/// What to show to one camera next, in one line.
+/// One line that tells the user which view to show to a camera next.
 QString adviceText(const BoardGuideState::PerCamera& camera);
-/// What to show next for the positions of the cameras.
+/// Tells the user which view to show next to determine the positions of the cameras.
 QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state);
-/// "sharp" or "soft", with the width of edges.
+/// "sharp" or "soft", with the width of the edges in pixels.
 QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
-/// How well its lens is known so far, and how well it is to be.
+/// Accuracy of the intrinsics of a camera so far, and the requested accuracy.
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings);
 
-/// In the phase of positions: whether it sees the board.
+/// Whether a camera sees the board, in the phase that determines the poses.
 QString visibilityText(const BoardGuideState::PerCamera& camera);
-/// How often it was seen together with other cameras, and how well its position is known so far.
+/// How often a camera saw the board together with other cameras, and how accurate its position is
+/// so far.
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera);
 
-/// The result in sentences: what was found, camera by camera, quality and remarks.
+/// Result in sentences: what was found for each camera, the quality, and remarks.
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome);
 
 } // namespace dewpoint::ui

@@ -8,7 +8,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Writes the project's cameras for another tool, with a preview of what is decided and lost.
+/// Dialog that writes the cameras of the project in the format of another tool. A preview shows the
+/// choices made and the information lost.
 class CalibrationExportDialog : public ExchangeDialog {
   Q_OBJECT
 public:
@@ -26,7 +27,8 @@ private:
   CalibrationTarget target() const;
   bool isFolder() const;
   void formatChanged();
-  /// `replaced`: the file that is there already; empty if none is.
+  /// Shows a conversion. `replaced`: existing file that would be overwritten; empty if there is
+  /// none.
   void applyResult(const Result<CalibrationConversion>& outcome, const QString& replaced);
   void finish(const Result<CalibrationConversion>& written);
   QString textOf(const CalibrationConversion& conversion, const QString& replaced) const;

@@ -11,12 +11,13 @@ namespace dewpoint::ui {
 class CameraListModel;
 class Document;
 
-/// Takes the calibration of any tool into the project: asks what the file leaves open, shows what
-/// was decided and what would change, and makes it one step of the document.
+/// Dialog that imports a calibration of another tool into the project. Asks for what the file does
+/// not define, shows the choices made and the resulting changes, and applies them as one step of
+/// the document.
 class CalibrationImportDialog : public ExchangeDialog {
   Q_OBJECT
 public:
-  /// `cameras`: those of the document, from which one is chosen.
+  /// `cameras`: cameras of the document, from which the user selects one.
   CalibrationImportDialog(Document& document, const CameraListModel& cameras,
                           QWidget* parent = nullptr);
 
@@ -42,7 +43,7 @@ private:
   QLineEdit* size_;
   QComboBox* poses_;
   QComboBox* camera_;
-  std::vector<QLabel*> labels_; ///< by ImportQuestion, from Format on
+  std::vector<QLabel*> labels_; ///< indexed by ImportQuestion, starting at Format
   QPushButton* folder_;
   std::shared_ptr<const CalibrationImport> made_;
 };

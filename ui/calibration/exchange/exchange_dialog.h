@@ -19,8 +19,8 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// What the dialogs that bring calibrations in and out have in common: a file, some questions, a
-/// preview that is made in a thread whenever an answer changes, and a button that does it. Not
+/// Base of the dialogs that import and export calibrations: a file, some questions, a preview, and
+/// a button to accept. The preview is computed in another thread whenever an answer changes. Not
 /// modal.
 class ExchangeDialog : public QDialog {
   Q_OBJECT
@@ -29,7 +29,7 @@ public:
 
   QString file() const;
   void setFile(const QString& file);
-  /// Whether what the preview shows can be done.
+  /// Whether the previewed operation can be carried out.
   bool isReady() const { return ready_; }
 
 Q_SIGNALS:
@@ -37,18 +37,19 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 protected:
-  /// Makes what is shown; runs in a thread, the function returned in the window's.
+  /// Computes the preview in another thread; returns a function that shows it in the thread of the
+  /// window.
   using Preview = std::function<std::function<void()>()>;
   virtual Preview preview() = 0;
   virtual void accepted() = 0;
   virtual void chooseFile() = 0;
   virtual void retranslateFields() = 0;
 
-  /// To be called once the questions are there.
+  /// Completes the dialog; call it after adding all questions.
   void begin();
-  /// An answer changed: the preview is made again.
+  /// Recomputes the preview after an answer has changed.
   void refresh();
-  /// Runs something that takes long, beside the window; nothing can be accepted meanwhile.
+  /// Runs a long task in another thread; nothing can be accepted until it ends.
   void work(const Preview& task);
   void showPreview(const QString& text, bool ready);
   QComboBox* addChoice(const char* name);
@@ -70,7 +71,7 @@ private:
   QPushButton* close_;
   BackgroundJob* job_;
   bool ready_ = false;
-  bool again_ = false; ///< an answer changed while a preview was made
+  bool again_ = false; ///< an answer changed while a preview was being computed
 };
 
 } // namespace dewpoint::ui

@@ -16,8 +16,9 @@ namespace dewpoint::ui {
 
 class ManualCalibration;
 
-/// The chosen camera in numbers: position in meters or centimeters, where it looks (a point and
-/// roll, or yaw, pitch and roll), focal length or field of view; and what mouse and keys do.
+/// Fields of the selected camera: position in meters or centimeters; orientation as a point it
+/// looks at plus roll, or as yaw, pitch and roll; focal length or field of view. Also sets what
+/// mouse and keys do.
 class CameraForm : public QWidget {
   Q_OBJECT
 public:
@@ -45,7 +46,7 @@ private:
   std::array<QDoubleSpinBox*, 3> position_;
   QLabel* aimLabel_;
   QComboBox* aimMode_;
-  std::array<QDoubleSpinBox*, 4> aim_; ///< x, y, z of the point, roll; or yaw, pitch, -, roll
+  std::array<QDoubleSpinBox*, 4> aim_; ///< x, y, z of the point, roll; or yaw, pitch, unused, roll
   QLabel* lensLabel_;
   QComboBox* lensMode_;
   QDoubleSpinBox* lens_;

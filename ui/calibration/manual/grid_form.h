@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 
 class ManualCalibration;
 
-/// The reference grid in numbers, and how it is shown over the images.
+/// Fields of the reference grid, and how it is shown over the images.
 class GridForm : public QWidget {
   Q_OBJECT
 public:

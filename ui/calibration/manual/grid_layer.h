@@ -16,10 +16,10 @@ class CameraView;
 class ManualCalibration;
 class PointCalibrator;
 
-/// Lies over a camera view while cameras are adjusted by hand: draws the reference grid, pins and
-/// measured points over the image, and takes mouse and keys. Drag: the grid follows. Click: a point
-/// is held, or let go. Arrows, W A S D, Q and E move or turn the camera; Shift coarse, Ctrl (with
-/// arrows, page keys, plus and minus) fine.
+/// Overlay of a camera view during calibration by hand. Draws the reference grid, pins and measured
+/// points over the image, and handles mouse and keys. A drag moves the grid. A click pins a grid
+/// point or removes its pin. Arrows, W A S D, Q and E move or rotate the camera; Shift takes coarse
+/// steps; Ctrl (with arrows, page keys, plus and minus) takes fine steps.
 class GridLayer : public QWidget {
   Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
-  /// Whether the edges, if they are shown, are those of the newest image; true while hidden.
+  /// Whether the edges, if shown, belong to the newest image; true while hidden.
   bool isDrawn() const;
 
 protected:
@@ -46,10 +46,10 @@ protected:
 private:
   void retranslateUi();
   void follow();
-  /// What edges are found in: nothing while they are not shown.
+  /// Input of the edge detection; empty while edges are not shown.
   struct EdgeSource {
     FramePtr frame;
-    QSize size; ///< device pixels: no more than are seen
+    QSize size; ///< device pixels; no larger than shown
     bool operator==(const EdgeSource&) const = default;
   };
   EdgeSource edgeSource() const;
@@ -61,9 +61,10 @@ private:
   FramePtr frame() const;
   Eigen::Vector2d pixelAt(QPointF position) const;
   bool isInside(const Eigen::Vector2d& pixel) const;
-  /// Pixels of the image that are this number of the widget's.
+  /// Converts a length in widget pixels to image pixels.
   double inImage(double widgetPixels) const;
-  /// Where a click is taken to be: at a corner nearby, unless Alt is down.
+  /// Returns the image pixel that a click stands for. It snaps to a corner nearby unless Alt is
+  /// held down.
   Eigen::Vector2d clicked(QPointF position, Qt::KeyboardModifiers modifiers) const;
   void placeClick(QMouseEvent* event);
 
@@ -72,11 +73,11 @@ private:
   ManualCalibration& hand_;
   PointCalibrator& points_;
   TrackSnapshotPtr snapshot_;
-  std::optional<QPointF> pressed_; ///< widget; not yet known whether it is a click or a drag
-  std::optional<QPointF> pointer_; ///< widget
-  bool exact_ = false;             ///< Alt: no snapping
-  EdgeSource edgesOf_;             ///< of edges_
-  EdgeSource edgesOrdered_;        ///< what edgeJob_ works on, or will
+  std::optional<QPointF> pressed_; ///< widget coordinates; may still become a click or a drag
+  std::optional<QPointF> pointer_; ///< widget coordinates
+  bool exact_ = false;             ///< Alt is held down: no snapping
+  EdgeSource edgesOf_;             ///< input of `edges_`
+  EdgeSource edgesOrdered_;        ///< input that `edgeJob_` works on, or will work on
   QImage edges_;
   LatestJob edgeJob_{LatestJob::Overtaken::Kept};
 };

@@ -15,20 +15,21 @@ class Mat;
 
 namespace dewpoint::ui {
 
-/// Where a pixel of an image lies in its widget; centers of pixels at integers.
+/// Returns the position in the widget of an image pixel; pixel centers lie at integers.
 QPointF placeOf(const Eigen::Vector2d& pixel, const ImagePlacement& placement);
 
-/// Thin bright strokes on a dark halo, axes in colors of their own with names and meters.
+/// Draws the reference grid as thin bright strokes on a dark halo. Each axis has its own color, a
+/// name and labels in meters.
 void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
                double opacity);
 
-/// A held point: a pin with a ring, so that it is not known by its color alone.
+/// Draws a held point as a pin with a ring, so that it can be recognized without its color.
 void paintPin(QPainter& painter, QPointF place);
-/// The point that is dragged.
+/// Draws the dragged point.
 void paintGrip(QPainter& painter, QPointF place);
 
-/// A measured point: a cross where it was clicked, a ring where the camera sees it, and the way
-/// between them.
+/// A measured point: a cross where the user clicked it, a ring at its projection, and a line
+/// between the two. Positions are in widget coordinates.
 struct PaintedPoint {
   QString name;
   std::optional<QPointF> click;
@@ -36,10 +37,11 @@ struct PaintedPoint {
   bool chosen = false;
   bool worst = false;
 };
+/// Draws a measured point; a selected point and the worst point stand out.
 void paintPoint(QPainter& painter, const PaintedPoint& point);
 
-/// The edges of an image that is brought to this size, in one bright color on clear ground. Takes
-/// long for large images; any thread.
+/// Returns the edges of an image scaled to `size`, in one bright color on a transparent background.
+/// Slow for large images; may be called in any thread.
 QImage edgeImage(const cv::Mat& image, const QSize& size);
 
 } // namespace dewpoint::ui

@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 class ManualCalibration;
 class PointCalibrator;
 
-/// The page of the calibration dock for adjusting cameras by hand.
+/// Page of the calibration dock for adjusting cameras by hand.
 class ManualCalibrationPage : public QWidget {
   Q_OBJECT
 public:

@@ -9,7 +9,7 @@ class CalibrationMode;
 class CameraDocks;
 struct Workbench;
 
-/// Adds calibration by hand: its page, and the reference grid over the camera views.
+/// Adds calibration by hand to the window: its page, and the reference grid over the camera views.
 void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
                               const CameraDocks& cameras);
 

@@ -9,15 +9,16 @@ class QKeyEvent;
 
 namespace dewpoint::ui {
 
-/// What a key does to the chosen camera.
+/// Effect of a key on the selected camera.
 struct KeyNudge {
-  int axis = 0;        ///< of ManualCalibration::nudge(); -1: the focal length
-  double factor = 1.0; ///< steps; percent for the focal length
+  int axis = 0;        ///< axis of `ManualCalibration::nudge()`; -1: the focal length
+  double factor = 1.0; ///< number of steps; percent for the focal length
 };
 
-/// Arrows and W A S D: sideways and forward, or turning left, right, up and down; Q, E and the page
-/// keys: down and up, or rolling; plus and minus: the focal length. Shift: ten times as much; Ctrl:
-/// a tenth, not with letters, which are the window's then.
+/// Returns the effect of a key press, or nothing if the key has none. Arrows and W A S D move the
+/// camera sideways and forward, or rotate it left, right, up and down. Q, E and the page keys move
+/// it down and up, or roll it. Plus and minus change the focal length. Shift multiplies the step by
+/// ten. Ctrl divides it by ten, but not with letters, because those are shortcuts of the window.
 std::optional<KeyNudge> nudgeOf(const QKeyEvent& event, KeyMode mode);
 
 } // namespace dewpoint::ui

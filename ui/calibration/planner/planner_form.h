@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 class RigPlanner;
 
-/// The cameras that are thought of, in numbers, and the search for the position of the next one.
+/// Fields of the planned cameras, and the search for the best position of another camera.
 class PlannerForm : public QWidget {
   Q_OBJECT
 public:

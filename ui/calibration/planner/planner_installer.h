@@ -10,8 +10,8 @@ class CalibrationMode;
 class ManualCalibration;
 class RigPlanner;
 
-/// The rig planner in the window: its page and actions, and in the bird's-eye view the map, the
-/// planned cameras, and handles on all cameras, those of the project and those planned.
+/// Connects the rig planner to the window: its page and actions and, in the bird's-eye view, the
+/// map, the planned cameras, and handles on all cameras of the project and all planned ones.
 class PlannerInstaller : public QObject {
   Q_OBJECT
 public:
@@ -22,7 +22,8 @@ private:
   void connectBirdsEye();
   void showHandles();
   void open();
-  /// Number of a handle among the planned cameras; negative: it is one of the project.
+  /// Returns the index of a planned camera for a handle; negative if the camera belongs to the
+  /// project.
   int planned(int handle) const;
 
   Workbench bench_;

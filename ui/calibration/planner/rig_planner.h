@@ -19,7 +19,7 @@ class Document;
 class ManualCalibration;
 class Selection;
 
-/// What a camera that does not exist yet is like.
+/// Image size (pixels) and field of view of a planned camera.
 struct PlannedLens {
   int width = 640;
   int height = 480;
@@ -28,9 +28,9 @@ struct PlannedLens {
   bool operator==(const PlannedLens&) const = default;
 };
 
-/// Planning a rig: how well the cameras of the project, and those that are thought of, see a
-/// volume. Maps are made beside the window, and follow every change of a camera. Planned cameras
-/// are no part of the project nor of the run.
+/// Plans a rig: computes how accurately the cameras of the project and the planned cameras see a
+/// volume. Maps are computed in another thread and follow every change of a camera. Planned cameras
+/// belong neither to the project nor to the run.
 class RigPlanner : public QObject {
   Q_OBJECT
 public:
@@ -41,47 +41,50 @@ public:
   // The map.
   bool isMapShown() const { return mapShown_; }
   void setMapShown(bool shown);
-  /// The newest map; null before there was one.
+  /// The newest map; null before the first one.
   const std::shared_ptr<const RigMap>& map() const { return map_; }
   const MapLook& look() const { return look_; }
-  /// The height is kept within the volume.
+  /// Sets how the map is drawn. The height is clamped to the volume.
   void setLook(const MapLook& look);
   double pixelSigma() const { return pixelSigma_; }
   void setPixelSigma(double pixels);
-  /// What is mapped: the project's room, or as set.
+  /// Mapped volume in world coordinates (meters): the room of the project, or the box set by the
+  /// user.
   const Eigen::AlignedBox3d& volume() const { return volume_; }
-  /// An empty or flat box changes nothing.
+  /// Sets the mapped volume. An empty or flat box changes nothing.
   void setVolume(const Eigen::AlignedBox3d& volume);
   bool followsRoom() const { return followsRoom_; }
   void followRoom();
 
-  // Cameras that are thought of.
+  // Planned cameras.
   const CameraRig& planned() const { return planned_; }
-  int chosen() const; ///< the selected one of them; -1: none
+  int chosen() const; ///< index of the selected planned camera; -1: none
   void choose(int planned);
-  /// Adds one in an upper corner of the volume, as far as possible from the others, and chooses it.
+  /// Adds a camera in an upper corner of the volume, as far as possible from the others, and
+  /// selects it.
   void add();
   void remove(int planned);
   void change(int planned, const Camera& camera);
   const PlannedLens& lens() const { return lens_; }
-  /// Of the chosen one, and of those that are added.
+  /// Sets the lens of the selected planned camera and of cameras added later.
   void setLens(const PlannedLens& lens);
-  /// The number the next camera has, counted with those of the project.
+  /// Returns the name of the next camera; its number continues the count of the cameras of the
+  /// project.
   QString nextName() const;
 
   // The search for a position.
   double wallDistance() const { return wallDistance_; }
   void setWallDistance(double meters);
-  /// Looks for the best position for one more camera, and adds it there.
+  /// Searches for the best position for another camera and adds the camera there.
   void findPlace();
   BackgroundJob& search() { return search_; }
 
 Q_SIGNALS:
-  /// Something that is set or planned changed.
+  /// A setting or a planned camera has changed.
   void changed();
-  /// Another map, or it is drawn otherwise.
+  /// The map, or how it is drawn, has changed.
   void mapChanged();
-  /// What was found, or why nothing was; stays true until something changes.
+  /// The result of a search, or why it found nothing; valid until something changes.
   void messageRequested(const QString& sentence);
 
 private:
@@ -95,7 +98,7 @@ private:
   Document& document_;
   ManualCalibration& hand_;
   Selection& selection_;
-  /// What a map is made of: an order like the one before it is left out.
+  /// Input of a map. A request equal to the previous one is skipped.
   struct MapOrder {
     VolumeGrid grid;
     double pixelSigma = 0.5;
@@ -104,7 +107,7 @@ private:
     bool operator==(const MapOrder&) const = default;
   };
   std::optional<MapOrder> lastOrder_;
-  std::shared_ptr<RigMapper> mapper_; ///< used by one job after the other
+  std::shared_ptr<RigMapper> mapper_; ///< used by one job at a time
   LatestJob mapping_{LatestJob::Overtaken::Kept};
   BackgroundJob search_;
   std::shared_ptr<const RigMap> map_;

@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 class RigPlanner;
 
-/// What the map of expected errors shows, of which volume, and what it says in one line.
+/// Fields of the map of expected errors: quantity, volume, and a summary in one line.
 class UncertaintyMapForm : public QWidget {
   Q_OBJECT
 public:

@@ -21,8 +21,9 @@ namespace dewpoint::ui {
 class Document;
 class ManualCalibration;
 
-/// The measured points of the project: what is chosen, clicked and solved. Every change is a step
-/// of the document; solving runs beside the window.
+/// Measured points of the project: selects and edits them, records where they are clicked, and
+/// solves the cameras from them. Every change is a step of the document; solving runs in another
+/// thread.
 class PointCalibrator : public QObject {
   Q_OBJECT
 public:
@@ -30,32 +31,34 @@ public:
   ~PointCalibrator() override;
 
   const std::vector<MeasuredPoint>& points() const;
-  /// The chosen point, or -1.
+  /// Index of the selected point; -1: none.
   int chosen() const { return chosen_; }
   void choose(int point);
   void add();
   void remove();
-  /// False when refused (an empty or used name, a number that is none).
+  /// Renames a point, or sets its world position (meters). Both return false if the change is
+  /// refused: an empty or used name, or a coordinate that is not a number.
   bool rename(int point, const QString& name);
   bool setWorld(int point, const Eigen::Vector3d& world);
 
-  /// Whether the next click into an image says where the chosen point is.
+  /// Whether the next click in an image marks where the selected point is.
   bool isClicking() const { return clicking_; }
   void setClicking(bool clicking);
   void setClick(int camera, const Eigen::Vector2d& pixel);
-  /// Forgets where the chosen point was clicked in a camera.
+  /// Removes the click on the selected point in a camera.
   void removeClick(int camera);
 
-  /// Of every click, with the cameras as they are.
+  /// Residuals of all clicks with the current cameras.
   std::vector<ClickResidual> residuals() const;
 
   bool isSolving() const { return job_.isRunning(); }
   void solve(bool alsoFocal);
-  /// What the last solution reports, a sentence per line; empty before there was one.
+  /// Report of the last solution, one sentence per line; empty before the first one.
   const QString& resultText() const { return resultText_; }
-  /// The point that the last solution called worst, while it holds.
+  /// Index of the worst point of the last solution, as long as the solution is valid.
   std::optional<int> worst() const { return worst_; }
-  /// A camera whose pictures lie otherwise, if the last solution found one and it can be set.
+  /// Camera whose images are rotated or mirrored according to the last solution, if this can be set
+  /// in the project.
   std::optional<int> proposedCamera() const;
   QString proposalText() const;
   void acceptProposal();
@@ -76,7 +79,7 @@ private:
   ManualCalibration& hand_;
   int chosen_ = -1;
   bool clicking_ = false;
-  bool applying_ = false; ///< the change that comes is the solution itself
+  bool applying_ = false; ///< the next change of the document is the solution itself
   QString resultText_;
   std::optional<int> worst_;
   struct Proposal {
@@ -87,7 +90,8 @@ private:
   BackgroundJob job_;
 };
 
-/// "camera 2 is rotated: turn its images clockwise by 90 degrees", "camera 2 is mirrored", or both.
+/// Returns "camera 2 is rotated: turn its images clockwise by 90 degrees", "camera 2 is mirrored",
+/// or both.
 QString symmetryText(const QString& camera, const ImageSymmetry& symmetry);
 
 } // namespace dewpoint::ui

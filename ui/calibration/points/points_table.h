@@ -15,8 +15,8 @@ namespace dewpoint::ui {
 class ManualCalibration;
 class PointCalibrator;
 
-/// Measured points in a table: names and positions to be typed, residuals in pixels and
-/// millimeters, and the buttons to click them in images and to solve the cameras from them.
+/// Table of the measured points: editable names and positions, residuals in pixels and millimeters,
+/// and buttons to click the points in images and to solve the cameras from them.
 class PointsTable : public QWidget {
   Q_OBJECT
 public:

@@ -7,13 +7,13 @@
 
 namespace dewpoint::ui {
 
-/// A small picture of a camera's image: how often something was seen in each of its regions.
+/// Small map of the image of a camera: how often the wand was seen in each region.
 class CoverageMap : public QWidget {
   Q_OBJECT
 public:
   explicit CoverageMap(QWidget* parent = nullptr);
 
-  /// `shape`: width over height of the image.
+  /// Shows the sightings of a camera. `shape`: width divided by height of the image.
   void setCamera(const QString& camera, const CameraSightings& seen, double shape);
   QSize sizeHint() const override { return {112, 84}; }
   QSize minimumSizeHint() const override { return {72, 54}; }

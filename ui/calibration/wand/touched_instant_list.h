@@ -13,8 +13,8 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// The frames in which the ball touched the floor or an end of a known distance, or fell: adds the
-/// frame shown, lists and removes them.
+/// Lists the frames in which the ball touched the floor or an end of a known distance, or fell
+/// freely. Adds the frame shown and removes frames.
 class TouchedInstantList : public QWidget {
   Q_OBJECT
 public:

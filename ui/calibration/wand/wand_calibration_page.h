@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 class WandCalibrator;
 class WandWaving;
 
-/// The page of the calibration dock for refining cameras with a wand (a ball or a stick).
+/// Page of the calibration dock for refining cameras with a wand (one ball, or a stick with two).
 class WandCalibrationPage : public QWidget {
   Q_OBJECT
 public:

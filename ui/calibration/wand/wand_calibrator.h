@@ -20,19 +20,19 @@ class ManualCalibration;
 class TargetListModel;
 class BackgroundJob;
 
-/// Calibrating from a wand: what is decided, what was collected live, and the refinement
-/// beside the window, whose result becomes one step of the document.
+/// Calibration with a wand. Holds the settings and the views collected live, runs the refinement in
+/// another thread, and applies the result as one step of the document.
 class WandCalibrator : public QObject {
   Q_OBJECT
 public:
-  /// What the calibrator works with.
+  /// Objects that the calibrator uses.
   struct Surroundings {
     Document& document;
     ManualCalibration& hand;
     Selection& selection;
     TargetListModel& targets;
-    std::function<Result<SessionInputs>(const SessionRequest&)> open; ///< called in a thread
-    std::function<Session*()> session;                                ///< the running one, or null
+    std::function<Result<SessionInputs>(const SessionRequest&)> open; ///< called in another thread
+    std::function<Session*()> session; ///< returns the running session, or null
   };
   explicit WandCalibrator(Surroundings around, QObject* parent = nullptr);
   ~WandCalibrator() override;
@@ -44,12 +44,12 @@ public:
 
   // Frames in which the ball touched the floor or an end of a distance, or fell.
   const std::vector<TouchedInstant>& touchedInstants() const { return touchedInstants_; }
-  /// Adds the frame shown; ends of a distance or a fall replace the former ones.
+  /// Adds the frame shown. A new end of a distance or a new fall replaces the previous one.
   void addTouchedInstant(TouchRole role);
   void removeTouchedInstant(std::size_t index);
   /// Shows the images of that frame.
   void showTouchedInstant(std::size_t index);
-  /// Whether there is a frame to add.
+  /// Whether a frame is shown that can be added.
   bool canAddTouchedInstant() const { return shownFrame_ >= 0; }
   /// Whether a range of frames is selected in the timeline.
   bool hasSelectedRange() const { return around_.selection.selectedRange().has_value(); }
@@ -58,37 +58,37 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   bool isLive() const { return live_; }
   bool isWaving() const { return waving_ != nullptr; }
-  /// Begins to collect, from scratch.
+  /// Starts collecting from scratch.
   void startWaving();
   void stopWaving();
-  /// What was collected so far, if anything was.
+  /// Returns the views collected so far, or nothing if nothing has been collected.
   std::optional<WandCollector::State> collected() const;
 
-  // Refining.
-  /// Why it cannot begin; empty when it can.
+  // Refinement.
+  /// Returns why the refinement cannot start; empty if it can.
   QString missing() const;
   void refine();
   void cancel();
   bool isRefining() const;
-  /// The last refinement; null before there was one, and after a failure.
+  /// The last refinement; null before the first one and after a failure.
   std::shared_ptr<const WandRefinement> refinement() const { return refinement_; }
-  /// What came of the last one, when that was no calibration: one sentence.
+  /// One sentence that explains why the last refinement gave no calibration.
   const QString& failure() const { return failure_; }
-  /// Whether the cameras of the last refinement were taken into the project.
+  /// Whether the cameras of the last refinement have been applied to the project.
   bool isApplied() const { return applied_; }
-  /// Whether the cameras are others since than those that were found and applied.
+  /// Whether the cameras of the project have changed since the refinement was applied.
   bool isStale() const;
   void apply();
   void setFlipped(bool flipped);
-  /// Writes the HTML report in a thread; saved() or failed() follow.
+  /// Writes the HTML report in another thread; `saved()` or `failed()` follows.
   void saveReport(const QString& file);
 
 Q_SIGNALS:
   void changed();
   void collectedChanged();
-  /// 0 to 1; less: unknown.
+  /// 0 to 1; negative: unknown.
   void progressChanged(double part);
-  /// A refinement is over, whatever came of it.
+  /// A refinement has ended, with or without a result.
   void refined();
   void saved(const QString& file);
   void failed(const QString& sentence);
@@ -103,14 +103,14 @@ private:
   std::vector<TouchedInstant> touchedInstants_;
   bool live_ = false;
   qint64 shownFrame_ = -1;
-  double shownSeconds_ = 0.0;                ///< its time, as the calibration will know it
-  std::shared_ptr<WandCollector> collector_; ///< its thread ends beside the window
-  Session* waving_ = nullptr;                ///< whose frames are collected
+  double shownSeconds_ = 0.0; ///< time of the frame shown on the clock of the calibration, seconds
+  std::shared_ptr<WandCollector> collector_; ///< its thread may end after the window closes
+  Session* waving_ = nullptr;                ///< session whose frames are collected; null: none
   std::shared_ptr<const WandRefinement> refinement_;
   QString failure_;
   bool applied_ = false;
-  QTimer tick_;        ///< while collecting
-  BackgroundJob* job_; ///< child: ends with the calibrator
+  QTimer tick_;        ///< runs while collecting
+  BackgroundJob* job_; ///< child of the calibrator; ends with it
 };
 
 } // namespace dewpoint::ui

@@ -20,7 +20,7 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// Which wand it is, what gives the size, and what is to be found, as fields.
+/// Fields for the kind of wand, the source of the scale, and the parameters to refine.
 class WandForm : public QWidget {
   Q_OBJECT
 public:

@@ -14,7 +14,8 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// The button that refines, how far it is, and what came of it: quality, faults, each camera.
+/// Shows the button that starts the refinement, its progress, and its result: quality, faults, and
+/// each camera.
 class WandOutcome : public QWidget {
   Q_OBJECT
 public:

@@ -9,11 +9,11 @@
 
 namespace dewpoint::ui {
 
-/// In words: "touches the floor".
+/// Role of a touched instant in words: "touches the floor".
 QString touchText(TouchRole role);
 
-/// What keeps a calibration with these settings from starting (obstacleOf()), as a sentence; empty
-/// when nothing does.
+/// Returns a sentence that explains why a calibration with these settings cannot start
+/// (`obstacleOf()`); empty if it can.
 QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                           const Project& project);
 

@@ -16,8 +16,8 @@ namespace dewpoint::ui {
 class CoverageMap;
 class WandCalibrator;
 
-/// Waving before live cameras: the button that begins and ends it, how long, and what each camera
-/// saw so far.
+/// Collects wand views from live cameras: a button to start and stop, the time so far, and what
+/// each camera has seen.
 class WandWaving : public QWidget {
   Q_OBJECT
 public:
