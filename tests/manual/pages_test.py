@@ -8,12 +8,15 @@ import unittest
 sys.dont_write_bytecode = True
 import pages  # noqa: E402
 
-# How-to pages written in the words of the glossary. A page that is rewritten joins them, and none leaves.
-IN_PLAIN_WORDS = ("calibration.md", "changelog.md", "color.md", "concepts.md", "contributing.md", "export.md",
-                  "glossary.md", "how-to-cite.md", "install.md", "limitations.md", "many-recordings.md",
-                  "people.md", "plots.md", "python.md", "quick-start.md", "time-travel.md", "tutorial-board.md",
-                  "tutorial-changing-light.md", "tutorial-grid-by-hand.md", "tutorial-one-camera-box.md",
-                  "tutorial-several-targets.md", "tutorial-wand.md", "window.md")
+# Pages written in the words of the glossary. A page that is rewritten joins them, and none leaves.
+IN_PLAIN_WORDS = ("../README.md", "architecture.md", "calibration.md", "changelog.md", "color.md", "command-line.md",
+                  "concepts.md", "contributing.md", "examples/README.md", "export.md", "first-ten-minutes.md",
+                  "glossary.md", "how-to-cite.md", "install.md", "life-of-a-frame.md", "limitations.md",
+                  "many-recordings.md", "people.md", "plots.md", "project-file.md", "python.md", "quick-start.md",
+                  "style.md", "testing.md", "time-travel.md", "translations.md", "troubleshooting.md",
+                  "tutorial-board.md", "tutorial-changing-light.md", "tutorial-grid-by-hand.md",
+                  "tutorial-one-camera-box.md", "tutorial-people.md", "tutorial-several-targets.md",
+                  "tutorial-two-videos.md", "tutorial-wand.md", "window.md")
 
 
 class Pages(unittest.TestCase):
@@ -48,7 +51,7 @@ class Pages(unittest.TestCase):
 
     def test_how_to_pages_hold_no_measured_tables(self):
         for name in IN_PLAIN_WORDS:
-            self.assertNotIn("<!-- table:", (pages.DOCS / name).read_text(), name)
+            self.assertNotIn("<!-- table:", pages.without_code((pages.DOCS / name).read_text()), name)
 
     def test_glossary_is_in_order_and_plain(self):
         rows = re.findall(r"^\| ([^|]+) \| ([^|]+) \|$", (pages.DOCS / "glossary.md").read_text(), re.M)[2:]
