@@ -98,7 +98,7 @@ def navigation(text):
 # code are left out.
 BANNED = {
     r"look-?alikes?": "distractor; identical target", r"twins?": "identical target", r"the middle(?! button)": "the center; median",
-    r"moments?(?<!for a moment)(?<!at the moment)": "frame; time", r"bump(?:s|ed|ing)?": "camera moved",
+    r"(?<!second )moments?(?<!for a moment)(?<!at the moment)": "frame; time", r"bump(?:s|ed|ing)?": "camera moved",
     r"empty rooms?": "background image", r"verdicts?": "quality; assessment; calibration accuracy",
     r"judged?": "assess", r"turned": "rotated", r"anew": "again", r"surely": "(rewrite)", r"of late": "(rewrite)",
     r"so many": "(rewrite)", r"what is theirs": "(rewrite)", r"the person, who": "you; the user",
@@ -107,6 +107,11 @@ BANNED = {
     r"(?:is|are|was|were|be) asked for": "requested", r"born": "created", r"somebody's": "(rewrite)",
     r"as one likes": "(rewrite)", r"by itself alone": "(rewrite)", r"of its own accord": "(rewrite)",
 }
+
+
+def without_tables(text):
+    """The text with nothing but line ends in place of the tables that script/figures makes."""
+    return re.sub(r"<!-- table: .*?<!-- /table -->", lambda table: "\n" * table.group(0).count("\n"), text, flags=re.S)
 
 
 def banned_words(text):
