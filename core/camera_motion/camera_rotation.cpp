@@ -17,7 +17,7 @@ namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 /// Shifts that determine a rotation.
-constexpr std::size_t kFewest = 4;
+constexpr std::size_t kFewestShifts = 4;
 /// Rounds of reweighted least squares.
 constexpr int kRounds = 12;
 constexpr double kTukey = 4.685;     // 95 % efficiency for normal residuals
@@ -90,7 +90,7 @@ std::optional<Eigen::Matrix<double, 2, 3>> pixelsByTurn(const Camera& camera,
 }
 
 std::optional<CameraRotation> fitTurn(const std::vector<BackgroundShift>& shifts) {
-  if (shifts.size() < kFewest) {
+  if (shifts.size() < kFewestShifts) {
     return std::nullopt;
   }
   CameraRotation result;
@@ -116,7 +116,7 @@ std::optional<CameraRotation> fitTurn(const std::vector<BackgroundShift>& shifts
       right += weighted * shifts[i].shift;
       ++result.used;
     }
-    if (result.used < int(kFewest)) {
+    if (result.used < int(kFewestShifts)) {
       return std::nullopt;
     }
     result.turn = normal.ldlt().solve(right);

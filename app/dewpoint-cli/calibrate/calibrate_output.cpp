@@ -17,7 +17,7 @@
 namespace dewpoint::app {
 namespace {
 
-constexpr std::int64_t kSteps = 1000;
+constexpr std::int64_t kProgressSteps = 1000;
 
 /// Before the progress bar.
 const char* nameOf(CalibrationStage stage) {
@@ -85,9 +85,9 @@ CalibrationProgress interruptibleProgress() {
       if (shown->bar != nullptr) {
         shown->bar->finish();
       }
-      shown->bar = std::make_unique<Progress>(nameOf(stage), kSteps);
+      shown->bar = std::make_unique<Progress>(nameOf(stage), kProgressSteps);
     }
-    shown->bar->show(static_cast<std::int64_t>(part * static_cast<double>(kSteps)));
+    shown->bar->show(static_cast<std::int64_t>(part * static_cast<double>(kProgressSteps)));
     return !interruptionRequested();
   };
 }

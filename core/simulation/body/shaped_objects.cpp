@@ -9,7 +9,7 @@ namespace {
 
 // All sizes in meters, rounded from things on our desks and from ourselves.
 
-constexpr double kForearmRadius = 0.03;
+constexpr double kPlainForearmRadius = 0.03;
 
 MovingPart asTarget(MovingPart part) {
   part.target = true;
@@ -29,7 +29,8 @@ std::vector<MovingPart> capOnHead(const Vector3f& color) {
 
 std::vector<MovingPart> glovedHand(double closed, const Vector3f& color) {
   std::vector<MovingPart> parts = openingHand(closed, color);
-  parts.push_back(capsuleBetween({-0.06, 0.0, 0.0}, {-0.3, 0.0, 0.0}, kForearmRadius, kSkinColor));
+  parts.push_back(
+      capsuleBetween({-0.06, 0.0, 0.0}, {-0.3, 0.0, 0.0}, kPlainForearmRadius, kSkinColor));
   return parts;
 }
 

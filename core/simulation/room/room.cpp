@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// Meters: nearer hits are the surface itself; far above what rounding makes of 3 m.
-constexpr float kNear = 1e-4F;
+constexpr float kNearestHit = 1e-4F;
 /// Share of full light that comes from everywhere; chosen, see kLampShare.
 constexpr float kAmbient = 0.30F;
 
@@ -41,7 +41,7 @@ void castBox(const Vector3f& o, const Vector3f& d, const Vector3f& half, bool in
   }
   const float t = inside ? leave : enter;
   const int axis = inside ? leaveAxis : enterAxis;
-  if (enter <= leave && t > kNear && t < hit.distance) {
+  if (enter <= leave && t > kNearestHit && t < hit.distance) {
     hit.distance = t;
     hit.normal = Vector3f::Zero();
     hit.normal[axis] = d[axis] > 0.0F ? -1.0F : 1.0F;
@@ -58,7 +58,7 @@ void castEllipsoid(const Vector3f& o, const Vector3f& d, const Vector3f& half, H
     return;
   }
   const float t = (-b - std::sqrt(root)) / a;
-  if (t > kNear && t < hit.distance) {
+  if (t > kNearestHit && t < hit.distance) {
     hit.distance = t;
     hit.normal = (o + t * d).cwiseQuotient(half.cwiseProduct(half)).normalized();
   }
@@ -71,14 +71,14 @@ void castCylinder(const Vector3f& o, const Vector3f& d, const Vector3f& half, Hi
   const float root = b * b - a * (o.head<2>().squaredNorm() - radius * radius);
   if (a > 1e-12F && root >= 0.0F) {
     const float t = (-b - std::sqrt(root)) / a;
-    if (t > kNear && t < hit.distance && std::abs(o.z() + t * d.z()) <= half.z()) {
+    if (t > kNearestHit && t < hit.distance && std::abs(o.z() + t * d.z()) <= half.z()) {
       hit.distance = t;
       hit.normal = {(o.x() + t * d.x()) / radius, (o.y() + t * d.y()) / radius, 0.0F};
     }
   }
   if (d.z() < -1e-9F) {
     const float t = (half.z() - o.z()) / d.z();
-    if (t > kNear && t < hit.distance && (o + t * d).head<2>().norm() <= radius) {
+    if (t > kNearestHit && t < hit.distance && (o + t * d).head<2>().norm() <= radius) {
       hit.distance = t;
       hit.normal = Vector3f::UnitZ();
     }

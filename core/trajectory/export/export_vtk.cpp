@@ -10,7 +10,7 @@
 namespace dewpoint::trajectory::encoders {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// A point of the drawing: which target in which row.
 struct Node {
@@ -83,7 +83,7 @@ double speedAt(const ExportTable& table, const Node& node) {
   const std::size_t before = node.row > 0 && column[node.row - 1].present ? node.row - 1 : node.row;
   const std::size_t after =
       node.row + 1 < column.size() && column[node.row + 1].present ? node.row + 1 : node.row;
-  return before == after ? kNaN
+  return before == after ? kNoValue
                          : (column[after].position - column[before].position).norm() /
                                (table.times[after] - table.times[before]);
 }
