@@ -2,7 +2,6 @@
 #include "tests/architecture/room_tables.h"
 
 #include <utility>
-#include <vector>
 
 namespace dewpoint::tests {
 
@@ -89,7 +88,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
   return kTable;
 }
 
-int windowFloor(const std::string& room) {
+const std::vector<Names>& windowFloors() {
   static const std::vector<Names> kFloors = {
       {"text", "style", "jobs", "preferences", "selection", "scene3d"},
       {"widgets"},
@@ -100,12 +99,7 @@ int windowFloor(const std::string& room) {
       {"calibration", "color", "correction", "people", "export", "experiments", "start", "help"},
       {"mainwindow"},
   };
-  for (std::size_t floor = 0; floor < kFloors.size(); ++floor) {
-    if (kFloors[floor].contains(room)) {
-      return static_cast<int>(floor);
-    }
-  }
-  return -1;
+  return kFloors;
 }
 
 bool windowNeighbors(const std::string& from, const std::string& to) {
@@ -119,6 +113,25 @@ bool windowNeighbors(const std::string& from, const std::string& to) {
 
 bool calibrationArrow(const std::string& from, const std::string& to) {
   return to.empty() || (from == "manual" && to == "points");
+}
+
+const std::map<std::string, Names, std::less<>>& commandTable() {
+  static const std::map<std::string, Names, std::less<>> kTable = {
+      {"common", {}},
+      {"project", {"common"}},
+      {"calibrate", {"common"}},
+      {"track", {"common", "project"}},
+      {"trajectory", {"common"}},
+      {"simulate", {"common"}},
+      {"experiment", {"common", "simulate"}},
+      {"reference", {"common"}},
+  };
+  return kTable;
+}
+
+const Names& windowlessPrograms() {
+  static const Names kPrograms = {"command_pages", "dewpoint-cli", "python", "wiring"};
+  return kPrograms;
 }
 
 const Names& windowHeaders() {

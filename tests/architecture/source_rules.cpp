@@ -33,6 +33,16 @@ std::string roomInCore(const std::vector<std::string>& parts) {
   return room;
 }
 
+/// -1: no room of the window.
+int windowFloor(const std::string& room) {
+  for (std::size_t floor = 0; floor < windowFloors().size(); ++floor) {
+    if (windowFloors()[floor].contains(room)) {
+      return static_cast<int>(floor);
+    }
+  }
+  return -1;
+}
+
 Names reachable(const std::string& floor) {
   Names found;
   std::vector<std::string> open = {floor};
@@ -130,34 +140,22 @@ std::string windowLibrary(const std::string& folder, const std::string& include)
   return {};
 }
 
-/// Inside app/dewpoint-cli: which folders each folder of commands includes; all may include its own
-/// folder, which has the list of the commands.
 std::string commandArrow(const std::string& room, const std::string& include) {
-  static const std::map<std::string, Names, std::less<>> kTable = {
-      {"common", {}},
-      {"project", {"common"}},
-      {"calibrate", {"common"}},
-      {"track", {"common", "project"}},
-      {"trajectory", {"common"}},
-      {"simulate", {"common"}},
-      {"experiment", {"common", "simulate"}},
-      {"reference", {"common"}},
-  };
   const std::vector<std::string> target = split(include);
   const std::string other = target.size() > 3 ? target[2] : "";
   if (room.empty() || other.empty() || target[0] != "app" || target[1] != "dewpoint-cli") {
     return {};
   }
-  const auto row = kTable.find(room);
-  return row != kTable.end() && (room == other || row->second.contains(other))
+  const auto row = commandTable().find(room);
+  return row != commandTable().end() && (room == other || row->second.contains(other))
              ? ""
              : "app/dewpoint-cli/" + room + " may not include app/dewpoint-cli/" + other;
 }
 
 std::string appArrow(const std::string& folder, const std::string& room,
                      const std::string& include) {
-  const bool windowless = folder == "dewpoint-cli" || folder == "python" || folder == "wiring";
-  if (windowless && (include.rfind("ui/", 0) == 0 || isQt(include) || isVtk(include))) {
+  if (windowlessPrograms().contains(folder) &&
+      (include.rfind("ui/", 0) == 0 || isQt(include) || isVtk(include))) {
     return "app/" + folder + " works without Qt and VTK";
   }
   const std::string top = split(include)[0];
