@@ -243,6 +243,20 @@ int kindQuestions(std::string_view text) {
   return questions;
 }
 
+int findsTargetsQuestions(std::string_view text) {
+  constexpr std::string_view kQuestion = "findsTargets()";
+  int questions = 0;
+  std::istringstream stream{std::string(text)};
+  for (std::string line; std::getline(stream, line);) {
+    const std::string code = line.substr(0, line.find("//"));
+    for (std::size_t at = code.find(kQuestion); at != std::string::npos;
+         at = code.find(kQuestion, at + 1)) {
+      ++questions;
+    }
+  }
+  return questions;
+}
+
 std::set<std::string> classesDefinedIn(std::string_view text) {
   // A definition begins in the first column; what is called stands farther right.
   static const std::regex kMember(
