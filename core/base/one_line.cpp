@@ -13,6 +13,9 @@ constexpr std::size_t kMostMessageBytes = 4000;
 } // namespace
 
 std::size_t utf8Bytes(std::string_view text) {
+  if (text.empty()) {
+    return 0;
+  }
   const auto byteAt = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
   const unsigned first = byteAt(0);
   const std::size_t length = first < 0x80                    ? 1

@@ -13,6 +13,14 @@ TEST(OneLine, KeepsWhatIsPlain) {
   EXPECT_EQ(base::onOneLine(""), "");
 }
 
+TEST(OneLine, CountsTheBytesOfTheFirstCharacter) {
+  EXPECT_EQ(base::utf8Bytes("a\xE2\x82\xAC"), 1U);
+  EXPECT_EQ(base::utf8Bytes("\xE2\x82\xAC and more"), 3U);
+  EXPECT_EQ(base::utf8Bytes("\x80"), 0U);
+  EXPECT_EQ(base::utf8Bytes(""), 0U);
+  EXPECT_EQ(base::utf8Bytes(std::string_view()), 0U) << "there is no first byte to read";
+}
+
 TEST(OneLine, HasNoControlCharactersAndIsUtf8) {
   EXPECT_EQ(base::onOneLine(std::string("a\nb\r\tc\0d\x7F", 9)), "a?b??c?d?");
   // Bytes that begin or go on with nothing, an overlong slash, a surrogate, beyond U+10FFFF, cut
