@@ -15,8 +15,7 @@
 namespace dewpoint::project {
 namespace {
 
-constexpr double kLargestRadius = 1000.0; ///< meters
-constexpr double kSmallestBox = 2.0;      ///< pixels
+constexpr double kSmallestBox = 2.0; ///< pixels
 
 tl::unexpected<Error> wrong(ErrorCode code, std::string field, std::string detail) {
   return tl::make_unexpected(Error{code, "", std::move(field), std::move(detail)});
@@ -114,11 +113,11 @@ Status checkCameras(const Project& project) {
       return good;
     }
     const Intrinsics& intrinsics = camera.intrinsics;
-    if (isBare(project, intrinsics)) {
-      continue;
-    }
-    if (intrinsics.width <= 0 || intrinsics.height <= 0 || !(intrinsics.focalX > 0.0) ||
-        !(intrinsics.focalY > 0.0) || !camera.cameraFromWorld.matrix().allFinite()) {
+    const bool isComplete =
+        isBare(project, intrinsics) ||
+        (intrinsics.width > 0 && intrinsics.height > 0 && intrinsics.focalX > 0.0 &&
+         intrinsics.focalY > 0.0 && camera.cameraFromWorld.matrix().allFinite());
+    if (!isComplete) {
       return wrong(ErrorCode::BadValue, fmt::format("camera {}.calibration", i + 1),
                    "a positive size and focal length, and a finite pose are expected");
     }

@@ -23,4 +23,7 @@ inline constexpr std::array<std::pair<const char*, SourceKind>, 4> kSourceKeys{{
 /// Largest allowed delay of a camera, in seconds.
 inline constexpr double kLatest = 3600.0;
 
+/// The largest radius of a target, meters.
+inline constexpr double kLargestRadius = 1000.0;
+
 } // namespace dewpoint::project

@@ -2,6 +2,7 @@
 #include "core/project/project_targets.h"
 
 #include "core/base/limits.h"
+#include "core/project/project_format.h"
 #include "core/tracking/target_shape_name.h"
 
 #include <fmt/format.h>
@@ -167,7 +168,7 @@ Target readTarget(const toml::table& table, const std::string& file, std::size_t
   Target target;
   reader.require("name");
   reader.text("name", target.name);
-  reader.number("radius", target.radius, 0.0, 1000.0);
+  reader.number("radius", target.radius, 0.0, kLargestRadius);
   target.shape = readShape(reader);
   target.box = readBox(reader, file, prefix);
   if (!target.box) {

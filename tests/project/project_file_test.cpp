@@ -308,6 +308,10 @@ TEST(ProjectFile, MethodsForBoxesNeedNoCalibration) {
     ASSERT_TRUE(project) << sentence(project.error());
     EXPECT_EQ(project->cameras.front().camera.intrinsics.width, 0); // its images will say
     EXPECT_TRUE(checkProject(*project));
+    Project late = *project;
+    late.cameras.front().delay = 3601.0;
+    ASSERT_FALSE(checkProject(late));
+    EXPECT_EQ(checkProject(late).error().field, "camera 1.late_by");
   }
   const auto refused = load(textFor("dewpoint"));
   ASSERT_FALSE(refused);

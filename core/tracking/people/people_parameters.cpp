@@ -110,6 +110,8 @@ Declarations ours() {
        "How many particles each person has.", true},
       {"body_points", kInteger, "Body points", "", 10.0, 100000.0, 10.0, 400.0,
        "How many points stand for the volume of each person.", true},
+      // Method dewpoint has a parameter of this name, with another range and default: people change
+      // their speed less abruptly than a ball or a hand.
       {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
        "How strongly people speed up, slow down and turn.", true},
       {"evidence", kReal, "Evidence per camera", "", 0.1, 100.0, 0.1, 8.0,
