@@ -117,7 +117,7 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   } else {
     images_.showTo(object.shape->observation(), object.color);
     object.shape->correct(position, object.track.target().radius, object.keyIn(key_), team);
-    object.track.adopt(object.shape->track().hypothesis());
+    object.track.setOnlyHypothesis(object.shape->track().hypothesis());
   }
   updateEstimate(target);
   if (!estimates_[target].measurement) {
@@ -273,7 +273,7 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
   const TrackHypothesis* const other = shape.track().hypothesis();
   if (!object.isBall()) {
     object.search.reset();
-    object.track.adopt(other);
+    object.track.setOnlyHypothesis(other);
   } else if (!wasBall && other != nullptr) {
     object.track.initializeAt(other->position(), other->radius, object.observation,
                               object.keyIn(key_), team);

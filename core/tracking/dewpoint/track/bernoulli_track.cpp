@@ -280,7 +280,7 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   identityAmbiguity_ = 0.0;
 }
 
-void BernoulliTrack::adopt(const TrackHypothesis* hypothesis) {
+void BernoulliTrack::setOnlyHypothesis(const TrackHypothesis* hypothesis) {
   hypotheses_.clear();
   if (hypothesis != nullptr) {
     hypotheses_.push_back(*hypothesis);

@@ -71,10 +71,10 @@ public:
   /// present radius, and updates it with the images of the frame.
   void correct(const Gaussian3& position, SphereObservation& observation, const RandomKey& key,
                ThreadTeam& team);
-  /// Replaces all hypotheses by that of another filter of this target, which predicts and updates
-  /// it; by none if null.
-  void adopt(const TrackHypothesis* hypothesis);
-  /// Removes hypotheses at occupied positions, unless the most likely one has a probability above
+  /// Takes the hypothesis of another filter of this target for its only one, or none where it is
+  /// null; predicted and updated by that filter.
+  void setOnlyHypothesis(const TrackHypothesis* hypothesis);
+  /// Removes the hypotheses at occupied positions, unless the likeliest one has a probability above
   /// one half.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
   /// Keeps the most likely of several hypotheses that have all been fully visible for some frames,
