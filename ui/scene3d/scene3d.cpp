@@ -53,11 +53,11 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   while (parts.targets.size() < count) {
     parts.targets.push_back(std::make_unique<TargetActors>(parts.renderer));
   }
-  std::vector<DisplayColorWish> wishes;
+  std::vector<DisplayColorSource> sources;
   for (std::size_t i = 0; i < count; ++i) {
     const TargetSnapshot& target = snapshot.targets[i];
-    wishes.push_back({snapshot.family.masksColors() ? target.target.colors() : ColorRanges(),
-                      identityColorOf(target.target.name)});
+    sources.push_back({snapshot.family.masksColors() ? target.target.colors() : ColorRanges(),
+                       identityColorOf(target.target.name)});
     TargetActors& actors = *parts.targets[i];
     actors.show(target);
     // Of people there would be too many to be read.
@@ -67,8 +67,8 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     actors.setChosen(static_cast<int>(i) == parts.chosenTarget);
     actors.setBestShown(parts.bestShown);
   }
-  if (added || wishes != parts.colorWishes) {
-    parts.colorWishes = std::move(wishes);
+  if (added || sources != parts.colorSources) {
+    parts.colorSources = std::move(sources);
     parts.applyTargetColors();
   }
 }

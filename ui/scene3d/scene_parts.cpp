@@ -120,7 +120,7 @@ void SceneParts::applyPalette() {
 }
 
 void SceneParts::applyTargetColors() {
-  const std::vector<DisplayColor> colors = displayColors(colorWishes, targetColors(), dark);
+  const std::vector<DisplayColor> colors = displayColors(colorSources, targetColors(), dark);
   for (std::size_t k = 0; k < std::min(targets.size(), colors.size()); ++k) {
     targets[k]->setColors(colors[k], palette(), dark);
   }

@@ -77,7 +77,7 @@ public:
   RangeActor range;    ///< drawn before the targets, which cover it
   ParticleCloud crowd; ///< means of the targets beyond `kMostBodies`
   std::vector<std::unique_ptr<TargetActors>> targets;
-  std::vector<DisplayColorWish> colorWishes; ///< one per target
+  std::vector<DisplayColorSource> colorSources; ///< one per target
   MeanPath path;
   std::shared_ptr<const CameraRig> rig;
   std::shared_ptr<const CameraRig> framedRig; ///< last rig with cameras that the view was fitted to

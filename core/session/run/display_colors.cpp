@@ -133,23 +133,23 @@ bool areAlike(const DisplayColor& one, const DisplayColor& other) {
   return labsAreAlike(okLab(one), okLab(other));
 }
 
-std::vector<DisplayColor> displayColors(const std::vector<DisplayColorWish>& wishes,
+std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
                                         const std::vector<DisplayColor>& palette, bool darkGround) {
-  std::vector<std::optional<LabColor>> chosen(wishes.size());
-  for (std::size_t k = 0; k < wishes.size(); ++k) {
-    if (wishes[k].fixed) {
-      chosen[k] = labColor(*wishes[k].fixed);
-    } else if (!wishes[k].learned.empty()) {
-      const auto middle = middleColor(wishes[k].learned[0]);
+  std::vector<std::optional<LabColor>> chosen(sources.size());
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    if (sources[k].fixed) {
+      chosen[k] = labColor(*sources[k].fixed);
+    } else if (!sources[k].learned.empty()) {
+      const auto middle = middleColor(sources[k].learned[0]);
       chosen[k] = middle ? std::optional(labColor(legibleOn(*middle, darkGround))) : std::nullopt;
     }
   }
   // All of a group that look alike give way, so that none of them depends on their order.
-  const auto wished = chosen;
-  for (std::size_t k = 0; k < wishes.size(); ++k) {
-    for (std::size_t other = 0; other < wishes.size() && !wishes[k].fixed; ++other) {
-      if (other != k && wished[k] && wished[other] &&
-          labsAreAlike(wished[k]->lab, wished[other]->lab)) {
+  const auto before = chosen;
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    for (std::size_t other = 0; other < sources.size() && !sources[k].fixed; ++other) {
+      if (other != k && before[k] && before[other] &&
+          labsAreAlike(before[k]->lab, before[other]->lab)) {
         chosen[k].reset();
         break;
       }
@@ -163,7 +163,7 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorWish>& wis
   };
   std::vector<DisplayColor> colors;
   colors.reserve(chosen.size());
-  for (std::size_t k = 0; k < wishes.size(); ++k) {
+  for (std::size_t k = 0; k < sources.size(); ++k) {
     for (std::size_t next = k; !chosen[k] && next < k + offered.size(); ++next) {
       if (const LabColor& color = offered[next % offered.size()]; !isTaken(color)) {
         chosen[k] = color;

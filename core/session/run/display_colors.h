@@ -13,12 +13,12 @@ namespace dewpoint::session {
 /// Display color: sRGB red, green and blue, each 0 to 1.
 using DisplayColor = Eigen::Vector3d;
 
-/// Properties that determine the display color of a target.
-struct DisplayColorWish {
-  ColorRanges learned{};               ///< empty: the method does not identify targets by color
-  std::optional<DisplayColor> fixed{}; ///< used unchanged: color of a person's identity
+/// What decides about the color that a target is drawn in.
+struct DisplayColorSource {
+  ColorRanges learned{};               ///< empty: the method knows targets by something else
+  std::optional<DisplayColor> fixed{}; ///< is taken as it is: the identity of a person
 
-  bool operator==(const DisplayColorWish&) const = default;
+  bool operator==(const DisplayColorSource&) const = default;
 };
 
 /// Returns the central color of a learned range; nothing if that is gray or the range contains many
@@ -33,11 +33,10 @@ DisplayColor legibleOn(const DisplayColor& color, bool darkGround);
 /// with half weight for lightness.
 bool areAlike(const DisplayColor& one, const DisplayColor& other);
 
-/// Returns one color per target: the center of the first range it was learned with, legible on the
-/// background. Targets that would have similar colors, and those without a distinct color, get the
-/// color of their index in `palette` (not empty; used cyclically), or the next one that no other
-/// target has.
-std::vector<DisplayColor> displayColors(const std::vector<DisplayColorWish>& wishes,
+/// One color for each target: the middle of the first range it was learned with, legible on the
+/// ground. Targets that would look alike, and those without a clear color, have that of their index
+/// in `palette` (not empty; used cyclically), or the next one that no other target has.
+std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
                                         const std::vector<DisplayColor>& palette, bool darkGround);
 
 } // namespace dewpoint::session

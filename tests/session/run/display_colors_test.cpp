@@ -88,7 +88,7 @@ TEST(DisplayColors, PeopleKeepTheirs) {
 }
 
 TEST(DisplayColors, MoreTargetsThanThePaletteHasStillHaveOneEach) {
-  EXPECT_EQ(displayColors(std::vector<DisplayColorWish>(5), kPalette, false).size(), 5U);
+  EXPECT_EQ(displayColors(std::vector<DisplayColorSource>(5), kPalette, false).size(), 5U);
 }
 
 } // namespace
