@@ -39,15 +39,15 @@ std::vector<Finding> findingsOf(const DoctorOptions& options) {
   }
   constexpr int kParts = 100;
   Progress progress("checking", kParts);
-  ExaminationWishes wishes;
-  wishes.output = options.out;
-  wishes.everyFrame = options.everyFrame;
-  wishes.open = &openAsARunDoes;
-  wishes.goOn = [&](double part) {
+  ExaminationOptions examination;
+  examination.output = options.out;
+  examination.everyFrame = options.everyFrame;
+  examination.open = &openAsARunDoes;
+  examination.goOn = [&](double part) {
     progress.show(static_cast<std::int64_t>(kParts * part));
     return !interruptionRequested();
   };
-  auto findings = examine(*project, wishes);
+  auto findings = examine(*project, examination);
   progress.finish();
   return findings;
 }

@@ -30,11 +30,11 @@ bool isLiveSource(const ProjectCamera& camera) {
 
 void checkAgreement(Examination& examination) {
   const Project& project = examination.project;
-  if (!examination.wishes.open || examination.hasProblem() ||
+  if (!examination.options.open || examination.hasProblem() ||
       std::ranges::any_of(project.cameras, isLiveSource)) {
     return; // it could not be opened, or should not be
   }
-  auto source = examination.wishes.open(project);
+  auto source = examination.options.open(project);
   if (!source) {
     examination.add(FindingKind::CannotOpen, {sentence(source.error())});
     return;
@@ -53,7 +53,7 @@ void checkAgreement(Examination& examination) {
       return;
     }
     if (!*set || seconds((*set)->time) > kWatched ||
-        !examination.wishes.goOn(seconds((*set)->time) / kWatched)) {
+        !examination.options.goOn(seconds((*set)->time) / kWatched)) {
       break;
     }
     agreement.watch(**set, project.targets);

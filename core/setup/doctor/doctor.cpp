@@ -22,8 +22,8 @@ constexpr std::array kExaminations{&checkRecordings, &checkTimes,  &checkCalibra
 
 } // namespace
 
-std::vector<Finding> examine(const Project& project, const ExaminationWishes& wishes) {
-  Examination examination(project, wishes);
+std::vector<Finding> examine(const Project& project, const ExaminationOptions& options) {
+  Examination examination(project, options);
   examination.add(FindingKind::ProjectRead, {});
   for (const auto& check : kExaminations) {
     check(examination);

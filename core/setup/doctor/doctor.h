@@ -11,10 +11,10 @@
 
 namespace dewpoint::setup {
 
-/// Runs all checks of a project, one after another, and returns what is wrong and what is correct.
-/// `project` has its cameras, also those of a scene. Reads files, which may take some seconds,
-/// longer with `everyFrame`. It opens no cameras and writes nothing.
-std::vector<Finding> examine(const Project& project, const ExaminationWishes& wishes);
+/// What is wrong with a project, and what is right: all checks, one after the other. `project` has
+/// its cameras, also those of a scene. Reads files, may take some seconds, more with everyFrame;
+/// cameras are not opened, nor is anything written.
+std::vector<Finding> examine(const Project& project, const ExaminationOptions& options);
 
 /// Returns findings about a project file that could not be read.
 std::vector<Finding> examineUnreadable(const std::filesystem::path& file, const Error& error);

@@ -20,11 +20,11 @@
 
 namespace dewpoint::setup {
 
-/// Options of an examination.
-struct ExaminationWishes {
-  std::filesystem::path output = {}; ///< folder for results; empty: folder of the project
-  bool everyFrame = false; ///< decode all frames, not only the first, central and last one
-  /// Opens the images of a project as a run does. Empty: checks that need it are omitted.
+/// How a project is to be checked.
+struct ExaminationOptions {
+  std::filesystem::path output = {}; ///< where results would go; empty: the folder of the project
+  bool everyFrame = false;           ///< decode all frames, not only the first, middle and last
+  /// Opens the images of a project as a run would; empty: what needs it is left out.
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
   /// Called from time to time with the progress (0 to 1); returning false ends the examination
   /// early.
@@ -45,11 +45,11 @@ struct CameraFootage {
 /// A project being examined, and the findings so far. Each check uses the results of those before
 /// it.
 struct Examination {
-  Examination(const Project& examined, const ExaminationWishes& wanted)
-      : project(examined), wishes(wanted), footage(examined.cameras.size()) {}
+  Examination(const Project& examined, const ExaminationOptions& wanted)
+      : project(examined), options(wanted), footage(examined.cameras.size()) {}
 
   const Project& project;
-  const ExaminationWishes& wishes;
+  const ExaminationOptions& options;
   std::vector<CameraFootage> footage; ///< in the order of the project's cameras
   std::vector<Finding> findings = {};
 

@@ -123,13 +123,13 @@ private:
     kept.erase(0);
     for (std::int64_t frame = 1; frame <= last; ++frame) {
       const bool isKept = kept.contains(frame);
-      if (!isKept && !examination_.wishes.everyFrame) {
+      if (!isKept && !examination_.options.everyFrame) {
         continue;
       }
       if (!(isKept ? take(reader, frame) : readAs(reader, frame).has_value())) {
         return;
       }
-      if (examination_.wishes.everyFrame && !goesOn(frame)) {
+      if (examination_.options.everyFrame && !goesOn(frame)) {
         return;
       }
     }
@@ -138,7 +138,7 @@ private:
   bool goesOn(std::int64_t frame) const {
     const double part = static_cast<double>(frame) / static_cast<double>(footage_.frames);
     const auto cameras = static_cast<double>(examination_.footage.size());
-    return examination_.wishes.goOn((static_cast<double>(number_) + part) / cameras);
+    return examination_.options.goOn((static_cast<double>(number_) + part) / cameras);
   }
 
   void checkSize() {
@@ -216,10 +216,10 @@ void checkEmptyRoom(Examination& examination, std::size_t number) {
 
 /// The first, the middle and the last images of a simulated scene.
 void takeSceneImages(Examination& examination) {
-  if (!examination.wishes.open) {
+  if (!examination.options.open) {
     return;
   }
-  auto source = examination.wishes.open(examination.project);
+  auto source = examination.options.open(examination.project);
   if (!source) {
     examination.add(FindingKind::CannotOpen, {sentence(source.error())});
     return;

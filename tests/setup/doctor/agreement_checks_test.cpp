@@ -28,7 +28,7 @@ class AgreementChecks : public ExaminedProject {
 protected:
   /// The images of the recording come from these cameras.
   void seenBy(const CameraRig& rig) {
-    wishes_.open = [rig](const Project&) -> Result<std::unique_ptr<FrameSetSource>> {
+    options_.open = [rig](const Project&) -> Result<std::unique_ptr<FrameSetSource>> {
       return std::make_unique<BallSource>(rig);
     };
   }
@@ -50,7 +50,7 @@ TEST_F(AgreementChecks, SwappedImagesAreNamed) {
 }
 
 TEST_F(AgreementChecks, WhatARunCannotOpenIsAProblem) {
-  wishes_.open = [](const Project&) -> Result<std::unique_ptr<FrameSetSource>> {
+  options_.open = [](const Project&) -> Result<std::unique_ptr<FrameSetSource>> {
     return failure(ErrorCode::FileUnreadable, "left.mp4", "camera 1", "");
   };
   EXPECT_NE(found(FindingKind::CannotOpen).values[0].find("left.mp4"), std::string::npos);

@@ -31,7 +31,7 @@ TEST_F(Doctor, AProjectWithoutItsCalibrationFileNamesIt) {
 }
 
 TEST_F(Doctor, RoomForResultsIsLookedForWhereTheFolderWillBe) {
-  wishes_.output = folder_ / "not" / "yet";
+  options_.output = folder_ / "not" / "yet";
   const auto all = findings();
   EXPECT_EQ(all.back().file, folder_.string());
 }

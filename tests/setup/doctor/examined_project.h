@@ -81,7 +81,7 @@ protected:
     return lines;
   }
 
-  std::vector<Finding> findings() const { return examine(project_, wishes_); }
+  std::vector<Finding> findings() const { return examine(project_, options_); }
   /// The finding of this kind; the test fails, and says what was found instead, when there is none.
   Finding found(FindingKind kind) const {
     const auto all = findings();
@@ -102,7 +102,7 @@ protected:
 
   std::filesystem::path folder_;
   Project project_;
-  ExaminationWishes wishes_;
+  ExaminationOptions options_;
 };
 
 } // namespace dewpoint::tests

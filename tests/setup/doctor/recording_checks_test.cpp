@@ -45,7 +45,7 @@ TEST_F(RecordingChecks, ADamagedImageInBetweenIsFoundOnRequest) {
   std::ofstream(imageFile(1, 3)) << "cut off";
   const auto quick = findings();
   EXPECT_EQ(worstOf(quick), FindingLevel::Ok) << linesOf(quick);
-  wishes_.everyFrame = true;
+  options_.everyFrame = true;
   EXPECT_EQ(found(FindingKind::FrameUnreadable).values[1], "3");
 }
 
@@ -98,9 +98,9 @@ TEST_F(RecordingChecks, ABackgroundImageOfAnotherSize) {
 }
 
 TEST_F(RecordingChecks, TheExaminationCanBeEnded) {
-  wishes_.everyFrame = true;
+  options_.everyFrame = true;
   int calls = 0;
-  wishes_.goOn = [&](double) { return ++calls < 2; };
+  options_.goOn = [&](double) { return ++calls < 2; };
   findings();
   EXPECT_LT(calls, 2 * kFrames);
 }
