@@ -100,13 +100,13 @@ BoardOutcome calibrateWithBoard(ProjectHandle& handle, const BoardArguments& arg
 
 BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, bool lenses,
                             bool poses, const std::string& model, const std::string& pixels,
-                            int looks, int views, int instants,
+                            int frameLimit, int views, int instants,
                             const std::optional<std::int64_t>& worldFrame, bool refineLenses,
                             const py::object& progress) {
   if (!lenses && !poses) {
     raiseBadValue("lenses", "lenses or poses are to be found, or both");
   }
-  if (looks < 1 || views < 3 || instants < 1 || worldFrame.value_or(0) < 0) {
+  if (frameLimit < 1 || views < 3 || instants < 1 || worldFrame.value_or(0) < 0) {
     raiseBadValue("looks", "looks and instants from 1, views from 3, world_frame from 0 on");
   }
   BoardArguments arguments;
@@ -120,7 +120,7 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
                                                  {"square", PixelShape::Square},
                                                  {"free", PixelShape::Free}},
                                                 "pixels", pixels);
-  arguments.request.frameLimit = looks;
+  arguments.request.frameLimit = frameLimit;
   arguments.request.views = views;
   arguments.request.instants = instants;
   arguments.request.worldFrame = worldFrame;

@@ -29,7 +29,7 @@ constexpr double kMomentSigma = 0.1;
 constexpr double kWhole = 0.9;
 constexpr double kMostOpen = 0.25;
 constexpr int kSteps = 3;
-constexpr int kLooks = 2;
+constexpr int kRounds = 2;
 /// Meters and share of the largest, least semi-axis.
 constexpr double kLeastAxis = 0.002;
 constexpr double kLeastAxisShare = 0.03;
@@ -222,7 +222,7 @@ EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& 
   if (!covariance.allFinite()) {
     covariance.setZero();
   }
-  for (int look = 0; look < kLooks; ++look) {
+  for (int round = 0; round < kRounds; ++round) {
     // What hides the target, and what belongs to it, is clearer where it was found.
     measureAll(observation, prior, fit.ellipsoid, covariance, fit.views);
     for (int step = 0; step < kSteps; ++step) {

@@ -19,11 +19,12 @@ namespace {
 constexpr double kLongestGap = 1.0;
 /// Seconds, gap before a frame that is earlier than the last one: the user went back.
 constexpr double kDefaultGap = 1.0 / 30.0;
-/// Frames in which the reach of a color is looked at in each after the start, or after its track
-/// was lost, and frames from one look to the next after these. Judgments (docs/method-dewpoint.md,
-/// section 8): the exposure settles within the first, daylight changes slowly.
-constexpr int kLooksAtOnce = 10;
-constexpr int kLookPeriod = 10;
+/// Frames in which the reach of a color is updated in each after the start, or after its track
+/// was lost, and frames from one update to the next after these. Judgments
+/// (docs/method-dewpoint.md, section 8): the exposure settles within the first, daylight changes
+/// slowly.
+constexpr int kReachFrames = 10;
+constexpr int kReachPeriod = 10;
 
 } // namespace
 
@@ -217,7 +218,7 @@ void DewpointTracker::reachColors() {
       object.unseenFrames = 0;
       continue;
     }
-    if (object.unseenFrames < kLooksAtOnce || object.unseenFrames % kLookPeriod == 0) {
+    if (object.unseenFrames < kReachFrames || object.unseenFrames % kReachPeriod == 0) {
       for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
         if (const FramePtr frame = images_.frame(camera)) {
           object.color.reach(camera, frame->image);
@@ -266,7 +267,7 @@ void DewpointTracker::updateShape(std::size_t target, ThreadTeam& team) {
   images_.showTo(shape.observation(), object.color);
   objects_.explainOtherTargets(target);
   if (ball != nullptr) {
-    shape.lookAtBall(*ball, object.keyIn(key_), team);
+    shape.measureBall(*ball, object.keyIn(key_), team);
   } else {
     shape.update(objects_.occupiedByOtherTargets(target), object.keyIn(key_), team);
   }

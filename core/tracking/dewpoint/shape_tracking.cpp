@@ -9,11 +9,12 @@ namespace {
 
 // Judgments (docs/method-dewpoint.md, section 12).
 
-/// Frames from one look at a target that was found as a ball to the next.
-constexpr std::int64_t kLookPeriod = 8;
-/// Frames after a restart in which one whose shape is unclear is looked at each time. Later it may
-/// stay unclear, beside something of its color, and the looks say as much by the time between them.
-constexpr std::int64_t kFirstLooks = 30;
+/// Frames from one measurement of a target that was found as a ball to the next.
+constexpr std::int64_t kMeasurementPeriod = 8;
+/// Frames after a restart in which one whose shape is unclear is measured each time. Later it may
+/// stay unclear, beside something of its color, and fewer measurements say as much: each counts by
+/// the time since the one before.
+constexpr std::int64_t kFirstFrames = 30;
 
 Eigen::Matrix3d ballExtent(double radius) {
   return radius * radius * Eigen::Matrix3d::Identity();
@@ -58,8 +59,8 @@ void ShapeTracking::predict(double interval, const RandomKey& key) {
 }
 
 bool ShapeTracking::wantsImages(bool ballFound) const {
-  const bool isNew = belief_.isUnclear() && frames_ <= kFirstLooks;
-  return belief_.isOpen() && (!ballFound || isNew || frames_ % kLookPeriod == 0);
+  const bool isNew = belief_.isUnclear() && frames_ <= kFirstFrames;
+  return belief_.isOpen() && (!ballFound || isNew || frames_ % kMeasurementPeriod == 0);
 }
 
 void ShapeTracking::learn(const std::vector<RegionMeasurement>& views,
@@ -68,8 +69,8 @@ void ShapeTracking::learn(const std::vector<RegionMeasurement>& views,
   sinceLearned_ = 0.0;
 }
 
-void ShapeTracking::lookAtBall(const TrackHypothesis& ball, const RandomKey& key,
-                               ThreadTeam& team) {
+void ShapeTracking::measureBall(const TrackHypothesis& ball, const RandomKey& key,
+                                ThreadTeam& team) {
   track_.forget();
   std::vector<RegionMeasurement> views(observation_.cameraCount());
   for (std::size_t k = 0; k < views.size(); ++k) {

@@ -36,10 +36,10 @@ public:
   /// Returns whether the images of this frame are needed while the target is assumed to be a ball;
   /// `ballFound` states whether the ball was found.
   bool wantsImages(bool ballFound) const;
-  /// Learns the shape from the regions at the position of a ball that was found. If it is not a
-  /// ball, the track begins there.
-  void lookAtBall(const TrackHypothesis& ball, const RandomKey& key, ThreadTeam& team);
-  /// Updates the track with the images, and learns the shape from it.
+  /// Learns about the shape from what lies where a ball was found. Where it turns out to be none,
+  /// the track begins there.
+  void measureBall(const TrackHypothesis& ball, const RandomKey& key, ThreadTeam& team);
+  /// Updates the track by the images, and learns from it about the shape.
   void update(const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
   /// Sets the position of the target as given by the user; `radius` in meters is used if its extent
   /// is unknown.

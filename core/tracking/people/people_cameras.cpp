@@ -14,7 +14,7 @@ namespace {
 constexpr double kDefaultGap = 1.0 / 30.0; ///< seconds, where the times make no sense
 constexpr double kLongestGap = 1.0;        ///< seconds
 constexpr double kOverwhelmed = 0.6;       ///< share of foreground that cannot be people
-constexpr int kRoomLooks = 10;             ///< times that a picture of the empty room is learned
+constexpr int kBackgroundUpdates = 10;     ///< times that a picture of the empty room is learned
 
 /// The same camera with images `factor` times as large.
 Camera reduced(const Camera& camera, double factor) {
@@ -115,7 +115,7 @@ void PeopleCameras::learnEmptyRoom(std::size_t camera) {
   View& view = views_[camera];
   cv::Mat room;
   reduceImage(emptyRooms_[camera], view.camera.intrinsics, room);
-  for (int k = 0; k < kRoomLooks; ++k) {
+  for (int k = 0; k < kBackgroundUpdates; ++k) {
     view.model->learn(room);
   }
 }
