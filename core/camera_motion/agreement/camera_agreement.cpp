@@ -17,11 +17,11 @@ constexpr double kEvery = 0.3;        ///< seconds between checks
 constexpr double kSlower = 1.5;       ///< by which that grows while nothing explains what is seen
 constexpr double kSlowest = 10.0;     ///< seconds
 constexpr double kImagesEvery = 0.02; ///< seconds: faster cameras are not looked at more often
-// A rig that has proved right for so long is looked at for a while now and then: enough to notice
-// that it is so no more.
-constexpr double kSettlesAfter = 1.5; ///< seconds
-constexpr double kLook = 1.0;         ///< seconds
-constexpr double kPause = 5.0;        ///< seconds
+// A rig that has been right for kSparseAfter is checked sparsely: for kCheckWindow after each
+// kPause, which is enough to notice that it is right no longer.
+constexpr double kSparseAfter = 1.5; ///< seconds
+constexpr double kCheckWindow = 1.0; ///< seconds
+constexpr double kPause = 5.0;       ///< seconds
 /// Counted sightings, in all cameras, from which on a check tells something.
 constexpr std::size_t kFewest = 8;
 /// Regions in an image, on average, up to which it can be told which of them is which.
@@ -51,7 +51,7 @@ void CameraAgreement::restart() {
   unclearSince_.reset();
   goodSince_.reset();
   suspected_.reset();
-  settled_ = false;
+  sparse_ = false;
 }
 
 void CameraAgreement::takeColors(const std::vector<Target>& targets) {
@@ -79,14 +79,14 @@ void CameraAgreement::takeColors(const std::vector<Target>& targets) {
     }
     suspected_.reset();
     badSince_.reset();
-    settled_ = false;
+    sparse_ = false;
     wait_ = kEvery;
   }
 }
 
 void CameraAgreement::watch(const FrameSet& frames, const std::vector<Target>& targets) {
   const double now = seconds(frames.time);
-  if (rig_.size() < 2 || (settled_ && now < due_ - kLook)) {
+  if (rig_.size() < 2 || (sparse_ && now < due_ - kCheckWindow)) {
     return;
   }
   takeColors(targets);
@@ -107,7 +107,7 @@ void CameraAgreement::watch(const FrameSet& frames, const std::vector<Target>& t
   }
   if (now >= due_ && !colors_.empty()) {
     check(now);
-    due_ = now + (settled_ ? kPause + kLook : wait_);
+    due_ = now + (sparse_ ? kPause + kCheckWindow : wait_);
   }
 }
 
@@ -129,24 +129,24 @@ bool CameraAgreement::tellsSomething() const {
 
 void CameraAgreement::check(double time) {
   if (!tellsSomething()) {
-    settle(settled_);
+    checkSparsely(sparse_);
     return;
   }
   const AgreementModel model(rig_, histories_, radii_);
   const AgreementFit asDeclared = model.fit({});
   if (asDeclared.leastMean == 0.0) {
-    settle(settled_); // hardly ever seen at one instant
+    checkSparsely(sparse_); // hardly ever seen at one instant
   } else if (isGood(asDeclared)) {
     takeGood(model, asDeclared, time);
   } else {
-    settled_ = false;
+    sparse_ = false;
     takeDoubtful(model, asDeclared, time);
   }
 }
 
-void CameraAgreement::settle(bool settled) {
-  settled_ = settled;
-  if (settled_) {
+void CameraAgreement::checkSparsely(bool sparse) {
+  sparse_ = sparse;
+  if (sparse_) {
     for (auto& color : histories_) {
       for (SightingHistory& history : color) {
         history.clear(); // what comes after the pause is new
@@ -170,7 +170,7 @@ void CameraAgreement::takeGood(const AgreementModel& model, const AgreementFit& 
     report(std::nullopt);
   }
   const bool isQuiet = found_.size() == ofRig_;
-  settle(settled_ || (isQuiet && time - *goodSince_ >= kSettlesAfter));
+  checkSparsely(sparse_ || (isQuiet && time - *goodSince_ >= kSparseAfter));
 }
 
 void CameraAgreement::takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared,

@@ -41,8 +41,8 @@ private:
   void check(double time);
   void takeGood(const AgreementModel& model, const AgreementFit& asDeclared, double time);
   void takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared, double time);
-  /// Sets whether the rig is from now on checked only occasionally.
-  void settle(bool settled);
+  /// Whether the rig is checked now and then only, from now on.
+  void checkSparsely(bool sparse);
   void report(const std::optional<CameraDisagreement>& seen);
 
   CameraRig rig_;
@@ -57,8 +57,8 @@ private:
   std::optional<double> badSince_; ///< time since which the rig explains hardly anything, seconds
   std::optional<double> unclearSince_; ///< time since which it explains only a part, seconds
   std::optional<double> goodSince_;
-  bool settled_ = false; ///< the rig has proved correct and is checked only occasionally
-  std::optional<CameraDisagreement> suspected_; ///< fault suspected by the last check
+  bool sparse_ = false; ///< the rig has been right: it is checked now and then
+  std::optional<CameraDisagreement> suspected_; ///< by the last check
 };
 
 } // namespace dewpoint::camera_motion

@@ -33,7 +33,7 @@ constexpr double kSearchReach = 5.0; ///< times the reach: beyond, a jump costs 
 /// A place without the target's colors is never worse than this share of the usual: it may be
 /// hidden there.
 constexpr double kFloor = 0.35;
-// Size (see settle()).
+// Size (see fitSizeExponents()).
 constexpr double kShell = 0.1;
 constexpr double kLeastExponent = 0.4; ///< else a box with a margin could grow at no cost
 constexpr double kMostExponent = 0.8;
@@ -94,7 +94,7 @@ Status HistogramTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uin
   hiddenFrames_ = 0;
   colors_.learn(image, box_);
   map_.build(image, {{0, 0}, image.size()}, colors_);
-  settle();
+  fitSizeExponents();
   firstLikeness_ = std::max(colors_.likeness(image, box_), 1e-6);
   states_ = Eigen::ArrayXXd::Zero(particleCount_, kColumns);
   states_.col(kX) = box_.center().x();
@@ -108,7 +108,7 @@ Status HistogramTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uin
 /// and q make the given box the best of its size, so that sizes do not drift? By a further column
 /// the sum grows by (mean P at the sides), width^p by p (mean P inside): p is the ratio of the two;
 /// q likewise.
-void HistogramTracker::settle() {
+void HistogramTracker::fitSizeExponents() {
   const double inside = map_.sum(box_);
   const auto exponent = [&](double across, double down) {
     const auto grown = [&](double sign) {

@@ -32,7 +32,7 @@ private:
   struct Moved;
 
   cv::Mat shrunk(const cv::Mat& bgr) const;
-  void settle();
+  void fitSizeExponents();
   ImageBox drawnAround(const ImageBox& figure) const;
   double size() const;
   double reach() const;
@@ -66,7 +66,7 @@ private:
   ImageBox first_; ///< the object in the initial box, see figureBox(): the box that is tracked
   ImageBox box_;   ///< last box in which the target was visible
   int hiddenFrames_ = 0;
-  double widthExponent_ = 0.0; ///< see settle()
+  double widthExponent_ = 0.0; ///< see fitSizeExponents()
   double heightExponent_ = 0.0;
   double usualScore_ = 1.0;
   double firstLikeness_ = 1.0; ///< of the first image, see TargetColors::likeness()
