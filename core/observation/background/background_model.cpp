@@ -270,13 +270,13 @@ void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hid
   novelShare_ = known_ > 0 ? static_cast<double>(new_) / known_ : 0.0;
 }
 
-void BackgroundModel::forgetEmptyPlaces() {
+void BackgroundModel::forgetFamiliarPixels() {
   if (!familiar_.empty()) {
     familiar_.setTo(0, familiar_ < kEmptyRoom);
   }
 }
 
-void BackgroundModel::forgetEmptyPlaces(const Hidden& circle) {
+void BackgroundModel::forgetFamiliarPixels(const Hidden& circle) {
   if (familiar_.empty()) {
     return;
   }

@@ -56,11 +56,11 @@ public:
   /// observations it counts as if the background image had shown it.
   void learn(const cv::Mat& image, const std::vector<Hidden>& hidden,
              bool noTargetElsewhere = false);
-  /// Discards what learn() with `noTargetElsewhere` has learned: everywhere, or inside a circle in
-  /// which there was a target after all.
-  void forgetEmptyPlaces();
-  void forgetEmptyPlaces(const Hidden& circle);
-  /// Memory used by the images, bytes.
+  /// What learn() with `noTargetElsewhere` has found out is no longer believed: everywhere, or
+  /// inside a circle, where a target was after all.
+  void forgetFamiliarPixels();
+  void forgetFamiliarPixels(const Hidden& circle);
+  /// Bytes of its images.
   std::size_t memoryBytes() const;
   /// Share of the known pixels in the last learn() that showed something new, 0 to 1. Near 1 when
   /// the camera is covered, blind or moved.

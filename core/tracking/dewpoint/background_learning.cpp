@@ -53,30 +53,30 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
   return true;
 }
 
-void forgetEmptyPlacesAt(const TrackedObject& object, const Eigen::Vector3d& position,
-                         FrameImages& images) {
+void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& position,
+                            FrameImages& images) {
   const TrackHypothesis* const best = object.track.best();
   const double radius = best != nullptr ? best->radius : object.track.target().radius;
   if (radius <= 0.0) { // nobody knows how much of the images it takes
-    images.forgetEmptyPlaces();
+    images.forgetFamiliarPixels();
     return;
   }
   for (std::size_t camera = 0; camera < images.cameraCount(); ++camera) {
     if (const auto outline = object.observation.projector(camera).project(position, radius)) {
-      images.forgetEmptyPlaces(
+      images.forgetFamiliarPixels(
           camera, {outline->center, kNotLearnedRadii * outline->radius + kNotLearnedPx});
     }
   }
 }
 
-void forgetEmptyPlacesOfLost(TrackedObjects& objects, FrameImages& images, double interval,
-                             double patience) {
+void forgetFamiliarPixelsOfLost(TrackedObjects& objects, FrameImages& images, double interval,
+                                double patience) {
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
     TrackedObject& object = objects[k];
     const double before = object.unseenSeconds;
     object.unseenSeconds = object.track.confident() != nullptr ? 0.0 : before + interval;
     if (before < patience && object.unseenSeconds >= patience) {
-      images.forgetEmptyPlaces();
+      images.forgetFamiliarPixels();
     }
   }
 }

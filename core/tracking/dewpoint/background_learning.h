@@ -26,15 +26,13 @@ std::vector<BackgroundModel::Hidden> hiddenByObjects(const TrackedObjects& objec
 bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
                          const std::vector<SphereEstimate>& estimates);
 
-/// Marks a position (meters, world frame) as occupied by a target: it is no longer known to be
-/// empty.
-void forgetEmptyPlacesAt(const TrackedObject& object, const Eigen::Vector3d& position,
-                         FrameImages& images);
+/// A target is at this position (meters, world): what was found to be empty there is not.
+void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& position,
+                            FrameImages& images);
 
-/// Measures for how long each target has not been found; `interval` is the time in seconds since
-/// the last frame. A target not found for `patience` seconds may have been anywhere, so no position
-/// is known to be empty for it.
-void forgetEmptyPlacesOfLost(TrackedObjects& objects, FrameImages& images, double interval,
-                             double patience);
+/// Counts for how long each target has not been found; `interval` seconds since the last frame.
+/// Once one has not been for `patience` seconds it may have been anywhere all the time.
+void forgetFamiliarPixelsOfLost(TrackedObjects& objects, FrameImages& images, double interval,
+                                double patience);
 
 } // namespace dewpoint::tracking

@@ -71,8 +71,8 @@ void DewpointTracker::setTargets(const std::vector<Target>& targets) {
   for (std::size_t k = 0; k < std::min(targets.size(), objects_.targetCount()); ++k) {
     TrackedObject& object = objects_[k];
     if (!(targets[k].colors() == object.track.target().colors())) {
-      images_.resetReferenceLight(); // the color was picked in the light of now
-      images_.forgetEmptyPlaces();   // what is empty was found by the colors of before
+      images_.resetReferenceLight();  // the color was picked in the light of now
+      images_.forgetFamiliarPixels(); // what is empty was found by the colors of before
       object.color = AdaptiveColor(targets[k].colors(), images_.cameraCount());
     }
     object.track.setTarget(targets[k]);
@@ -110,7 +110,7 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
                                       ThreadTeam& team) {
   TrackedObject& object = objects_[target];
   object.search.reset();
-  forgetEmptyPlacesAt(object, position.mean, images_);
+  forgetFamiliarPixelsAt(object, position.mean, images_);
   // Without what other objects explain: what the user points at is the target.
   images_.showTo(object.observation, object.color);
   if (object.isBall()) {
@@ -337,8 +337,8 @@ void DewpointTracker::adaptTargetColors() {
 }
 
 void DewpointTracker::learnBackgrounds() {
-  forgetEmptyPlacesOfLost(objects_, images_, secondsSinceLastFrame(),
-                          parameters_.at("survival_time"));
+  forgetFamiliarPixelsOfLost(objects_, images_, secondsSinceLastFrame(),
+                             parameters_.at("survival_time"));
   const bool noTargetElsewhere = noTargetIsElsewhere(objects_, images_.cameraCount(), estimates_);
   for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
     if (images_.frame(camera)) {

@@ -67,14 +67,14 @@ void FrameImages::learnBackground(std::size_t camera,
   backgrounds_[camera].learn(frame(camera)->image, hidden, noTargetElsewhere);
 }
 
-void FrameImages::forgetEmptyPlaces() {
+void FrameImages::forgetFamiliarPixels() {
   for (BackgroundModel& background : backgrounds_) {
-    background.forgetEmptyPlaces();
+    background.forgetFamiliarPixels();
   }
 }
 
-void FrameImages::forgetEmptyPlaces(std::size_t camera, const BackgroundModel::Hidden& circle) {
-  backgrounds_[camera].forgetEmptyPlaces(circle);
+void FrameImages::forgetFamiliarPixels(std::size_t camera, const BackgroundModel::Hidden& circle) {
+  backgrounds_[camera].forgetFamiliarPixels(circle);
 }
 
 std::size_t FrameImages::memoryBytes() const {

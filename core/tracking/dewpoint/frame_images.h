@@ -47,10 +47,9 @@ public:
   /// BackgroundModel::learn(). The camera must have an image.
   void learnBackground(std::size_t camera, const std::vector<BackgroundModel::Hidden>& hidden,
                        bool noTargetElsewhere);
-  /// Calls BackgroundModel::forgetEmptyPlaces() for all cameras, or for a circle in the image of
-  /// one camera.
-  void forgetEmptyPlaces();
-  void forgetEmptyPlaces(std::size_t camera, const BackgroundModel::Hidden& circle);
+  /// BackgroundModel::forgetFamiliarPixels() of all cameras, and inside a circle in one.
+  void forgetFamiliarPixels();
+  void forgetFamiliarPixels(std::size_t camera, const BackgroundModel::Hidden& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
   /// Returns the size of the backgrounds in bytes.
   std::size_t memoryBytes() const;

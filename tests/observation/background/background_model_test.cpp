@@ -202,11 +202,11 @@ TEST(BackgroundModel, EmptyPlacesAreForgottenEverywhereOrInsideACircle) {
   BackgroundModel model;
   const cv::Mat poster = plain(200, 30, 180);
   learnElsewhere(model, poster, kMany);
-  model.forgetEmptyPlaces({{40.0, 30.0}, 10.0});
+  model.forgetFamiliarPixels({{40.0, 30.0}, 10.0});
   const cv::Mat labels = labelsOfTargetColor(model, poster);
   EXPECT_EQ(labels.at<std::uint8_t>(30, 40), static_cast<int>(PixelLabel::Target));
   EXPECT_EQ(labels.at<std::uint8_t>(30, 20), static_cast<int>(PixelLabel::Explained));
-  model.forgetEmptyPlaces();
+  model.forgetFamiliarPixels();
   EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Target), kAll);
 }
 
@@ -215,8 +215,8 @@ TEST(BackgroundModel, APictureOfTheEmptyRoomIsNotForgotten) {
   const cv::Mat poster = plain(200, 30, 180);
   model.setEmptyRoom(poster);
   model.reset();
-  model.forgetEmptyPlaces();
-  model.forgetEmptyPlaces({{40.0, 30.0}, 10.0});
+  model.forgetFamiliarPixels();
+  model.forgetFamiliarPixels({{40.0, 30.0}, 10.0});
   EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Explained), kAll);
 }
 
