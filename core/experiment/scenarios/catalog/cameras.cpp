@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S6: two to eight cameras, and cameras that drop out and return. S9: a camera that is bumped.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/simulation/room/room_view.h"
 #include "core/simulation/scene/rigs.h"
 

@@ -2,7 +2,7 @@
 // S0: one ball on a cluttered desk, nothing else of its color. S1: balls that look the same.
 // S10: the same with a ball whose size methods are not told.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/simulation/scene/scene.h"
 
 #include <fmt/format.h>

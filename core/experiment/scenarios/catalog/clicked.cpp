@@ -3,7 +3,7 @@
 // one of two colors, each of which is clicked.
 #include "core/color/color_sample.h"
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/patterned_ball.h"
 #include "core/setup/click_lesson.h"
 #include "core/simulation/scene/scene.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S5: identical balls, all of which are to be tracked, whose ways cross.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/simulation/scene/rigs.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S19: the target among identical balls that fly freely, touch and cover each other.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/crowd_motion.h"
 #include "core/simulation/scene/rigs.h"
 

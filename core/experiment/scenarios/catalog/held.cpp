@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S11: a ball in a hand, whose fingers hide a part of it from every camera.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/hidden_share.h"
 #include "core/simulation/body/hand.h"
 #include "core/simulation/body/part_shapes.h"

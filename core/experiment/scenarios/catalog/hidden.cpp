@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S2: half of the disc hidden in one camera. S3: cameras that see nothing, and a ball that is gone.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/simulation/scene/rigs.h"
 #include "core/simulation/scene/scene.h"
 

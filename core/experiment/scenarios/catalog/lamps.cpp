@@ -2,7 +2,7 @@
 // S20: light that is not that of one white lamp, and exposures that are not fixed.
 #include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/grade_model.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/simulation/room/light.h"
 #include "core/simulation/scene/scene.h"
 

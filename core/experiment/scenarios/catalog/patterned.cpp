@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S12: balls with patches, seams, two colors or a clipped highlight, which rotate.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/patterned_ball.h"
 #include "core/simulation/scene/scene.h"
 

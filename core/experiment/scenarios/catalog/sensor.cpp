@@ -2,7 +2,7 @@
 // S14: what a webcam makes of the light, and nothing else.
 #include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/grade_model.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/simulation/scene/scene.h"
 
 #include <cstddef>

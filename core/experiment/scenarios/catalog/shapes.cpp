@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S21: targets that are no balls. The truth is the centroid of what has the target's color.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/patterned_ball.h"
 #include "core/simulation/body/part_shapes.h"
 #include "core/simulation/body/shaped_objects.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S18: balls that are thrown and caught, that bounce on the desk, and that spin.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/patterned_ball.h"
 #include "core/experiment/scenarios/targets/piecewise_path.h"
 #include "core/simulation/scene/scene.h"

@@ -2,7 +2,7 @@
 // S15: frames that are not from when their time stamps say, and nothing else.
 #include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/grade_model.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/simulation/scene/scene.h"
 
 #include <cstddef>

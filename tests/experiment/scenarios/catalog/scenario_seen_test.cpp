@@ -2,7 +2,7 @@
 // Scenarios in which the target is not always to be seen, or moves under gravity or in a crowd: S17
 // to S19.
 #include "core/experiment/scenarios/catalog/recipes.h"
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "tests/experiment/scenarios/scenario_drafts.h"
 #include "tests/experiment/scenarios/scenario_images.h"
 

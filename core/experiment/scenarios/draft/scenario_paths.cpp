@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/experiment/scenarios/draft/scenario_places.h"
+#include "core/experiment/scenarios/draft/scenario_paths.h"
 
 #include <cmath>
 
