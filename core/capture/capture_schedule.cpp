@@ -39,15 +39,16 @@ std::optional<CaptureSchedule::Picture> CaptureSchedule::pictureOf(std::size_t c
   if (hasTimes()) {
     return byTime(pictures, frame);
   }
-  const std::int64_t place = frame + std::llround(pictures.delay * rate_);
-  const double time = static_cast<double>(place) / rate_ - pictures.delay;
-  if (pictures.places.empty()) {
-    const bool isThere = place >= 0 && place < pictures.count;
-    return isThere ? std::optional(Picture{place, time}) : std::nullopt;
+  const std::int64_t number = frame + std::llround(pictures.delay * rate_);
+  const double time = static_cast<double>(number) / rate_ - pictures.delay;
+  if (pictures.sequenceNumbers.empty()) {
+    const bool isThere = number >= 0 && number < pictures.count;
+    return isThere ? std::optional(Picture{number, time}) : std::nullopt;
   }
-  const auto found = std::ranges::lower_bound(pictures.places, place);
-  const bool isThere = found != pictures.places.end() && *found == place;
-  return isThere ? std::optional(Picture{found - pictures.places.begin(), time}) : std::nullopt;
+  const auto found = std::ranges::lower_bound(pictures.sequenceNumbers, number);
+  const bool isThere = found != pictures.sequenceNumbers.end() && *found == number;
+  return isThere ? std::optional(Picture{found - pictures.sequenceNumbers.begin(), time})
+                 : std::nullopt;
 }
 
 std::optional<CaptureSchedule::Picture> CaptureSchedule::byTime(const CameraPictures& camera,

@@ -23,9 +23,9 @@ public:
     double delay = 0.0;     ///< seconds by which the images are delayed
     /// Capture times by a common clock, one for each image. Either all cameras have them or none.
     std::optional<CaptureTimes> times = std::nullopt;
-    /// Index of each image in the complete sequence, from 0, ascending; empty if no image is
-    /// missing. Not used with capture times.
-    std::vector<std::int64_t> places = {};
+    /// Where each picture stands among those that should be there, from 0 on, rising; empty: none
+    /// is missing. Not used when there are times.
+    std::vector<std::int64_t> sequenceNumbers = {};
   };
   /// `rate`: frame sets per second, > 0. `cameras`: at least one.
   CaptureSchedule(std::vector<CameraPictures> cameras, double rate);
@@ -44,7 +44,7 @@ public:
 
   /// Number of frame sets that the images of a camera span, missing images included.
   static std::int64_t lengthOf(const CameraPictures& camera) {
-    return camera.places.empty() ? camera.count : camera.places.back() + 1;
+    return camera.sequenceNumbers.empty() ? camera.count : camera.sequenceNumbers.back() + 1;
   }
   /// Rate in images per second from the capture times, that of the fastest camera; 0 if unknown.
   static double rateOf(const std::vector<CameraPictures>& cameras);

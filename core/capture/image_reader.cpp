@@ -32,7 +32,7 @@ public:
       : files_(std::move(files)), field_(std::move(field)) {}
 
   std::int64_t frameCount() const override { return std::ssize(files_); }
-  std::vector<std::int64_t> places() const override { return numberedPlaces(files_); }
+  std::vector<std::int64_t> sequenceNumbers() const override { return sequenceNumbersOf(files_); }
   std::string fileOf(std::int64_t frame) const override {
     return files_[static_cast<std::size_t>(frame)];
   }

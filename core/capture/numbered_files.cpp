@@ -32,7 +32,7 @@ std::optional<std::int64_t> numberAtEnd(std::string_view name) {
   return number;
 }
 
-std::vector<std::int64_t> numberedPlaces(const std::vector<std::string>& files) {
+std::vector<std::int64_t> sequenceNumbersOf(const std::vector<std::string>& files) {
   std::vector<std::int64_t> numbers;
   std::string beginning;
   for (const std::string& file : files) {
@@ -52,16 +52,16 @@ std::vector<std::int64_t> numberedPlaces(const std::vector<std::string>& files) 
   for (std::size_t k = 2; k < numbers.size(); ++k) {
     step = std::min(step, numbers[k] - numbers[k - 1]);
   }
-  std::vector<std::int64_t> places;
+  std::vector<std::int64_t> result;
   for (const std::int64_t number : numbers) {
     const std::int64_t way = number - numbers.front();
     if (way % step != 0) {
       return {};
     }
-    places.push_back(way / step);
+    result.push_back(way / step);
   }
-  const std::int64_t gaps = places.back() + 1 - std::ssize(places);
-  return gaps > 0 && gaps < std::ssize(places) ? places : std::vector<std::int64_t>();
+  const std::int64_t gaps = result.back() + 1 - std::ssize(result);
+  return gaps > 0 && gaps < std::ssize(result) ? result : std::vector<std::int64_t>();
 }
 
 } // namespace dewpoint::capture

@@ -15,11 +15,10 @@ namespace dewpoint::capture {
 /// digits.
 std::optional<std::int64_t> numberAtEnd(std::string_view name);
 
-/// Index of each file in a numbered sequence, from 0 for the first file, when some files of the
-/// sequence are missing. The numbers are at the end of the names, before the extension. They may
-/// rise by any step; a gap is a whole number of steps. Empty if no file is missing, or if the names
-/// do not form such a sequence (different prefixes, numbers that are times, or fewer files present
-/// than missing).
-std::vector<std::int64_t> numberedPlaces(const std::vector<std::string>& files);
+/// Where each file stands in a sequence of numbered files (their names end in numbers, before the
+/// ending), from 0 for the first on, when some of the sequence are missing. Numbers may rise by any
+/// step; a gap is a whole number of steps. Empty: none is missing, or the names are no such
+/// sequence (another beginning, numbers that are times, or fewer files there than missing).
+std::vector<std::int64_t> sequenceNumbersOf(const std::vector<std::string>& files);
 
 } // namespace dewpoint::capture

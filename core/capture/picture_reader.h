@@ -23,10 +23,10 @@ public:
   /// Reads image number `frame`; an empty image at an end that is not an error. The caller owns the
   /// pixels. Fast when the numbers rise one by one.
   virtual Result<cv::Mat> read(std::int64_t frame) = 0;
-  /// Index of each image in the complete sequence, from 0, ascending, if some images are missing;
-  /// empty if none is.
-  virtual std::vector<std::int64_t> places() const { return {}; }
-  /// Name of the file that an image comes from, for errors.
+  /// Where each picture stands among those that should be there, from 0 on, rising, when some are
+  /// missing; empty: none is.
+  virtual std::vector<std::int64_t> sequenceNumbers() const { return {}; }
+  /// The file that picture comes from, for errors.
   virtual std::string fileOf(std::int64_t frame) const = 0;
 };
 

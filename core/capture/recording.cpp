@@ -151,7 +151,7 @@ Result<Camera> openCamera(const RecordedCamera& description) {
   }
   camera.first = std::move(*first);
   camera.pictures = {camera.reader->frameCount(), description.delay, std::nullopt,
-                     camera.reader->places()};
+                     camera.reader->sequenceNumbers()};
   if (auto timed = addTimes(description, camera.pictures); !timed) {
     return tl::make_unexpected(timed.error());
   }
@@ -201,9 +201,9 @@ void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& not
 
 /// The name of the file after which a picture is missing.
 std::string firstFileBeforeGap(const Camera& camera) {
-  const auto& places = camera.pictures.places;
+  const auto& sequenceNumbers = camera.pictures.sequenceNumbers;
   std::int64_t number = 0;
-  while (places[static_cast<std::size_t>(number)] == number) {
+  while (sequenceNumbers[static_cast<std::size_t>(number)] == number) {
     ++number;
   }
   return std::filesystem::path(camera.reader->fileOf(number - 1)).filename().string();

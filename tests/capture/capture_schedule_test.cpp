@@ -35,7 +35,8 @@ TEST(CaptureSchedule, TakesTheNearestPictureOfALateCamera) {
 }
 
 TEST(CaptureSchedule, HasNoPictureWhereOneIsMissing) {
-  const CaptureSchedule schedule({{.count = 6}, {.count = 4, .places = {0, 1, 4, 5}}}, 10.0);
+  const CaptureSchedule schedule({{.count = 6}, {.count = 4, .sequenceNumbers = {0, 1, 4, 5}}},
+                                 10.0);
   EXPECT_EQ(schedule.frameCount(), 6);
   EXPECT_EQ(numbers(schedule, 1), (Numbers{0, 1, -1, -1, 2, 3}));
 }
@@ -72,16 +73,16 @@ TEST(CaptureSchedule, HasNoFramesOfCamerasThatNeverRanTogether) {
 }
 
 TEST(NumberedFiles, GapsAreFoundByNumbers) {
-  EXPECT_EQ(numberedPlaces({"f/a_001.png", "f/a_002.png", "f/a_004.png"}), (Numbers{0, 1, 3}));
-  EXPECT_EQ(numberedPlaces({"10.png", "20.png", "30.png", "60.png"}), (Numbers{0, 1, 2, 5}));
+  EXPECT_EQ(sequenceNumbersOf({"f/a_001.png", "f/a_002.png", "f/a_004.png"}), (Numbers{0, 1, 3}));
+  EXPECT_EQ(sequenceNumbersOf({"10.png", "20.png", "30.png", "60.png"}), (Numbers{0, 1, 2, 5}));
 }
 
 TEST(NumberedFiles, NoGapIsFoundWhereThereIsNoSequence) {
-  EXPECT_TRUE(numberedPlaces({"1.png", "2.png", "3.png"}).empty());     // whole
-  EXPECT_TRUE(numberedPlaces({"a1.png", "b2.png", "a5.png"}).empty());  // other names
-  EXPECT_TRUE(numberedPlaces({"first.png", "2.png", "5.png"}).empty()); // no number
-  EXPECT_TRUE(numberedPlaces({"1000.png", "1033.png", "1067.png", "1101.png"}).empty()); // times
-  EXPECT_TRUE(numberedPlaces({"1.png", "2.png", "3.png", "90.png"}).empty()); // a stray one
+  EXPECT_TRUE(sequenceNumbersOf({"1.png", "2.png", "3.png"}).empty());     // whole
+  EXPECT_TRUE(sequenceNumbersOf({"a1.png", "b2.png", "a5.png"}).empty());  // other names
+  EXPECT_TRUE(sequenceNumbersOf({"first.png", "2.png", "5.png"}).empty()); // no number
+  EXPECT_TRUE(sequenceNumbersOf({"1000.png", "1033.png", "1067.png", "1101.png"}).empty()); // times
+  EXPECT_TRUE(sequenceNumbersOf({"1.png", "2.png", "3.png", "90.png"}).empty()); // a stray one
 }
 
 TEST(NumberedFiles, TheNumberAtTheEndOfANameIsRead) {

@@ -37,8 +37,8 @@ struct CameraFootage {
   std::int64_t frames = 0;
   double rate = 0.0; ///< as stated in the recording; 0: not stated
   cv::Size size;     ///< after the rotation
-  std::vector<std::int64_t> places = {};
-  std::vector<cv::Mat> images = {}; ///< the first, central and last image, CV_8UC3, rotated
+  std::vector<std::int64_t> sequenceNumbers = {};
+  std::vector<cv::Mat> images = {}; ///< the first, the middle and the last, CV_8UC3, rotated
   std::optional<CaptureTimes> times = {};
 };
 

@@ -38,9 +38,10 @@ std::string sizeText(int width, int height) {
 }
 
 /// The name of the file after which an image is missing.
-std::string fileBeforeGap(const PictureReader& reader, const std::vector<std::int64_t>& places) {
+std::string fileBeforeGap(const PictureReader& reader,
+                          const std::vector<std::int64_t>& sequenceNumbers) {
   std::int64_t number = 0;
-  while (places[static_cast<std::size_t>(number)] == number) {
+  while (sequenceNumbers[static_cast<std::size_t>(number)] == number) {
     ++number;
   }
   return fs::path(reader.fileOf(number - 1)).filename().string();
@@ -69,7 +70,7 @@ public:
     }
     footage_.frames = (*reader)->frameCount();
     footage_.rate = (*reader)->framesPerSecond();
-    footage_.places = (*reader)->places();
+    footage_.sequenceNumbers = (*reader)->sequenceNumbers();
     if (!take(**reader, 0)) {
       return; // what is not an image at its beginning is none
     }
@@ -157,12 +158,12 @@ private:
 
   void checkGaps(const PictureReader& reader) {
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage_.frames, 0.0, {}, footage_.places});
+        CaptureSchedule::lengthOf({footage_.frames, 0.0, {}, footage_.sequenceNumbers});
     if (length > footage_.frames && camera_.times.empty()) {
       hasFault_ = true;
       examination_.addIn(camera_.location, FindingKind::ImagesMissing,
                          {name_, std::to_string(length - footage_.frames), std::to_string(length),
-                          fileBeforeGap(reader, footage_.places)});
+                          fileBeforeGap(reader, footage_.sequenceNumbers)});
     }
   }
 
@@ -251,7 +252,7 @@ void compareLengths(Examination& examination) {
       continue;
     }
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage.frames, 0.0, {}, footage.places});
+        CaptureSchedule::lengthOf({footage.frames, 0.0, {}, footage.sequenceNumbers});
     least = list.empty() ? length : std::min(least, length);
     most = std::max(most, length);
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", examination.nameOf(k), length);
