@@ -26,11 +26,11 @@ ColorLikelihood::ColorLikelihood(const std::vector<double>& logRatios) {
     const double bounded = std::clamp(logRatios[cell], -kMost, kMost);
     (*steps)[cell] = static_cast<std::int8_t>(std::lround(bounded / kStep));
     if ((*steps)[cell] > -kMostSteps) {
-      const auto place =
-          placeInReach(static_cast<int>(cell >> 10U), static_cast<int>((cell >> 5U) & 31U),
-                       static_cast<int>(cell & 31U));
-      for (std::size_t i = 0; i < place.size(); ++i) {
-        reach_[i].include(place[i]);
+      const auto coordinates =
+          reachCoordinates(static_cast<int>(cell >> 10U), static_cast<int>((cell >> 5U) & 31U),
+                           static_cast<int>(cell & 31U));
+      for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        reach_[i].include(coordinates[i]);
       }
     }
   }

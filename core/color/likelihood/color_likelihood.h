@@ -62,7 +62,7 @@ private:
   /// Bounds of red - green, green - blue, red - blue and the sum over all cells above the lowest
   /// log ratio. A target of one hue lies in a wedge of colors that these bounds enclose closely.
   using Reach = std::array<Bounds, 4>;
-  static std::array<int, 4> placeInReach(int blue, int green, int red) {
+  static std::array<int, 4> reachCoordinates(int blue, int green, int red) {
     return {red - green, green - blue, red - blue, red + green + blue};
   }
 
