@@ -14,11 +14,11 @@ namespace dewpoint::camera_motion {
 namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr double kInterval = 0.2;        // seconds between two checks of one camera
-constexpr std::size_t kChecks = 5;       // whose median counts
-constexpr double kBump = 0.05 * kDegree; // half of what must be reported
-constexpr double kBack = 0.03 * kDegree; // below it the camera stands as before
-constexpr double kSignificant = 6.0;     // standard errors
+constexpr double kInterval = 0.2;              // seconds between two checks of one camera
+constexpr std::size_t kChecks = 5;             // whose median counts
+constexpr double kMovedAngle = 0.05 * kDegree; // half of what must be reported
+constexpr double kBack = 0.03 * kDegree;       // below it the camera stands as before
+constexpr double kSignificant = 6.0;           // standard errors
 /// Pieces that must agree on a rotation.
 constexpr int kFewestPieces = 6;
 constexpr int kGridColumns = 8; // at most one piece in each part of the image
@@ -233,7 +233,7 @@ void CameraMotionDetector::judge(std::size_t camera, const CameraRotation& turn,
     return;
   }
   const double angle = state.turn.turn.norm();
-  if (!state.moved && angle > kBump && turn.significance > kSignificant) {
+  if (!state.moved && angle > kMovedAngle && turn.significance > kSignificant) {
     state.moved = true;
     events_.push_back({camera, frames.index, frames.time, state.turn});
   } else if (state.moved && angle < kBack) {

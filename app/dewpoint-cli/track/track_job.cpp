@@ -43,7 +43,7 @@ void noteNotices(const FrameSetSource& source, RunFigures& figures) {
   }
 }
 
-/// Says each new bump of a camera once.
+/// Says each new motion of a camera once.
 void noteCameraMotions(const CameraMotionWatch& motionWatch, std::size_t& said,
                        RunFigures& figures) {
   if (said == motionWatch.reports().size()) {

@@ -30,11 +30,10 @@ struct ScenarioEvent {
     Return,
     CameraLost,
     CameraBack,
-    Bump,
-    /// From this frame on, the camera sees nothing of the target: it is outside the image or hidden
-    /// (camera -1: in all cameras).
-    UnseenBegin,
-    UnseenEnd, ///< from this frame on, it sees part of the target again
+    CameraMoved,
+    UnseenBegin, ///< from this frame on the camera sees nothing of the target: it is outside the
+                 ///< image or hidden (camera -1: so in all cameras)
+    UnseenEnd,   ///< from this frame on it sees some of it again
   };
   Kind kind = Kind::Jump;
   std::int64_t frame = 0;

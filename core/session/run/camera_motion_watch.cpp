@@ -15,7 +15,7 @@ namespace {
 constexpr double kPuttingDown =
     3.0;                         // seconds from the end of a calibration until its board is gone
 constexpr double kEvery = 1.0;   // seconds
-constexpr double kSettled = 1.0; // seconds after a bump that count for nothing
+constexpr double kSettled = 1.0; // seconds after a motion that count for nothing
 constexpr double kWindow = 2.0;  // seconds of residuals that are compared
 /// Residuals that are compared.
 constexpr std::size_t kFewest = 10;
@@ -60,9 +60,9 @@ void CameraMotionWatch::restart() {
 void CameraMotionWatch::setCameras(const CameraRig& rig) {
   for (std::size_t k = 0; k < std::min(rig.size(), rig_.size()); ++k) {
     if (rig[k] != rig_[k]) {
-      const auto bumped = std::ranges::find_if(
+      const auto moved = std::ranges::find_if(
           reports_, [&](const CameraMotionReport& one) { return one.event.camera == k; });
-      solvedAt_[k] = bumped != reports_.end() ? std::optional(bumped->event.frame) : std::nullopt;
+      solvedAt_[k] = moved != reports_.end() ? std::optional(moved->event.frame) : std::nullopt;
       detector_.accept(k, rig[k]);
       std::erase_if(reports_,
                     [&](const CameraMotionReport& report) { return report.event.camera == k; });
@@ -126,7 +126,7 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
     report.targetPixels = now->residual.norm();
   }
   const CameraRotation& turn = detector_.camera(camera).turn;
-  // With two cameras the estimate leans on the bumped one too: the background alone is better.
+  // With two cameras the estimate leans on the moved one too: the background alone is better.
   const auto& sightings =
       rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.of(camera);
   const auto solved = estimatePoseAfterMotion(rig_[camera], turn, sightings, since);

@@ -54,9 +54,9 @@ bool withDropouts(ScenarioDraft& draft) {
   return true;
 }
 
-/// The camera after a bump: rotated about an axis in its image plane, so that the image shifts by
-/// as much everywhere, and moved anywhere.
-Camera bumped(Camera camera, Draws& draws) {
+/// The camera after it was moved: rotated about an axis in its image plane, so that the image
+/// shifts by as much everywhere, and moved anywhere.
+Camera moved(Camera camera, Draws& draws) {
   // Chosen: a nudge with the elbow, 9 pixels at a focal length of 350 pixels.
   constexpr double kTurn = 1.5 * std::numbers::pi / 180.0; // radians
   constexpr double kShift = 0.01;                          // meters
@@ -80,23 +80,23 @@ bool staysVisibleSince(const ScenarioDraft& draft, std::int64_t frame,
   return true;
 }
 
-bool withBump(ScenarioDraft& draft) {
-  constexpr int kBumps = 20; // that are tried; chosen, as each view is rendered
+bool withMovedCamera(ScenarioDraft& draft) {
+  constexpr int kMostPoses = 20; // that are tried; chosen, as each view is rendered
   if (!addDeskBall(draft, kUsualFrames)) {
     return false;
   }
   const std::int64_t frame = 75 + draft.draws.whole(-15, 15);
   const int which = draft.draws.whole(0, static_cast<int>(draft.rig.size()) - 1);
   const auto camera = static_cast<std::size_t>(which);
-  for (int i = 0; i < kBumps; ++i) {
+  for (int i = 0; i < kMostPoses; ++i) {
     // Not from the cache: no other run has this view.
     const auto view = std::make_shared<const simulation::RoomView>(
-        bumped(draft.rig[camera], draft.draws), *draft.room);
+        moved(draft.rig[camera], draft.draws), *draft.room);
     if (staysVisibleSince(draft, frame, *view)) {
       // Half a frame early, so that the frame's whole exposure is after it.
       const double since = draft.timeOf(frame) - 0.5 / draft.framesPerSecond;
       draft.stage.moves.push_back({camera, since, view});
-      draft.events.push_back({ScenarioEvent::Kind::Bump, frame, which});
+      draft.events.push_back({ScenarioEvent::Kind::CameraMoved, frame, which});
       draft.exactWhenIdeal = false;
       return true;
     }
@@ -107,11 +107,11 @@ bool withBump(ScenarioDraft& draft) {
 } // namespace
 
 std::vector<ScenarioRecipe> movedCameraScenarios() {
-  ScenarioRecipe bump{"S9-bump",
-                      "One of three cameras is bumped, by 1.5 degrees and 1 cm; nobody tells.",
-                      threeCameraDeskRig()};
-  bump.complete = withBump;
-  return {bump};
+  ScenarioRecipe recipe{"S9-bump",
+                        "One of three cameras is bumped, by 1.5 degrees and 1 cm; nobody tells.",
+                        threeCameraDeskRig()};
+  recipe.complete = withMovedCamera;
+  return {recipe};
 }
 
 std::vector<ScenarioRecipe> cameraScenarios() {
