@@ -33,7 +33,7 @@ FrameSetPtr beforePoster(const CameraRig& rig, const Eigen::Vector3d& place, int
 }
 
 // The ball is beside a poster of its color at first, then before it: by then the poster is known.
-TEST(DewpointLookAlikes, APosterOfItsColorIsNotTheTarget) {
+TEST(DewpointDistractors, APosterOfItsColorIsNotTheTarget) {
   DrawnRun run(rigAround(2), {redBall()});
   for (int frame = 0; frame < 90; ++frame) {
     const Eigen::Vector3d place =
@@ -45,7 +45,7 @@ TEST(DewpointLookAlikes, APosterOfItsColorIsNotTheTarget) {
 }
 
 // Nothing but posters of its color: something round within them is never surely the target.
-TEST(DewpointLookAlikes, APartOfAPosterIsNeverSurelyTheTarget) {
+TEST(DewpointDistractors, APartOfAPosterIsNeverSurelyTheTarget) {
   DrawnRun run(rigAround(2), {redBall()});
   for (int frame = 0; frame < 60; ++frame) {
     auto set = drawn::framesOf(run.rig(), {}, frame);
@@ -60,7 +60,7 @@ TEST(DewpointLookAlikes, APartOfAPosterIsNeverSurelyTheTarget) {
 }
 
 // Two balls alike and one target: no image tells which it is, somebody has to.
-TEST(DewpointLookAlikes, OfTwoBallsAlikeTheTargetIsAmbiguousUntilSomebodySaysWhichItIs) {
+TEST(DewpointDistractors, OfTwoBallsAlikeTheTargetIsAmbiguousUntilSomebodySaysWhichItIs) {
   const Eigen::Vector3d one = drawn::kMiddle + Eigen::Vector3d(-0.1, 0.0, 0.0);
   const Eigen::Vector3d other = drawn::kMiddle + Eigen::Vector3d(0.1, 0.0, 0.0);
   DrawnRun run(rigAround(2), {redBall()});
@@ -77,7 +77,7 @@ TEST(DewpointLookAlikes, OfTwoBallsAlikeTheTargetIsAmbiguousUntilSomebodySaysWhi
   }
 }
 
-TEST(DewpointLookAlikes, ABallAloneIsNotAmbiguous) {
+TEST(DewpointDistractors, ABallAloneIsNotAmbiguous) {
   const auto place = [](int frame) -> Eigen::Vector3d {
     return drawn::kMiddle + Eigen::Vector3d(-0.15 + 0.006 * frame, 0.05, 0.02);
   };
@@ -88,7 +88,7 @@ TEST(DewpointLookAlikes, ABallAloneIsNotAmbiguous) {
 }
 
 // A run that goes back is a copy: it must forget empty places in the same frame.
-TEST(DewpointLookAlikes, ACopyKnowsForHowLongATargetWasNotFound) {
+TEST(DewpointDistractors, ACopyKnowsForHowLongATargetWasNotFound) {
   TrackedObjects objects({redBall()}, rigAround(2));
   objects[0].unseenSeconds = 3.0;
   EXPECT_EQ(TrackedObjects(objects)[0].unseenSeconds, 3.0);
