@@ -84,9 +84,9 @@ void addBothWays(const char* grade, const std::string& sentence, const std::stri
                  const std::string& figure, const Bounds& median, const Bounds& worst,
                  std::vector<SuiteBar>& bars) {
   bars.push_back(aim(kBeliefItem, grade, sentence + ", median of the scenarios", unit, median.low,
-                     median.high, medianScenario(beliefFigure(figure))));
+                     median.high, medianScenario(beliefMetric(figure))));
   bars.push_back(aim(kBeliefItem, grade, sentence + ", worst scenario", unit, worst.low, worst.high,
-                     worstScenario(beliefFigure(figure))));
+                     worstScenario(beliefMetric(figure))));
 }
 
 /// Each bound of the 50 % ellipsoid and of NEES is the one that goes with the bound of the 95 %
@@ -122,7 +122,7 @@ void addBelief(const BeliefLimits& limits, std::vector<SuiteBar>& bars) {
         fmt::format("Sure of a tie: frames with P(exists) more than {:g} above one over the number "
                     "of equal candidates, worst scenario",
                     kTieSlack),
-        "%", kAnyLow, *limits.sureOfTie, worstScenario(beliefFigure("sure_of_tie_percent")),
+        "%", kAnyLow, *limits.sureOfTie, worstScenario(beliefMetric("sure_of_tie_percent")),
         {"S19-even-start"}));
   }
 }

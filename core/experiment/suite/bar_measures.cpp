@@ -29,12 +29,12 @@ std::vector<std::string> scenariosOf(const BarRuns& runs) {
   return names;
 }
 
-OverScenarios beliefOver(const BarRuns& runs, const BeliefFigure& figure) {
+OverScenarios beliefOver(const BarRuns& runs, const BeliefMetric& metric) {
   std::vector<ScenarioValue> values;
   for (const std::string& scenario : scenariosOf(runs)) {
-    values.push_back({scenario, figure.of(runsOf(runs, scenario))});
+    values.push_back({scenario, metric.of(runsOf(runs, scenario))});
   }
-  return overScenarios(values, figure.lessIsBetter);
+  return overScenarios(values, metric.lessIsBetter);
 }
 
 /// Our runs, each with the other of the same scenario and seed, where there is one.
@@ -152,13 +152,13 @@ BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others) {
   return count > 0 ? sum / count : kNoFigure;
 }
 
-BarMeasure medianScenario(const BeliefFigure& figure) {
-  return [&figure](const BarRuns& ours, const BarRuns&) { return beliefOver(ours, figure).median; };
+BarMeasure medianScenario(const BeliefMetric& metric) {
+  return [&metric](const BarRuns& ours, const BarRuns&) { return beliefOver(ours, metric).median; };
 }
 
-BarMeasure worstScenario(const BeliefFigure& figure) {
-  return [&figure](const BarRuns& ours, const BarRuns&) {
-    OverScenarios over = beliefOver(ours, figure);
+BarMeasure worstScenario(const BeliefMetric& metric) {
+  return [&metric](const BarRuns& ours, const BarRuns&) {
+    OverScenarios over = beliefOver(ours, metric);
     return BarFigure(over.worst, std::move(over.worstScenario));
   };
 }

@@ -55,11 +55,11 @@ BarFigure sharedFramesRatio(const BarRuns& ours, const BarRuns& others);
 /// Percentage of lost frames minus that of the other run of the same seed: the mean.
 BarFigure lostBeyondTriangulation(const BarRuns& ours, const BarRuns& others);
 
-/// Median of a metric of belief over the scenarios.
-BarMeasure medianScenario(const BeliefFigure& figure);
-/// The same metric for the worst scenario.
-BarMeasure worstScenario(const BeliefFigure& figure);
-/// Largest value of a measure over single scenarios.
+/// A metric of belief: the median over the scenarios.
+BarMeasure medianScenario(const BeliefMetric& metric);
+/// The same: of the worst scenario.
+BarMeasure worstScenario(const BeliefMetric& metric);
+/// The greatest value that a measure has in one scenario alone.
 BarMeasure greatestOfScenarios(BarMeasure measure);
 
 } // namespace dewpoint::experiment

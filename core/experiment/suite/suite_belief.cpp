@@ -31,45 +31,45 @@ BeliefSummary summaryOf(std::span<const SuiteCell* const> cells) {
   for (const SuiteCell* cell : cells) {
     summary.runs += cell->runs.size();
   }
-  for (const BeliefFigure& figure : beliefFigures()) {
+  for (const BeliefMetric& metric : beliefMetrics()) {
     std::vector<ScenarioValue> values;
     values.reserve(cells.size());
     for (const SuiteCell* cell : cells) {
-      values.push_back({cell->scenario, figure.of(cell->runs)});
+      values.push_back({cell->scenario, metric.of(cell->runs)});
     }
-    summary.figures.push_back(overScenarios(values, figure.lessIsBetter));
+    summary.figures.push_back(overScenarios(values, metric.lessIsBetter));
   }
   return summary;
 }
 
 } // namespace
 
-std::span<const BeliefFigure> beliefFigures() {
+std::span<const BeliefMetric> beliefMetrics() {
   static constexpr std::array kFigures{
-      BeliefFigure{"coverage50_percent", "in 50 %<br>ellipsoid %",
+      BeliefMetric{"coverage50_percent", "in 50 %<br>ellipsoid %",
                    "truths inside the stated 50 % ellipsoid, mean over the runs",
                    meanFigure<&SuiteRow::coverage50Percent>, false},
-      BeliefFigure{"coverage95_percent", "in 95 %<br>ellipsoid %",
+      BeliefMetric{"coverage95_percent", "in 95 %<br>ellipsoid %",
                    "truths inside the stated 95 % ellipsoid, mean over the runs",
                    meanFigure<&SuiteRow::coverage95Percent>, false},
-      BeliefFigure{"nees", "NEES",
+      BeliefMetric{"nees", "NEES",
                    "normalized estimation error squared, median over the runs; 3 is consistent",
                    medianNees, true},
-      BeliefFigure{"existence_ece", "ECE of<br>P(exists)",
+      BeliefMetric{"existence_ece", "ECE of<br>P(exists)",
                    "expected calibration error of P(exists), of all frames of all runs", pooledEce,
                    true},
-      BeliefFigure{"sure_and_wrong_percent", "sure and<br>wrong %",
+      BeliefMetric{"sure_and_wrong_percent", "sure and<br>wrong %",
                    "frames with P(exists) above 0.95 and the target absent or farther off than "
                    "three stated radii, mean over the runs",
                    meanFigure<&SuiteRow::sureAndWrongPercent>, true},
-      BeliefFigure{"wrong_percent", "declared, not<br>within 30 mm %",
+      BeliefMetric{"wrong_percent", "declared, not<br>within 30 mm %",
                    "frames with the target declared, but absent or not within 30 mm, mean over the "
                    "runs",
                    meanFigure<&SuiteRow::wrongPercent>, true},
-      BeliefFigure{"wrong_when_sure_percent", "the same with<br>P &gt; 0.95 %",
+      BeliefMetric{"wrong_when_sure_percent", "the same with<br>P &gt; 0.95 %",
                    "the same with P(exists) above 0.95",
                    meanFigure<&SuiteRow::wrongWhenSurePercent>, true},
-      BeliefFigure{"sure_of_tie_percent", "sure of<br>a tie %",
+      BeliefMetric{"sure_of_tie_percent", "sure of<br>a tie %",
                    "where N objects are the target equally well: frames with the target declared "
                    "and P(exists) above 1 / N + 0.05, mean over the runs",
                    meanFigure<&SuiteRow::sureOfTiePercent>, true},
@@ -77,10 +77,10 @@ std::span<const BeliefFigure> beliefFigures() {
   return kFigures;
 }
 
-const BeliefFigure& beliefFigure(const std::string& name) {
-  const auto all = beliefFigures();
+const BeliefMetric& beliefMetric(const std::string& name) {
+  const auto all = beliefMetrics();
   const auto found =
-      std::ranges::find_if(all, [&](const BeliefFigure& figure) { return name == figure.name; });
+      std::ranges::find_if(all, [&](const BeliefMetric& metric) { return name == metric.name; });
   assert(found != all.end());
   return *found;
 }

@@ -10,22 +10,22 @@
 
 namespace dewpoint::experiment {
 
-/// Metric that shows whether a method's confidence is justified.
-struct BeliefFigure {
-  const char* name;     ///< name in files: "coverage95_percent"
-  const char* head;     ///< head of a table column, HTML
-  const char* sentence; ///< description
-  /// Computes the metric from the runs of one method in one scenario; NaN if they have none.
+/// A metric by which it is assessed whether a method knows how sure it may be.
+struct BeliefMetric {
+  const char* name;     ///< in files: "coverage95_percent"
+  const char* head;     ///< of a table's column, HTML
+  const char* sentence; ///< what it is
+  /// Of the runs of one method in one scenario; NaN where they have none.
   double (*of)(std::span<const SuiteResult* const> runs);
   /// Whether the worst scenario is the one with the largest value; otherwise it is the one with the
   /// smallest.
   bool lessIsBetter;
 };
 
-/// All metrics of belief in the order of the tables.
-std::span<const BeliefFigure> beliefFigures();
-/// Metric of this name, which must exist (asserted).
-const BeliefFigure& beliefFigure(const std::string& name);
+/// All of them, in the order of the tables.
+std::span<const BeliefMetric> beliefMetrics();
+/// The one of this name (asserted).
+const BeliefMetric& beliefMetric(const std::string& name);
 
 /// One value per scenario, summarized by the median and by the worst.
 struct OverScenarios {
@@ -48,7 +48,7 @@ struct BeliefSummary {
   std::string method;
   std::size_t scenarios = 0;
   std::size_t runs = 0;
-  std::vector<OverScenarios> figures; ///< in the order of beliefFigures()
+  std::vector<OverScenarios> figures; ///< as beliefMetrics()
 };
 
 /// Summaries, one per grade and method among the cells: grades in their order, methods in the order

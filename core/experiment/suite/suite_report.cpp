@@ -57,7 +57,7 @@ Json beliefJson(const BeliefSummary& summary) {
   json["runs"] = summary.runs;
   for (std::size_t k = 0; k < summary.figures.size(); ++k) {
     const OverScenarios& figure = summary.figures[k];
-    json["figures"][beliefFigures()[k].name] = {{"median", number(figure.median)},
+    json["figures"][beliefMetrics()[k].name] = {{"median", number(figure.median)},
                                                 {"worst", number(figure.worst)},
                                                 {"worst_scenario", figure.worstScenario}};
   }
@@ -128,7 +128,7 @@ std::string beliefCsv(const SuiteReport& report) {
     for (std::size_t k = 0; k < summary.figures.size(); ++k) {
       const OverScenarios& figure = summary.figures[k];
       text += fmt::format("{},{},{},{},{},{},{},{}\n", gradeName(summary.grade), summary.method,
-                          summary.scenarios, summary.runs, beliefFigures()[k].name,
+                          summary.scenarios, summary.runs, beliefMetrics()[k].name,
                           csvNumber(figure.median), csvNumber(figure.worst), figure.worstScenario);
     }
   }

@@ -264,8 +264,8 @@ std::string barTable(std::span<const BarResult> bars) {
 
 std::string beliefTable(std::span<const BeliefSummary> methods) {
   std::string text = "<div class='scroll'><table><thead><tr><th>method</th><th>scenarios</th>";
-  for (const BeliefFigure& figure : beliefFigures()) {
-    text += fmt::format("<th>{}</th>", figure.head);
+  for (const BeliefMetric& metric : beliefMetrics()) {
+    text += fmt::format("<th>{}</th>", metric.head);
   }
   text += "</tr></thead><tbody>";
   for (const BeliefSummary& summary : methods) {

@@ -37,7 +37,7 @@ TEST(OverScenarios, OfNothingIsNothing) {
   EXPECT_TRUE(overScenarios(values, false).worstScenario.empty());
 }
 
-TEST(BeliefFigures, AreMeansOverRunsButForNeesAndCalibration) {
+TEST(BeliefMetrics, AreMeansOverRunsButForNeesAndCalibration) {
   MadeResults made;
   const double coverages[] = {80.0, 90.0, 97.0}; // mean 89
   const double nees[] = {1.0, 30.0, 5.0};        // median 5, mean 12
@@ -52,7 +52,7 @@ TEST(BeliefFigures, AreMeansOverRunsButForNeesAndCalibration) {
   }
   const auto cells = made.cells();
   ASSERT_EQ(cells.size(), 1U);
-  const auto figure = [&](const char* name) { return beliefFigure(name).of(cells[0].runs); };
+  const auto figure = [&](const char* name) { return beliefMetric(name).of(cells[0].runs); };
   EXPECT_NEAR(figure("coverage95_percent"), 89.0, 1e-9);
   EXPECT_EQ(figure("nees"), 5.0);
   EXPECT_NEAR(figure("sure_and_wrong_percent"), 1.0, 1e-12);
@@ -60,7 +60,7 @@ TEST(BeliefFigures, AreMeansOverRunsButForNeesAndCalibration) {
   EXPECT_TRUE(std::isnan(figure("coverage50_percent"))) << "no run has it";
 }
 
-TEST(BeliefFigures, OfTiesAreOfTheScenariosThatHaveThem) {
+TEST(BeliefMetrics, OfTiesAreOfTheScenariosThatHaveThem) {
   MadeResults made;
   made.add(resultOf("S0-slow", Grade::Room, "dewpoint"));
   SuiteResult even = resultOf("S19-even-start", Grade::Room, "dewpoint");
@@ -69,9 +69,9 @@ TEST(BeliefFigures, OfTiesAreOfTheScenariosThatHaveThem) {
   const auto cells = made.cells();
   const auto summaries = summarizeBelief(cells);
   ASSERT_EQ(summaries.size(), 1U);
-  const auto figures = beliefFigures();
-  const auto tie = std::ranges::find_if(figures, [](const BeliefFigure& figure) {
-    return std::string(figure.name) == "sure_of_tie_percent";
+  const auto figures = beliefMetrics();
+  const auto tie = std::ranges::find_if(figures, [](const BeliefMetric& metric) {
+    return std::string(metric.name) == "sure_of_tie_percent";
   });
   ASSERT_NE(tie, figures.end());
   const OverScenarios& found =
@@ -103,7 +103,7 @@ TEST(BeliefSummary, IsOneForEachGradeAndMethod) {
   EXPECT_EQ(room.method, "dewpoint");
   EXPECT_EQ(room.scenarios, 2U);
   EXPECT_EQ(room.runs, 2U);
-  ASSERT_EQ(room.figures.size(), beliefFigures().size());
+  ASSERT_EQ(room.figures.size(), beliefMetrics().size());
   EXPECT_EQ(room.figures[1].median, 40.0) << "of 66 and 14";
   EXPECT_EQ(room.figures[1].worst, 14.0);
   EXPECT_EQ(room.figures[1].worstScenario, "S4-desk-cloud");
