@@ -22,25 +22,25 @@ double successOf(double share) {
 
 } // namespace
 
-BoxFigures measureBoxes(std::span<const std::optional<ImageBox>> found,
+BoxMetrics measureBoxes(std::span<const std::optional<ImageBox>> found,
                         std::span<const ImageBox> truth, double radius) {
   assert(found.size() == truth.size() && found.size() > 1 && found.front());
-  BoxFigures figures;
+  BoxMetrics metrics;
   ImageBox last = *found.front();
   for (std::size_t frame = 1; frame < found.size(); ++frame) {
     last = found[frame].value_or(last);
     const double distance = (last.center() - truth[frame].center()).norm();
-    figures.rmse += distance * distance;
+    metrics.rmse += distance * distance;
     if (found[frame]) {
-      figures.success += successOf(overlap(*found[frame], truth[frame]));
-      figures.precision += distance <= radius ? 1.0 : 0.0;
+      metrics.success += successOf(overlap(*found[frame], truth[frame]));
+      metrics.precision += distance <= radius ? 1.0 : 0.0;
     }
   }
   const double count = double(found.size() - 1);
-  figures.rmse = std::sqrt(figures.rmse / count);
-  figures.success /= count;
-  figures.precision /= count;
-  return figures;
+  metrics.rmse = std::sqrt(metrics.rmse / count);
+  metrics.success /= count;
+  metrics.precision /= count;
+  return metrics;
 }
 
 } // namespace dewpoint::experiment

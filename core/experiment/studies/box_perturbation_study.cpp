@@ -59,19 +59,19 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, const Ima
       claims.add(*claim, away <= clip.radius);
     }
   }
-  const BoxFigures figures = measureBoxes(found, clip.truth, clip.radius);
-  row.figures.rmse += figures.rmse;
-  row.figures.success += figures.success;
-  row.figures.precision += figures.precision;
-  row.worstPrecision = std::min(row.worstPrecision, figures.precision);
+  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.radius);
+  row.metrics.rmse += metrics.rmse;
+  row.metrics.success += metrics.success;
+  row.metrics.precision += metrics.precision;
+  row.worstPrecision = std::min(row.worstPrecision, metrics.precision);
   ++row.runs;
   return {};
 }
 
 void conclude(const Claims& claims, BoxPerturbationRow& row) {
-  row.figures.rmse /= row.runs;
-  row.figures.success /= row.runs;
-  row.figures.precision /= row.runs;
+  row.metrics.rmse /= row.runs;
+  row.metrics.success /= row.runs;
+  row.metrics.precision /= row.runs;
   const int frames = claims.framesOn + claims.framesOff;
   row.claims = frames > 0;
   row.similarityOn = claims.on / std::max(1, claims.framesOn);

@@ -32,15 +32,15 @@ std::vector<BoxPerturbation> boxPerturbations();
 /// over all runs.
 struct BoxPerturbationRow {
   std::string clip;
-  std::string method;          ///< "histogram", "csrt"
-  double scale = 1.0;          ///< size factor of the first box
-  int runs = 0;                ///< number of shifts times seeds
-  BoxFigures figures;          ///< compared with the true boxes
-  double worstPrecision = 1.0; ///< lowest precision of a run
-  bool claims = false;         ///< the method reports its confidence, so the rest is known
-  double similarityOn = 0.0;   ///< mean similarity with the center within the radius
-  double similarityOff = 0.0;  ///< mean similarity with the center outside; held boxes count as 0
-  double surelyWrong = 0.0;    ///< share of all frames off the target with similarity above 0.9
+  std::string method; ///< "histogram", "csrt"
+  double scale = 1.0; ///< of the first box
+  int runs = 0;       ///< shifts times seeds
+  BoxMetrics metrics; ///< against the true boxes
+  double worstPrecision = 1.0;
+  bool claims = false;        ///< the rest is known: the method says how sure it is
+  double similarityOn = 0.0;  ///< mean similarity with the center within the radius
+  double similarityOff = 0.0; ///< with the center farther off; held boxes count as 0
+  double surelyWrong = 0.0;   ///< share of all frames off the target, yet above 0.9
 };
 
 /// Default methods of the comparison.

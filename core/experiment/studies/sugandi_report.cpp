@@ -50,7 +50,7 @@ std::string tableRow(const BoxRow& row) {
   return fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{:.1f} %</td>"
                      "<td>{:.1f} %</td><td>{:.2f}</td></tr>",
                      row.ours ? " class='ours'" : "", escaped(row.method), row.seeds,
-                     row.figures.rmse, row.figures.success, 100.0 * row.figures.precision,
+                     row.metrics.rmse, row.metrics.success, 100.0 * row.metrics.precision,
                      100.0 * row.worstPrecision, row.milliseconds);
 }
 
@@ -100,8 +100,8 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
                   "on", "off", "wrong");
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{:<28} {:<10} {:>5.1f} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {}\n",
-                        row.clip, row.method, row.scale, row.runs, row.figures.rmse,
-                        row.figures.success, 100.0 * row.figures.precision,
+                        row.clip, row.method, row.scale, row.runs, row.metrics.rmse,
+                        row.metrics.success, 100.0 * row.metrics.precision,
                         100.0 * row.worstPrecision, claimsText(row));
   }
   return text + fmt::format("{}\n", kPerturbationRemark);
@@ -124,8 +124,8 @@ std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
         fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
                     "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",
                     row.claims ? " class='ours'" : "", escaped(row.clip), escaped(row.method),
-                    row.scale, row.runs, row.figures.rmse, row.figures.success,
-                    100.0 * row.figures.precision, 100.0 * row.worstPrecision, claimsCells(row));
+                    row.scale, row.runs, row.metrics.rmse, row.metrics.success,
+                    100.0 * row.metrics.precision, 100.0 * row.worstPrecision, claimsCells(row));
   }
   return text + fmt::format("</tbody></table></div><p>{}</p>", escaped(kPerturbationRemark));
 }
@@ -137,8 +137,8 @@ std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows) {
                      "similarity_on,similarity_off,surely_wrong\n";
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
-                        row.scale, row.runs, row.figures.rmse, row.figures.success,
-                        row.figures.precision, row.worstPrecision);
+                        row.scale, row.runs, row.metrics.rmse, row.metrics.success,
+                        row.metrics.precision, row.worstPrecision);
     text += row.claims
                 ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff, row.surelyWrong)
                 : ",,,\n";
@@ -153,8 +153,8 @@ std::string boxStudyText(const BoxStudy& study) {
   for (const BoxRow& row : study.rows) {
     text +=
         fmt::format("{:<26} {:<25} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {:>8.2f}\n",
-                    starred(row), row.method, row.seeds, row.figures.rmse, row.figures.success,
-                    100.0 * row.figures.precision, 100.0 * row.worstPrecision, row.milliseconds);
+                    starred(row), row.method, row.seeds, row.metrics.rmse, row.metrics.success,
+                    100.0 * row.metrics.precision, 100.0 * row.worstPrecision, row.milliseconds);
   }
   text += '\n';
   for (const BoxBar& bar : study.bars) {
@@ -172,7 +172,7 @@ std::string boxStudyCsv(const BoxStudy& study) {
   std::string text = "clip,method,seeds,rmse_px,success,precision,worst_precision,ms_per_frame\n";
   for (const BoxRow& row : study.rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}\n", csvCell(row.clip), csvCell(row.method),
-                        row.seeds, row.figures.rmse, row.figures.success, row.figures.precision,
+                        row.seeds, row.metrics.rmse, row.metrics.success, row.metrics.precision,
                         row.worstPrecision, row.milliseconds);
   }
   return text;

@@ -52,12 +52,12 @@ Status follow(const BoxClip& clip, const std::vector<cv::Mat>& images, BoxFollow
     found.push_back(follower.step(images[frame]));
   }
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-  const BoxFigures figures = measureBoxes(found, clip.truth, clip.radius);
+  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.radius);
   row.milliseconds += took.count() / (double(images.size() - 1) * runs);
-  row.figures.rmse += figures.rmse / runs;
-  row.figures.success += figures.success / runs;
-  row.figures.precision += figures.precision / runs;
-  row.worstPrecision = std::min(row.worstPrecision, figures.precision);
+  row.metrics.rmse += metrics.rmse / runs;
+  row.metrics.success += metrics.success / runs;
+  row.metrics.precision += metrics.precision / runs;
+  row.worstPrecision = std::min(row.worstPrecision, metrics.precision);
   if (row.boxes.empty()) {
     row.boxes = std::move(found);
   }
@@ -98,20 +98,20 @@ BoxBar trendBar(const BoxRow& few, const BoxRow& many) {
   return {
       fmt::format("{}: sugandi's RMSE falls from 100 to 300 particles ({:.2f} to {:.2f} px; the "
                   "paper 6.48 to 2.28 px on its own clip)",
-                  few.clip, few.figures.rmse, many.figures.rmse),
-      many.figures.rmse < few.figures.rmse};
+                  few.clip, few.metrics.rmse, many.metrics.rmse),
+      many.metrics.rmse < few.metrics.rmse};
 }
 
 BoxBar peerBar(const std::vector<BoxRow>& rows, const BoxRow& ours) {
   const BoxRow* best = nullptr;
   for (const BoxRow& row : rows) {
-    const bool isBetter = best == nullptr || row.figures.success > best->figures.success;
+    const bool isBetter = best == nullptr || row.metrics.success > best->metrics.success;
     best = row.clip == ours.clip && !row.ours && isBetter ? &row : best;
   }
-  const double peer = best != nullptr ? best->figures.success : 0.0;
+  const double peer = best != nullptr ? best->metrics.success : 0.0;
   return {fmt::format("{}: histogram's success {:.3f} is at least the best peer's ({} {:.3f})",
-                      ours.clip, ours.figures.success, best != nullptr ? best->method : "", peer),
-          ours.figures.success >= peer};
+                      ours.clip, ours.metrics.success, best != nullptr ? best->method : "", peer),
+          ours.metrics.success >= peer};
 }
 
 std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
@@ -128,7 +128,7 @@ std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
       bars.push_back(
           {fmt::format("{}: histogram stays within a ball's radius on at least 85 % of "
                        "the frames ({:.1f} %, worst seed {:.1f} %)",
-                       row.clip, 100.0 * row.figures.precision, 100.0 * row.worstPrecision),
+                       row.clip, 100.0 * row.metrics.precision, 100.0 * row.worstPrecision),
            row.worstPrecision >= kJuggleBar});
     }
     if (row.clip.starts_with("otb")) {

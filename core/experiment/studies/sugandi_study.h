@@ -29,8 +29,8 @@ struct BoxRow {
   bool ours = false;  ///< one of our methods, otherwise OpenCV's
   bool exactBoxes = true;
   int seeds = 1;
-  BoxFigures figures;
-  double worstPrecision = 0.0; ///< lowest of the seeds
+  BoxMetrics metrics;
+  double worstPrecision = 0.0; ///< of the seeds
   double milliseconds = 0.0;   ///< per frame, one thread
   /// Boxes of the first seed, one per frame from the given one on; nothing after it has given up.
   std::vector<std::optional<ImageBox>> boxes;

@@ -66,7 +66,7 @@ Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
   }
   const double took = threadMicroseconds() - begin;
   const auto frames = framesInPixels(clip, found);
-  const BoxFigures figures = measureBoxes(found, clip.truth, clip.radius);
+  const BoxMetrics metrics = measureBoxes(found, clip.truth, clip.radius);
   SuiteResult result;
   SuiteRow& row = result.row;
   row.key = key;
@@ -75,8 +75,8 @@ Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
   row.framesToConverge =
       converged ? static_cast<double>(*converged) : std::numeric_limits<double>::infinity();
   row.lostPercent = 100.0 * lostFrames(frames, clip.radius).value();
-  row.rmsePx = figures.rmse;
-  row.success = figures.success;
+  row.rmsePx = metrics.rmse;
+  row.success = metrics.success;
   row.usPerFrame = took / static_cast<double>(images.size());
   row.frames = static_cast<double>(frames.size());
   // Nothing is known in millimeters, and no method states a P(exists).

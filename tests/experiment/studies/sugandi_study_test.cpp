@@ -30,10 +30,10 @@ TEST(BoxMetrics, AreTheBenchmarksDefinitions) {
       ImageBox{0, 0, 10, 10}, // overlap 1: above 20 of the 21 thresholds 0, 0.05, ..., 1
       ImageBox{5, 0, 10, 10}, // overlap 50 / 150, above 0 ... 0.30: 7 thresholds; 5 px off
       std::nullopt};          // overlap 0; the last box, 5 px off, counts for the RMSE
-  const BoxFigures figures = measureBoxes(found, truth, 4.0);
-  EXPECT_NEAR(figures.success, (20.0 + 7.0) / 21.0 / 3.0, 1e-12);
-  EXPECT_NEAR(figures.precision, 1.0 / 3.0, 1e-12);
-  EXPECT_NEAR(figures.rmse, std::sqrt(50.0 / 3.0), 1e-12);
+  const BoxMetrics metrics = measureBoxes(found, truth, 4.0);
+  EXPECT_NEAR(metrics.success, (20.0 + 7.0) / 21.0 / 3.0, 1e-12);
+  EXPECT_NEAR(metrics.precision, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(metrics.rmse, std::sqrt(50.0 / 3.0), 1e-12);
 }
 
 TEST(BoxClips, SimulatedBoxesAreWhereTheBallIs) {
@@ -182,7 +182,7 @@ TEST(BoxPerturbationStudy, HistogramStaysOnThePedestrian) {
       studyPerturbedBoxes(*clips, 1, [](const BoxPerturbationRow&) { return true; }, {"histogram"});
   ASSERT_TRUE(rows);
   for (const BoxPerturbationRow& row : *rows) {
-    EXPECT_GT(row.figures.precision, row.scale < 1.3 ? 0.9 : 0.75) << row.scale;
+    EXPECT_GT(row.metrics.precision, row.scale < 1.3 ? 0.9 : 0.75) << row.scale;
     EXPECT_LT(row.surelyWrong, 0.05) << row.scale;
   }
 }
