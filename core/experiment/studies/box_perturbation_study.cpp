@@ -76,7 +76,7 @@ void conclude(const Claims& claims, BoxPerturbationRow& row) {
   row.claims = frames > 0;
   row.similarityOn = claims.on / std::max(1, claims.framesOn);
   row.similarityOff = claims.off / std::max(1, claims.framesOff);
-  row.surelyWrong = double(claims.wrong) / std::max(1, frames);
+  row.confidentlyWrong = double(claims.wrong) / std::max(1, frames);
 }
 
 Result<BoxPerturbationRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& images,

@@ -37,10 +37,10 @@ struct BoxPerturbationRow {
   int runs = 0;       ///< shifts times seeds
   BoxMetrics metrics; ///< against the true boxes
   double worstPrecision = 1.0;
-  bool claims = false;        ///< the rest is known: the method says how sure it is
-  double similarityOn = 0.0;  ///< mean similarity with the center within the radius
-  double similarityOff = 0.0; ///< with the center farther off; held boxes count as 0
-  double surelyWrong = 0.0;   ///< share of all frames off the target, yet above 0.9
+  bool claims = false;           ///< the rest is known: the method says how sure it is
+  double similarityOn = 0.0;     ///< mean similarity with the center within the radius
+  double similarityOff = 0.0;    ///< with the center farther off; held boxes count as 0
+  double confidentlyWrong = 0.0; ///< share of all frames off the target, yet above 0.9
 };
 
 /// Default methods of the comparison.

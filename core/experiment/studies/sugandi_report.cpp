@@ -88,7 +88,7 @@ constexpr const char* kPerturbationRemark =
 
 std::string claimsText(const BoxPerturbationRow& row) {
   return row.claims ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
-                                  row.similarityOff, 100.0 * row.surelyWrong)
+                                  row.similarityOff, 100.0 * row.confidentlyWrong)
                     : std::string();
 }
 
@@ -109,7 +109,7 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
 
 std::string claimsCells(const BoxPerturbationRow& row) {
   return row.claims ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>",
-                                  row.similarityOn, row.similarityOff, 100.0 * row.surelyWrong)
+                                  row.similarityOn, row.similarityOff, 100.0 * row.confidentlyWrong)
                     : "<td></td><td></td><td></td>";
 }
 
@@ -139,9 +139,9 @@ std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
                         row.scale, row.runs, row.metrics.rmse, row.metrics.success,
                         row.metrics.precision, row.worstPrecision);
-    text += row.claims
-                ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff, row.surelyWrong)
-                : ",,,\n";
+    text += row.claims ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff,
+                                     row.confidentlyWrong)
+                       : ",,,\n";
   }
   return text;
 }

@@ -183,7 +183,7 @@ TEST(BoxPerturbationStudy, HistogramStaysOnThePedestrian) {
   ASSERT_TRUE(rows);
   for (const BoxPerturbationRow& row : *rows) {
     EXPECT_GT(row.metrics.precision, row.scale < 1.3 ? 0.9 : 0.75) << row.scale;
-    EXPECT_LT(row.surelyWrong, 0.05) << row.scale;
+    EXPECT_LT(row.confidentlyWrong, 0.05) << row.scale;
   }
 }
 
