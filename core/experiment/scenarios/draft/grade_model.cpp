@@ -137,16 +137,16 @@ CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, Dr
   return timing;
 }
 
-/// A point beside the middle, `away` meters off horizontally and `up` above it.
+/// A point beside the start of the target, `away` meters off horizontally and `up` above it.
 simulation::Vector3f beside(const FaultContext& context, double away, double up, Draws& draws) {
   const double angle = draws.uniform(0.0, kFullTurn);
   const Eigen::Vector3d offset{away * std::cos(angle), away * std::sin(angle), up};
-  return (context.middle + offset).cast<float>();
+  return (context.targetStart + offset).cast<float>();
 }
 
-/// From the middle to a lamp, meters.
+/// From the start of the target to a lamp, meters.
 float distanceTo(const FaultContext& context, const simulation::Vector3f& lamp) {
-  return (context.middle.cast<float>() - lamp).norm();
+  return (context.targetStart.cast<float>() - lamp).norm();
 }
 
 simulation::Illumination drawIllumination(const GradeModel& model, const FaultContext& context,
@@ -170,7 +170,8 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   shadow.direction = direction.cast<float>();
   shadow.speed = draw(model.shadowSpeed, draws);
   // It passes where the target begins at some time of the run.
-  shadow.start = direction.dot(context.middle) - shadow.speed * draws.uniform(0.0, context.seconds);
+  shadow.start =
+      direction.dot(context.targetStart) - shadow.speed * draws.uniform(0.0, context.seconds);
   shadow.halfWidth = static_cast<float>(draw(model.shadowHalfWidth, draws));
   shadow.depth = static_cast<float>(draw(model.shadowDepth, draws));
   light.shadow = shadow;

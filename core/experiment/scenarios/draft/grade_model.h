@@ -76,11 +76,10 @@ struct FaultContext {
   std::size_t cameras = 0;
   double seconds = 6.0; ///< length of the run
   double framesPerSecond = simulation::kUsualFrameRate;
-  double exposureSeconds = simulation::kUsualExposure; ///< shortest exposure, seconds
-  /// First position of the first target, world, m.
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  /// Horizontal distance of additional lamps from there, meters.
-  double lampDistance = kLampDistance;
+  double exposureSeconds = simulation::kUsualExposure; ///< the least
+  /// Where the first target begins, world, meters.
+  Eigen::Vector3d targetStart = Eigen::Vector3d::Zero();
+  double lampDistance = kLampDistance; ///< of further lamps from there, horizontally, meters
 };
 
 /// Draws the faults of a run.

@@ -56,7 +56,7 @@ SensingFaults faultsOf(const ScenarioDraft& draft) {
     context.seconds = draft.timeOf(draft.frameCount);
     context.framesPerSecond = draft.framesPerSecond;
     context.exposureSeconds = draft.stage.exposureSeconds;
-    context.middle = draft.stage.bodies[draft.targets.front()].path(0.0);
+    context.targetStart = draft.stage.bodies[draft.targets.front()].path(0.0);
     faults = drawFaults(model, context, draws);
     faults.illumination.lamp = draft.stage.illumination.lamp;
   }
