@@ -21,8 +21,8 @@ constexpr double kMarginPx = 6.0;
 constexpr double kGrowth = 1.6;
 constexpr int kMostGrowths = 6;
 /// Squared distance between the centroids of two areas, by the sum of their second moments, up to
-/// which they are parts of one: two halves of a stick have 0.6, two equal things side by side 6.
-constexpr double kOneThing = 3.0;
+/// which they are parts of one: two halves of a stick have 0.6, two equal objects side by side 6.
+constexpr double kSameObject = 3.0;
 /// Least area of a piece, as a share of the expected outline's, and in pixels.
 constexpr double kLeastShare = 0.005;
 constexpr double kLeastArea = 5.0;
@@ -67,7 +67,7 @@ bool overlap(const EllipseImage& expected, const Eigen::Matrix2d& centerCovarian
              const ColorRegion& region) {
   const Eigen::Vector2d off = region.centroid - expected.center;
   const Eigen::Matrix2d spread = 0.25 * expected.extent + centerCovariance + region.covariance;
-  return off.dot(spread.inverse() * off) <= kOneThing;
+  return off.dot(spread.inverse() * off) <= kSameObject;
 }
 
 /// All pieces that belong to the expected outline, as far as they go.
