@@ -141,7 +141,7 @@ void measureQuiet(double minutes, int width) {
   Cost cost;
   std::size_t alarms = 0;
   double worst = 0.0;
-  int unjudged = 0;
+  int unassessed = 0;
   for (int number = 0; number < 4; ++number) {
     const double seconds = 60.0 * minutes / 4.0;
     const SceneRenderer renderer(sceneOf(number, seconds, Eigen::Vector3d::Zero(), width));
@@ -151,13 +151,13 @@ void measureQuiet(double minutes, int width) {
       relight(image, double(k) / kRate);
       watch(sentinel, frameSet(std::move(image), k), cost);
       worst = std::max(worst, sentinel.camera(0).turn.turn.norm() / kDegree);
-      unjudged += k > 0 && !sentinel.camera(0).judged;
+      unassessed += k > 0 && !sentinel.camera(0).assessed;
     }
     alarms += sentinel.events().size();
   }
   fmt::print("{:.0f} minutes of standing still, with wandering light: {} alarms, largest turn "
              "{:.4f} degrees, {} of {} images not judged\n",
-             minutes, alarms, worst, unjudged, cost.frames);
+             minutes, alarms, worst, unassessed, cost.frames);
   fmt::print("cost: {:.3f} ms a check, longest {:.2f} ms\n", cost.sum / double(cost.frames),
              cost.longest);
 }

@@ -208,9 +208,9 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
       }
     }
   }
-  watched.state.judged = turn.has_value();
+  watched.state.assessed = turn.has_value();
   if (turn) {
-    judge(camera, *turn, frames);
+    assess(camera, *turn, frames);
   }
   if (turn && time - watched.learned > kLearnEvery) {
     std::erase_if(watched.pieces,
@@ -219,8 +219,8 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
   }
 }
 
-void CameraMotionDetector::judge(std::size_t camera, const CameraRotation& turn,
-                                 const FrameSet& frames) {
+void CameraMotionDetector::assess(std::size_t camera, const CameraRotation& turn,
+                                  const FrameSet& frames) {
   Watched& watched = watched_[camera];
   watched.turns.push_back(turn.turn);
   if (watched.turns.size() > kChecks) {

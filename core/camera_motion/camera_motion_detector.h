@@ -22,10 +22,9 @@ struct CameraMotionEvent {
 
 /// Current state of one camera.
 struct CameraMotionState {
-  CameraRotation turn; ///< since the reference: median over the last second or so
-  bool judged = false; ///< whether the last image showed enough of the background
-  bool moved = false;  ///< whether a motion is reported; stays true until the camera is back or
-                       ///< accept() is called
+  CameraRotation turn;   ///< since the reference: the median over the last second or so
+  bool assessed = false; ///< the last image showed enough of the background
+  bool moved = false;    ///< reported; stays until the camera is back or accept()
 };
 
 /// Detects camera motion during tracking. Patches of the background are located again in each
@@ -34,9 +33,9 @@ struct CameraMotionState {
 /// more than 0.05 degrees over half of the last checks is an event: one of 0.1 degrees is reported
 /// within about a second.
 ///
-/// The first images are the reference; they are assumed to be from the cameras as calibrated.
-/// Objects that stand still for a long time gradually become part of the background. A camera whose
-/// image has hardly any structure cannot be monitored (`CameraMotionState::judged`).
+/// The reference are the first images it is given; images are taken as of the calibrated cameras
+/// then. What does not move for a long time becomes part of the background by and by. A camera
+/// whose picture has hardly any structure cannot be watched (CameraMotionState::assessed).
 class CameraMotionDetector {
 public:
   explicit CameraMotionDetector(const CameraRig& rig);
@@ -79,7 +78,7 @@ private:
   static std::optional<CameraRotation> measure(Watched& watched, const cv::Mat& image, double time,
                                                const Eigen::Vector3d& guess);
   static std::optional<Eigen::Vector3d> largeTurn(const Watched& watched, const cv::Mat& image);
-  void judge(std::size_t camera, const CameraRotation& turn, const FrameSet& frames);
+  void assess(std::size_t camera, const CameraRotation& turn, const FrameSet& frames);
 
   std::vector<Watched> watched_;
   std::vector<CameraMotionEvent> events_;

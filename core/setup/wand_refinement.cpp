@@ -7,8 +7,8 @@
 namespace dewpoint::setup {
 namespace {
 
-Result<WandRefinement> judged(const Project& project, const WandOptions& options,
-                              Result<WandResult> result) {
+Result<WandRefinement> assessed(const Project& project, const WandOptions& options,
+                                Result<WandResult> result) {
   if (!result) {
     return tl::make_unexpected(std::move(result.error()));
   }
@@ -31,14 +31,14 @@ bool isDoubtful(const WandRefinement& refinement) {
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
                                            const WandWorkCallback& callback) {
-  return judged(project, options, calibrateFromRecording(project, source, options, callback));
+  return assessed(project, options, calibrateFromRecording(project, source, options, callback));
 }
 
 Result<WandRefinement> refineFromViews(const Project& project,
                                        const std::vector<std::vector<MarkerObservation>>& views,
                                        const WandOptions& options,
                                        const WandWorkCallback& callback) {
-  return judged(project, options, calibrateFromViews(project, views, options, callback));
+  return assessed(project, options, calibrateFromViews(project, views, options, callback));
 }
 
 std::vector<BoardCoverage> coverageOf(const WandResult& result) {

@@ -136,7 +136,7 @@ TEST(CameraMotionDetector, LightAndMovingThingsAreNoBump) {
                   << " degrees, sigma " << event.turn.sigma / kDegree << ", " << event.turn.used
                   << " pieces";
   }
-  EXPECT_TRUE(detector.camera(0).judged);
+  EXPECT_TRUE(detector.camera(0).assessed);
   EXPECT_LT(detector.camera(0).turn.turn.norm(), 0.01 * kDegree);
 }
 
@@ -146,7 +146,7 @@ TEST(CameraMotionDetector, ACameraThatSeesNothingIsNotJudged) {
   for (int i = 0; i < 30; ++i) {
     detector.watch(frameSet(gray, i / 10.0));
   }
-  EXPECT_FALSE(detector.camera(0).judged);
+  EXPECT_FALSE(detector.camera(0).assessed);
   EXPECT_TRUE(detector.events().empty());
 }
 

@@ -131,9 +131,9 @@ double BlobPairing::missingCost(const TriangulatedPoint& point,
   return cost;
 }
 
-std::optional<PairedBlobs> BlobPairing::judged(std::vector<Bearing> bearings,
-                                               const std::vector<CameraBlobs>& cameras,
-                                               double radius) const {
+std::optional<PairedBlobs> BlobPairing::assessed(std::vector<Bearing> bearings,
+                                                 const std::vector<CameraBlobs>& cameras,
+                                                 double radius) const {
   auto point = triangulate(std::move(bearings));
   if (!point) {
     return std::nullopt;
@@ -179,13 +179,13 @@ std::vector<PairedBlobs> BlobPairing::pair(const std::vector<CameraBlobs>& camer
     for (std::size_t b = a + 1; b < bearings.size(); ++b) {
       for (const Bearing& first : bearings[a]) {
         for (const Bearing& second : bearings[b]) {
-          auto two = judged({first, second}, cameras, radius);
+          auto two = assessed({first, second}, cameras, radius);
           if (!two) {
             continue;
           }
           auto all = joined(two->point.bearings, two->point.position, bearings);
           if (all.size() > 2) {
-            if (auto more = judged(std::move(all), cameras, radius)) {
+            if (auto more = assessed(std::move(all), cameras, radius)) {
               pairs.push_back(std::move(*more));
             }
           }

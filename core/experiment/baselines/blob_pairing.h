@@ -81,8 +81,8 @@ private:
   std::optional<double> sizeCost(const std::vector<Bearing>& bearings,
                                  const Eigen::Vector3d& position, double radius) const;
   double missingCost(const TriangulatedPoint& point, const std::vector<CameraBlobs>& cameras) const;
-  std::optional<PairedBlobs> judged(std::vector<Bearing> bearings,
-                                    const std::vector<CameraBlobs>& cameras, double radius) const;
+  std::optional<PairedBlobs> assessed(std::vector<Bearing> bearings,
+                                      const std::vector<CameraBlobs>& cameras, double radius) const;
   std::vector<Bearing> joined(std::vector<Bearing> members, const Eigen::Vector3d& position,
                               const std::vector<std::vector<Bearing>>& all) const;
 

@@ -100,8 +100,8 @@ std::int64_t total(const std::map<int, std::int64_t>& counts) {
   return sum;
 }
 
-HotaAtThreshold judge(const std::vector<Match>& matches, const Appearances& appearances,
-                      double threshold) {
+HotaAtThreshold scoreAt(const std::vector<Match>& matches, const Appearances& appearances,
+                        double threshold) {
   HotaAtThreshold result;
   result.threshold = threshold;
   std::map<IdentityPair, std::int64_t> together;
@@ -137,7 +137,7 @@ Hota hota(std::span<const TrackFrame> frames, double gate) {
   int located = 0;
   for (int k = 0; k < kHotaThresholdCount; ++k) {
     HotaAtThreshold& here = result.thresholds[static_cast<std::size_t>(k)];
-    here = judge(matches, appearances, (k + 1) / 20.0);
+    here = scoreAt(matches, appearances, (k + 1) / 20.0);
     result.detection += here.detection / kHotaThresholdCount;
     result.association += here.association / kHotaThresholdCount;
     result.hota += here.hota / kHotaThresholdCount;

@@ -165,9 +165,9 @@ std::string medianSentence(const ConvergenceResult& result) {
 }
 
 /// The claims of the paper about its figure 3, against the run of the pictures and further runs.
-Status judgeFigure3(const std::map<int, Instant>& instants, const ConvergenceCase& setup,
-                    const std::array<int, 2>& insideAtTwo, const ExperimentOptions& options,
-                    FigurePage& page) {
+Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCase& setup,
+                     const std::array<int, 2>& insideAtTwo, const ExperimentOptions& options,
+                     FigurePage& page) {
   const auto far = studyConvergence(figure3Case(options.runs, options.firstSeed));
   const auto near =
       studyConvergence(barreraConvergenceCases(options.runs, options.firstSeed).front());
@@ -227,8 +227,8 @@ Status barreraFigure3(const ExperimentOptions& options) {
   head.emplace_back("particles in image 1 and 2");
   page.table(head, rows);
   page.paragraph(kSpreadSentence);
-  if (const auto judged = judgeFigure3(*instants, setup, inside[2], options, page); !judged) {
-    return judged;
+  if (const auto assessed = assessFigure3(*instants, setup, inside[2], options, page); !assessed) {
+    return assessed;
   }
   page.data("instants.csv", instantsCsv(*instants, setup, rig.front().opticalAxis(), inside));
   page.data("particles.csv", particlesCsv(*instants));

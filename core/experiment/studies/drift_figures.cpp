@@ -124,7 +124,7 @@ Plot stayPlot(const StayCurves& curves, PlotLegend& legend) {
   return plot;
 }
 
-void judgeCone(const StayCurves& curves, FigurePage& page) {
+void assessCone(const StayCurves& curves, FigurePage& page) {
   // One sigma of motion is half the longest step: a quarter of the way from either end.
   const std::size_t toward = kStepCount / 4;
   const std::size_t away = kStepCount - 1 - toward;
@@ -197,7 +197,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
         stay}},
       stayLegend);
   page.paragraph("Seeds of the clouds: " + seedSentence(options.firstSeed, 1) + ".");
-  judgeCone(curves, page);
+  assessCone(curves, page);
   std::vector<std::vector<double>> columns{curves.steps};
   columns.insert(columns.end(), curves.shares.begin(), curves.shares.end());
   page.data("cone.csv",

@@ -224,7 +224,7 @@ void showNumbers(const MaskNumbers& numbers, FigurePage& page) {
             numbersAsCsv({"time_s", "regions", "people", "recall", "precision"}, columns));
 }
 
-void judgeMasks(const MotionFrame& nearest, const MaskNumbers& numbers, FigurePage& page) {
+void assessMasks(const MotionFrame& nearest, const MaskNumbers& numbers, FigurePage& page) {
   double least = 0.0;
   cv::minMaxLoc(nearest.map.logLikelihood, &least);
   page.heading("What the paper says");
@@ -308,7 +308,7 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
   }
   const MaskNumbers numbers = maskNumbersOf(scene, *frames);
   showNumbers(numbers, page);
-  judgeMasks(shown, numbers, page);
+  assessMasks(shown, numbers, page);
   return page.write(options.folder);
 }
 
