@@ -30,32 +30,32 @@ constexpr double kNearby = 30.0;     ///< pixels around the target within which 
 constexpr double kRenderedRim = 1.0; ///< pixels of a rendered ball's rim that are mixed
 
 /// Where a target is in one image, pixels: an ellipse, as balls in flight are smeared.
-struct Place {
+struct ImageEllipse {
   double x = 0.0, y = 0.0, halfWidth = 0.0, halfHeight = 0.0;
 };
 
 /// One target of a recording, and how far its truth can be trusted.
 struct Subject {
   std::string name;
-  std::map<int, Place> places; ///< by frame
-  double rim = 0.0;            ///< pixels on either side of the outline that count for neither
+  std::map<int, ImageEllipse> ellipses; ///< by frame
+  double rim = 0.0; ///< pixels on either side of the outline that count for neither
 };
 
-/// The place as a mask, `more` pixels larger (smaller where negative).
-cv::Mat drawn(cv::Size size, const Place& place, double more) {
+/// The ellipse as a mask, `more` pixels larger (smaller where negative).
+cv::Mat drawn(cv::Size size, const ImageEllipse& ellipse, double more) {
   cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
   constexpr int kShift = 4;
   const auto fixed = [](double value) { return static_cast<int>(std::lround(16.0 * value)); };
-  const cv::Size half(fixed(std::max(0.5, place.halfWidth + more)),
-                      fixed(std::max(0.5, place.halfHeight + more)));
-  cv::ellipse(mask, {fixed(place.x), fixed(place.y)}, half, 0.0, 0.0, 360.0, cv::Scalar(255),
+  const cv::Size half(fixed(std::max(0.5, ellipse.halfWidth + more)),
+                      fixed(std::max(0.5, ellipse.halfHeight + more)));
+  cv::ellipse(mask, {fixed(ellipse.x), fixed(ellipse.y)}, half, 0.0, 0.0, 360.0, cv::Scalar(255),
               cv::FILLED, cv::LINE_8, kShift);
   return mask;
 }
 
-ColorTruth truthAt(cv::Size size, const Place& place, double rim) {
-  const cv::Mat rimMask = drawn(size, place, rim) & ~drawn(size, place, -rim);
-  return {drawn(size, place, 0.0), ~rimMask, drawn(size, place, kNearby) & ~rimMask};
+ColorTruth truthAt(cv::Size size, const ImageEllipse& ellipse, double rim) {
+  const cv::Mat rimMask = drawn(size, ellipse, rim) & ~drawn(size, ellipse, -rim);
+  return {drawn(size, ellipse, 0.0), ~rimMask, drawn(size, ellipse, kNearby) & ~rimMask};
 }
 
 /// The mask, grown by a disc.
@@ -72,10 +72,10 @@ ColorTruth truthOf(const cv::Mat& target) {
 }
 
 ColorSample clickAt(const cv::Mat& image, double x, double y) {
-  ColorSample place;
-  place.x = std::round(x);
-  place.y = std::round(y);
-  return takeSample(image, place).value_or(ColorSample{});
+  ColorSample sample;
+  sample.x = std::round(x);
+  sample.y = std::round(y);
+  return takeSample(image, sample).value_or(ColorSample{});
 }
 
 std::string rangeText(const ColorRange& range) {
@@ -148,17 +148,17 @@ std::vector<ColorScore> benchLesson(const std::string& title, const ColorLesson&
 /// What one click at the target's center of one image teaches.
 ColorLesson lessonIn(const std::map<int, cv::Mat>& images, const Subject& subject, int clicked) {
   const cv::Mat& image = images.at(clicked);
-  const Place& place = subject.places.at(clicked);
-  return taughtBySamples({clickAt(image, place.x, place.y)}, {image});
+  const ImageEllipse& ellipse = subject.ellipses.at(clicked);
+  return taughtBySamples({clickAt(image, ellipse.x, ellipse.y)}, {image});
 }
 
 ForEachImage otherFrames(const std::map<int, cv::Mat>& images, const Subject& subject,
                          int clicked) {
   return [&images, &subject, clicked](const Visit& visit) {
-    for (const auto& [frame, place] : subject.places) {
+    for (const auto& [frame, ellipse] : subject.ellipses) {
       if (frame != clicked) {
         const cv::Mat& image = images.at(frame);
-        visit(image, truthAt(image.size(), place, subject.rim));
+        visit(image, truthAt(image.size(), ellipse, subject.rim));
       }
     }
   };
@@ -171,7 +171,7 @@ std::vector<ColorScore> benchSubject(const std::map<int, cv::Mat>& images, const
       benchLesson(fmt::format("{}, frame {}", subject.name, first),
                   lessonIn(images, subject, first), otherFrames(images, subject, first));
   std::vector<int> frames;
-  for (const auto& [frame, place] : subject.places) {
+  for (const auto& [frame, ellipse] : subject.ellipses) {
     frames.push_back(frame);
   }
   constexpr std::size_t kClicks = 10;
@@ -199,7 +199,7 @@ std::map<int, cv::Mat> readImages(const std::string& folder, const char* pattern
                                   const std::vector<Subject>& subjects) {
   std::map<int, cv::Mat> images;
   for (const Subject& subject : subjects) {
-    for (const auto& [frame, place] : subject.places) {
+    for (const auto& [frame, ellipse] : subject.ellipses) {
       if (!images.contains(frame)) {
         images[frame] = cv::imread(folder + "/" + fmt::format(fmt::runtime(pattern), frame));
       }
@@ -234,8 +234,8 @@ std::vector<Subject> jugglingBalls(const std::string& folder) {
       {"juggle1 red", {}, kTrust}, {"juggle1 blue", {}, kTrust}, {"juggle1 yellow", {}, kTrust}};
   for (const auto& row : readRows(folder + "/gt1.csv")) {
     for (std::size_t k = 0; k < balls.size() && row.size() >= 7; ++k) {
-      balls[k].places[std::stoi(row[0])] = {std::stod(row[2 + 2 * k]), std::stod(row[1 + 2 * k]),
-                                            kRadius, kRadius};
+      balls[k].ellipses[std::stoi(row[0])] = {std::stod(row[2 + 2 * k]), std::stod(row[1 + 2 * k]),
+                                              kRadius, kRadius};
     }
   }
   return balls;
@@ -251,9 +251,9 @@ std::vector<Subject> thrownBalls(const std::string& folder) {
       if (row.size() >= 10 && row[0] == name && row[9] == "0") { // whole in the image
         const double halfWidth = std::stod(row[6]) / 2.0;
         const double halfHeight = std::stod(row[7]) / 2.0;
-        ball.places[std::stoi(row[1])] = {std::stod(row[4]) + halfWidth - 0.5,
-                                          std::stod(row[5]) + halfHeight - 0.5, halfWidth,
-                                          halfHeight};
+        ball.ellipses[std::stoi(row[1])] = {std::stod(row[4]) + halfWidth - 0.5,
+                                            std::stod(row[5]) + halfHeight - 0.5, halfWidth,
+                                            halfHeight};
       }
     }
     balls.push_back(std::move(ball));
@@ -265,13 +265,13 @@ void benchRecording(const std::string& folder, const char* pattern, std::vector<
                     std::vector<std::vector<ColorScore>>& scores) {
   const auto images = readImages(folder, pattern, subjects);
   for (Subject& subject : subjects) {
-    std::erase_if(subject.places,
-                  [&](const auto& place) { return images.at(place.first).empty(); });
-    if (subject.places.size() < 2) {
+    std::erase_if(subject.ellipses,
+                  [&](const auto& ellipse) { return images.at(ellipse.first).empty(); });
+    if (subject.ellipses.size() < 2) {
       fmt::print("{} is not there; left out\n", subject.name);
       continue;
     }
-    scores.push_back(benchSubject(images, subject, subject.places.begin()->first));
+    scores.push_back(benchSubject(images, subject, subject.ellipses.begin()->first));
   }
 }
 
