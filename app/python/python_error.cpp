@@ -57,7 +57,7 @@ void bindErrors(py::module_& module) {
       .value("CONNECTION_LOST", ErrorCode::ConnectionLost)
       .value("NOT_FOUND", ErrorCode::NotFound)
       .value("UNDETERMINED", ErrorCode::Undetermined)
-      .value("CANCELED", ErrorCode::Cancelled);
+      .value("CANCELED", ErrorCode::Canceled);
   errorType = PyErr_NewExceptionWithDoc("dewpoint.Error", kErrorDoc, PyExc_Exception, nullptr);
   if (errorType == nullptr) {
     throw py::error_already_set();

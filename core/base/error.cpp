@@ -35,7 +35,7 @@ const char* phrase(ErrorCode code) {
     return "there is nothing of this name";
   case ErrorCode::Undetermined:
     return "the observations do not settle it";
-  case ErrorCode::Cancelled:
+  case ErrorCode::Canceled:
     return "stopped on request";
   }
   return "failed";

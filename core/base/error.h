@@ -27,7 +27,7 @@ enum class ErrorCode {
   ConnectionLost,
   NotFound,
   Undetermined,
-  Cancelled,
+  Canceled,
 };
 
 /// A failure as a value: the file (or device, or network address), the field in it, and details.

@@ -155,7 +155,7 @@ Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!goesOn(progress, CalibrationStage::BoardDetection,
                 static_cast<double>(k) / static_cast<double>(frames.size()))) {
-      return cancelled();
+      return canceled();
     }
     if (next < 0 || frames[k] - next > kSeekFrom) {
       if (const auto sought = source.seek(frames[k]); !sought) {
@@ -188,7 +188,7 @@ Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures
   for (const auto& file : pictures) {
     if (!goesOn(progress, CalibrationStage::BoardDetection,
                 static_cast<double>(camera.searched) / static_cast<double>(pictures.size()))) {
-      return cancelled();
+      return canceled();
     }
     if (!std::filesystem::exists(file)) {
       return failure(ErrorCode::FileMissing, file.string(), "", "");
@@ -221,7 +221,7 @@ Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
   std::optional<Error> first;
   for (const auto& camera : seen.cameras) {
     auto result = lensOf(camera, request, progress);
-    if (!result && result.error().code == ErrorCode::Cancelled) {
+    if (!result && result.error().code == ErrorCode::Canceled) {
       return tl::make_unexpected(result.error());
     }
     if (!result) {
@@ -266,11 +266,11 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
     rigRequest.cameras.push_back({project.cameras[taking[i]].camera, chosen[i]});
   }
   auto result = calibrateExtrinsics(rigRequest, progress);
-  if (!result && result.error().code == ErrorCode::Cancelled) {
+  if (!result && result.error().code == ErrorCode::Canceled) {
     return result;
   }
   if (!goesOn(progress, CalibrationStage::Assessment, 0.0)) {
-    return cancelled();
+    return canceled();
   }
   for (std::size_t i = 0; i < taking.size(); ++i) {
     rigRequest.cameras[i].views = std::move(views[i]); // all of them, not only the best

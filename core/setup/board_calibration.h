@@ -43,14 +43,14 @@ struct SeenBoards {
   double framesPerSecond = 30.0;
 };
 
-/// Searches for the board in a recording, in frames spread evenly over it, the same for all
-/// cameras. Returns BadValue for live cameras, Cancelled, and errors of the source.
+/// Looks for the board in a recording, in frames spread over it evenly; all cameras at the same
+/// ones. BadValue when the cameras are live, Canceled, and what the source says.
 Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
                               const BoardCalibrationRequest& request,
                               const CalibrationProgress& progress = {});
 
-/// Searches for the board in image files of one camera; views are named after their files. Returns
-/// FileUnreadable, Mismatch if the sizes differ, and Cancelled.
+/// Looks for the board in picture files of one camera; views are named by their file's name.
+/// FileUnreadable, Mismatch when sizes differ, Canceled.
 Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures,
                               const BoardDescription& board, DetectionEffort effort,
                               const CalibrationProgress& progress = {});
@@ -62,9 +62,9 @@ struct LensesFromBoards {
   std::vector<Error> kept;
 };
 
-/// Estimates the intrinsics of each camera of `seen` from views chosen by chooseViews(). A camera
-/// that did not see the board well enough keeps its intrinsics. If this is true of all cameras,
-/// returns the error, which names the camera. Also returns Cancelled.
+/// The intrinsics of each camera of `seen`, from views chosen by chooseViews(). A camera that did
+/// not see the board well keeps its lens; the error, which names the camera, is returned when that
+/// is so of all of them, and Canceled.
 Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});

@@ -34,7 +34,7 @@ Status addExtrinsics(const SeenBoards& seen, const BoardCalibrationRequest& requ
     return tl::make_unexpected(extrinsics.error());
   }
   if (!goesOn(progress, CalibrationStage::Assessment, 0.5)) {
-    return cancelled();
+    return canceled();
   }
   const auto accuracy = assessBoard(*extrinsics, request.board, request.worldFrame);
   outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
@@ -64,7 +64,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const SeenBoard
   const bool alone = project.cameras.size() < 2 && !request.worldFrame;
   if (goal.poses && !(alone && goal.lenses)) {
     if (const auto found = addExtrinsics(seen, request, outcome, progress); !found) {
-      if (!outcome.lenses || found.error().code == ErrorCode::Cancelled) {
+      if (!outcome.lenses || found.error().code == ErrorCode::Canceled) {
         return tl::make_unexpected(found.error());
       }
       outcome.extrinsicsError = found.error();

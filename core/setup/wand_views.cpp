@@ -63,7 +63,7 @@ searchThrough(const Project& project, FrameSetSource& source, const WandOptions&
     }
     views.add(**frames);
     if (callback && !callback({true, frame + 1 - options.firstFrame, end - options.firstFrame})) {
-      return failure(ErrorCode::Cancelled, "", "", "");
+      return failure(ErrorCode::Canceled, "", "", "");
     }
   }
   return views.views();
@@ -149,8 +149,8 @@ Result<WandResult> calibrateFromViews(const Project& project,
   if (result && options.findOffsets) { // a camera that is late is none of the faults then
     problem->views = shiftedInTime(std::move(problem->views), result->offsets);
   }
-  const bool cancelled = !result && result.error().code == ErrorCode::Cancelled;
-  const auto report = cancelled ? FaultReport{} : findWandFaults(*problem).value_or(FaultReport{});
+  const bool canceled = !result && result.error().code == ErrorCode::Canceled;
+  const auto report = canceled ? FaultReport{} : findWandFaults(*problem).value_or(FaultReport{});
   if (result) {
     result->faults = report.faults;
   } else if (!report.faults.empty()) {

@@ -133,7 +133,7 @@ TEST_P(BackwardTracking, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(*three, found(order));
 }
 
-TEST_P(BackwardTracking, IsOfRecordingsAndCanBeCancelled) {
+TEST_P(BackwardTracking, IsOfRecordingsAndCanBeCanceled) {
   SessionInputs live = drawnInputs(GetParam(), kFrames, true);
   const auto nothing = trackBackwards(*live.source, wrongFrom(0), 1, always);
   ASSERT_TRUE(nothing);
@@ -142,7 +142,7 @@ TEST_P(BackwardTracking, IsOfRecordingsAndCanBeCancelled) {
   const auto stopped =
       trackBackwards(*inputs_.source, wrongFrom(0), 1, [&](double) { return ++calls < 10; });
   ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(stopped.error().code, ErrorCode::Canceled);
   EXPECT_EQ(calls, 10);
 }
 

@@ -117,7 +117,7 @@ TEST(BoardCalibration, StopsWhenTold) {
         return ++calls < 3;
       });
   ASSERT_FALSE(seen);
-  EXPECT_EQ(seen.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(seen.error().code, ErrorCode::Canceled);
   EXPECT_EQ(calls, 3);
 }
 

@@ -32,7 +32,7 @@ class BackgroundJobTest : public QObject {
   Q_OBJECT
 private Q_SLOTS:
   void givesWhatItFoundInTheWindowsThread();
-  void cancelledItChangesNothing();
+  void canceledItChangesNothing();
   void runsAnotherOneAfterwards();
   void whoeverDropsItDoesNotWait();
   void whoeverDropsWhatWaitsDoesNotWait();
@@ -63,7 +63,7 @@ void BackgroundJobTest::givesWhatItFoundInTheWindowsThread() {
   QVERIFY(!job.isRunning());
 }
 
-void BackgroundJobTest::cancelledItChangesNothing() {
+void BackgroundJobTest::canceledItChangesNothing() {
   BackgroundJob job;
   QSignalSpy ended(&job, &BackgroundJob::ended);
   bool changed = false;

@@ -29,7 +29,7 @@ private Q_SLOTS:
   void aPlannedCameraIsNoPartOfTheProject();
   void aPlannedCameraIsDragged();
   void theBestPlaceIsFoundAndShown();
-  void aSearchCanBeCancelled();
+  void aSearchCanBeCanceled();
   void draggingStaysFluid();
 
 private:
@@ -230,7 +230,7 @@ void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   QVERIFY(!find<QLabel>("planSaid")->isVisible()); // it was about the other place
 }
 
-void PlannerPageTest::aSearchCanBeCancelled() {
+void PlannerPageTest::aSearchCanBeCanceled() {
   find<QPushButton>("planFind")->click();
   QVERIFY(find<QPushButton>("planCancel")->isVisible());
   QVERIFY(!find<QPushButton>("planFind")->isEnabled());

@@ -386,7 +386,7 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
     }
     return;
   }
-  if (summary.cancelled) {
+  if (summary.canceled) {
     reportDone(tr("The export was canceled."));
     return;
   }

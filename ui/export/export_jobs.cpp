@@ -63,7 +63,7 @@ void ExportJobs::run(TrajectoryPtr trajectory, const ExportOptions& options,
         Q_EMIT failed(errorSentence(summary.error()));
       } else if (!summary->occupied.empty() && *cancelled) { // who canceled is not asked
         ExportSummary stopped;
-        stopped.cancelled = true;
+        stopped.canceled = true;
         Q_EMIT finished(stopped);
       } else {
         Q_EMIT finished(*summary);

@@ -106,7 +106,7 @@ void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std
 }
 
 int reportCalibration(const Error& error) {
-  if (error.code == ErrorCode::Cancelled) {
+  if (error.code == ErrorCode::Canceled) {
     fmt::print(stderr, "dewpoint-cli: stopped; the former calibration is kept.\n");
     return kExitInterrupted;
   }

@@ -92,8 +92,8 @@ int plan(PlanOptions& options) {
   const auto found = placeCamera(rig, newCamera(options, rig), options.placement,
                                  [](CalibrationStage, double) { return !interruptionRequested(); });
   if (!found) {
-    return found.error().code == ErrorCode::Cancelled ? static_cast<int>(kExitInterrupted)
-                                                      : report(found.error());
+    return found.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
+                                                     : report(found.error());
   }
   const Eigen::Vector3d center = found->camera.center();
   const Heading heading = headingOf(found->camera);

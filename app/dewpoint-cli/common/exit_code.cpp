@@ -12,7 +12,7 @@ int report(const Error& error) {
     return kExitOutput;
   case ErrorCode::EndedEarly:
     return kExitEndedEarly;
-  case ErrorCode::Cancelled:
+  case ErrorCode::Canceled:
     return kExitInterrupted;
   default:
     return kExitBadInput;

@@ -27,8 +27,8 @@ int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
   const auto made = experiment.run(options);
   bar.finish();
   if (!made) {
-    return made.error().code == ErrorCode::Cancelled ? static_cast<int>(kExitInterrupted)
-                                                     : report(made.error());
+    return made.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
+                                                    : report(made.error());
   }
   fmt::print("{}\n", (options.folder / "report.html").string());
   return kExitDone;

@@ -72,8 +72,8 @@ int trackBackwardsIn(const TrackBackwardsOptions& options) {
                                       });
   progress.finish();
   if (!found) {
-    return found.error().code == ErrorCode::Cancelled ? static_cast<int>(kExitInterrupted)
-                                                      : fail(found.error());
+    return found.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
+                                                     : fail(found.error());
   }
   printFound(inputs->project, *found);
   const auto saved = saveProject(*found, options.out);

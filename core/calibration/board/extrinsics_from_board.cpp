@@ -66,7 +66,7 @@ public:
     for (int round = 0; round < kMostRounds; ++round) {
       if (!goesOn(progress_, CalibrationStage::Adjustment,
                   static_cast<double>(round) / kMostRounds)) {
-        return cancelled();
+        return canceled();
       }
       if (auto adjusted = adjust(RobustLoss::Huber, lossWidth); !adjusted) {
         return tl::make_unexpected(adjusted.error());
@@ -289,7 +289,7 @@ Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
     return failure(ErrorCode::NotFound, "", "cameras", "there is none");
   }
   if (!goesOn(progress, CalibrationStage::Chaining, 0.0)) {
-    return cancelled();
+    return canceled();
   }
   auto chain = chainCameras(request);
   if (!chain) {

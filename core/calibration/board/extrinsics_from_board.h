@@ -61,15 +61,13 @@ struct ExtrinsicsResult {
   std::vector<NamedFault> faults = {}; ///< filled by findBoardFaults()
 };
 
-/// Calibrates the poses of all cameras from a board that several of them see at the same instants.
-///
-/// The board's pose relative to each camera (cv::solvePnP) is chained from camera to camera through
-/// the pairs that agree best; then all cameras and boards are refined by bundle adjustment
-/// (adjustBundle()). A symmetric chessboard is rotated so that pairs of cameras agree. Views that
-/// fit badly are left out and reported.
-///
-/// Errors: Undetermined names the cameras that share no instant with the others, or an instant at
-/// which the board was not seen; Cancelled when canceled; and those of adjustBundle().
+/// The poses of all cameras from a board that several of them see at the same instants: poses of
+/// the board before each camera (cv::solvePnP), chained from camera to camera through the pairs
+/// that agree best, then bundle adjustment of all cameras and boards (adjustBundle). A symmetric
+/// chessboard is rotated so that the pairs of cameras agree. Views that fit badly are left out and
+/// named.
+/// Errors: Undetermined names the cameras that share no instant with the others, and an instant at
+/// which the board was not seen; Canceled when canceled; and those of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 

@@ -145,7 +145,7 @@ private:
       }
       if (!goesOn(progress_, CalibrationStage::Intrinsics,
                   static_cast<double>(round) / kMostRounds)) {
-        return cancelled();
+        return canceled();
       }
       const auto solution = solve(request_, views_, square_);
       if (!solution) {

@@ -56,12 +56,11 @@ struct IntrinsicsResult {
   double worstProjectionPx = 0.0;
 };
 
-/// Calibrates the intrinsics from images of a board: Zhang (2000) with OpenCV's cv::calibrateCamera
-/// or cv::fisheye, all views together. Views that fit badly (an error of more than five times the
-/// median and more than 0.25 % of the image's diagonal) are left out and reported. Errors:
-/// Undetermined when fewer than three views remain; Cancelled when canceled; BadValue when the
-/// views do not determine a camera, or nothing fits, for instance because of a wrong number of
-/// corners.
+/// Intrinsics from pictures of a board: Zhang (2000) with OpenCV's cv::calibrateCamera or
+/// cv::fisheye, all views together. Views that fit badly (five times the median error and more than
+/// 0.25 % of the image's diagonal) are left out and named. Undetermined when fewer than three views
+/// remain; Canceled when canceled; BadValue when the views do not determine a camera, or nothing
+/// fits, as with a wrong number of corners.
 Result<IntrinsicsResult> calibrateIntrinsics(const IntrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 

@@ -57,7 +57,7 @@ public:
     const auto begin = std::chrono::steady_clock::now();
     ceres::Solve(options, &model_.solver, &summary);
     if (summary.termination_type == ceres::USER_FAILURE) {
-      return failure(ErrorCode::Cancelled, "", "", "");
+      return failure(ErrorCode::Canceled, "", "", "");
     }
     if (summary.termination_type == ceres::FAILURE) {
       return failure(ErrorCode::Undetermined, "", "", "the adjustment broke down");

@@ -137,7 +137,7 @@ using BundleCallback = std::function<bool(const BundleProgress&)>;
 /// Deterministic: one thread, fixed order.
 ///
 /// Errors, in one sentence: a camera or body without enough observations, geometry that does not
-/// determine the cameras, no convergence, implausible numbers, and Cancelled.
+/// determine the cameras, no convergence, senseless numbers, and Canceled.
 Result<BundleResult> adjustBundle(const BundleProblem& problem,
                                   const BundleCallback& callback = nullptr);
 

@@ -17,9 +17,8 @@ enum class CalibrationStage {
   PlacementSearch, ///< tries poses for an additional camera
 };
 
-/// Callback that reports the stage of a computation and the share of it that is done, 0 to 1. The
-/// computation continues while the callback returns true; after false it ends with cancelled(). May
-/// be empty.
+/// Told now and then how far a computation is: what it does, and the part of that done, 0 to 1. It
+/// goes on while true is returned; after false it ends with canceled(). May be empty.
 using CalibrationProgress = std::function<bool(CalibrationStage stage, double part)>;
 
 /// Reports progress; returns false if the computation must stop.
@@ -27,9 +26,9 @@ inline bool goesOn(const CalibrationProgress& progress, CalibrationStage stage, 
   return !progress || progress(stage, part);
 }
 
-/// Error of a computation that was stopped: Cancelled.
-inline tl::unexpected<Error> cancelled() {
-  return failure(ErrorCode::Cancelled, "", "", "");
+/// The error of a computation that was stopped: Canceled.
+inline tl::unexpected<Error> canceled() {
+  return failure(ErrorCode::Canceled, "", "", "");
 }
 
 } // namespace dewpoint::calibration

@@ -204,7 +204,7 @@ Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
   double value = -1.0;
   for (std::size_t k = 0; k < mounts.size(); ++k) {
     if (!goesOn(progress, CalibrationStage::PlacementSearch, double(k) / double(mounts.size()))) {
-      return cancelled();
+      return canceled();
     }
     if (const double found = search.worth(mounts[k]); found > value) {
       value = found;

@@ -40,13 +40,13 @@ struct Placement {
   double withinAfter = 0.0; ///< the same share with the new camera
 };
 
-/// Finds the best pose for one more camera: on one of the four walls (in the upper half) or on the
-/// ceiling of the volume, looking into it. The score of a pose is the mean over the volume of 1 /
-/// (1 + (sigma / goodSigma)²), plus a small amount for the visible part, which decides for the
-/// first camera. All poses of a coarse grid, aimed at the center and at four points around it, are
-/// compared; then the best one is moved and rotated in shrinking steps while the score improves.
-/// Deterministic. Errors: BadValue for a volume without extent or a lens without focal length;
-/// Cancelled.
+/// The best pose for one more camera: on one of the four walls (in the upper half) or on the
+/// ceiling of the volume, looking into it. A pose is worth the mean over the volume of 1 / (1 +
+/// (sigma / goodSigma)²), and a little for what is seen at all, which decides for the first camera.
+/// All poses of a coarse raster, aimed at the center and at four points around it, are compared;
+/// the best one is then moved and rotated in shrinking steps as long as it gets better. The same
+/// input gives the same pose. BadValue for a volume without extent or a lens without focal length;
+/// Canceled.
 Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
                               const PlacementSettings& settings,
                               const CalibrationProgress& progress = {});

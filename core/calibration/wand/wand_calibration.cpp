@@ -156,7 +156,7 @@ private:
     Error why;
     for (int start = 0; start < given_.starts; ++start) {
       auto now = solveStart(part, start);
-      if (!now && now.error().code == ErrorCode::Cancelled) {
+      if (!now && now.error().code == ErrorCode::Canceled) {
         return tl::make_unexpected(now.error());
       }
       WandStart report{now.has_value(), now ? medianResidual(part, *now) : 0.0};

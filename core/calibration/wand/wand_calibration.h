@@ -109,7 +109,7 @@ using WandCallback = std::function<bool(const WandProgress&)>;
 /// define the upward direction. Deterministic.
 ///
 /// Errors: too few views of a camera (named), cameras that are not connected by common views,
-/// touches at times when fewer than two cameras saw the ball, and Cancelled.
+/// touches at times when the ball was not seen by two cameras, and Canceled.
 Result<WandResult> calibrateFromWand(const WandProblem& problem,
                                      const WandCallback& callback = nullptr);
 

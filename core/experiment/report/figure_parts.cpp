@@ -8,7 +8,7 @@
 namespace dewpoint::experiment {
 
 Status experimentStopped() {
-  return failure(ErrorCode::Cancelled, "", "experiment", "stopped");
+  return failure(ErrorCode::Canceled, "", "experiment", "stopped");
 }
 
 bool experimentGoesOn(const ExperimentOptions& options, double part) {

@@ -143,7 +143,7 @@ studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
         }
         rows.push_back(std::move(*row));
         if (!report(rows.back())) {
-          return failure(ErrorCode::Cancelled, "", "", "");
+          return failure(ErrorCode::Canceled, "", "", "");
         }
       }
     }

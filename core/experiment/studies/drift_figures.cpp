@@ -242,7 +242,7 @@ struct StartShares {
   std::vector<double> within;
 };
 
-/// Cancelled when it was stopped.
+/// Canceled when it was stopped.
 Result<StartShares> sharesOf(const std::vector<ConvergenceCase>& cases,
                              const ExperimentOptions& options, double from, double to) {
   StartShares shares;

@@ -22,7 +22,7 @@ struct FigureExperiment {
   std::string_view title;    ///< name in menus and reports
   std::string_view sentence; ///< what it shows, and its source
   int runs;                  ///< seeds per case unless given
-  /// Runs the experiment. FileUnwritable, before the computation starts; Cancelled.
+  /// FileUnwritable, before anything is begun; Canceled.
   Status (*run)(const ExperimentOptions& options);
   std::string_view report = "report.html"; ///< file in the folder
   bool takesRecordings = false;

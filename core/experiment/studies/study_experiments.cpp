@@ -36,7 +36,7 @@ Status sugandiRmse(const ExperimentOptions& options) {
   const double all = kContenders * static_cast<double>(clips.size());
   const auto goOn = [&](double part) { return !options.progress || options.progress(part); };
   if (!goOn(0.0)) {
-    return failure(ErrorCode::Cancelled, "", "", "");
+    return failure(ErrorCode::Canceled, "", "", "");
   }
   const auto study = studyBoxes(
       clips, std::max(1, options.runs),
@@ -77,7 +77,7 @@ Status studyScenario(const char* scenario, const ExperimentOptions& options) {
     return tl::make_unexpected(trials.error());
   }
   return goOn ? writePeopleStudy(scenario, *trials, options.folder)
-              : failure(ErrorCode::Cancelled, "", "", "");
+              : failure(ErrorCode::Canceled, "", "", "");
 }
 
 /// A scene of people. `name` begins with "people-".

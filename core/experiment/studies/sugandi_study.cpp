@@ -172,7 +172,7 @@ Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
       }
       study.rows.push_back(std::move(*row));
       if (!report(study.rows.back())) {
-        return failure(ErrorCode::Cancelled, "", "", "");
+        return failure(ErrorCode::Canceled, "", "", "");
       }
     }
     study.figures.push_back(clipFiguresOf(clip, *images, *rowOf(study.rows, clip.name, kSugandiFew),

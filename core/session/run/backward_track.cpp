@@ -202,7 +202,7 @@ Result<BackwardPositions> positionsBefore(FrameSetSource& source, const Backward
   bool hasCommon = true;
   for (std::int64_t frame = at; frame >= 0; --frame) {
     if (!progress(static_cast<double>(at - frame) / static_cast<double>(at + 1))) {
-      return failure(ErrorCode::Cancelled, "", "", "");
+      return failure(ErrorCode::Canceled, "", "", "");
     }
     const auto frames = reversed.next();
     if (!frames) {
@@ -322,7 +322,7 @@ Result<std::vector<TrajectorySample>> believedUpTo(FrameSetSource& source,
     return tl::make_unexpected(tracked.error());
   }
   if (!wanted) {
-    return failure(ErrorCode::Cancelled, "", "", "");
+    return failure(ErrorCode::Canceled, "", "", "");
   }
   return std::move(samples.all);
 }

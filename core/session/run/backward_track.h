@@ -30,11 +30,10 @@ using BackwardProgress = std::function<bool(double)>;
 /// correct), where it leaves the former estimates by a jump, and at an earlier correction by the
 /// user.
 ///
-/// Where the result differs from the former estimates, it is returned as corrections, about two per
-/// second, with `trackedFrom` set. A run that tracks from the first of them follows these
-/// positions. The result is empty if no estimate was wrong, for live sources, and for methods that
-/// take no corrections. Returns the errors of the source and of TrackingRun::create(), and
-/// Cancelled if `progress` returned false.
+/// Where it found the target elsewhere comes as corrections, about two per second, with
+/// `trackedFrom` set: a run that tracks on from the first of them is where the target was. Empty
+/// when nothing was believed wrongly, for live sources, and for methods that take no corrections.
+/// Errors of the source and of TrackingRun::create(); Canceled when it was not wanted any more.
 Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardOrder& order, int threads,
                                                        const BackwardProgress& progress);

@@ -44,7 +44,7 @@ Status makeFolderOf(const std::filesystem::path& file, const std::filesystem::pa
 }
 
 /// Writes the files of an export beside their places; they take them together, so that an export
-/// that fails or is cancelled leaves an older one whole.
+/// that fails or is canceled leaves an older one whole.
 class ExportWriter {
 public:
   explicit ExportWriter(std::filesystem::path file) : file_(std::move(file)) {}
@@ -150,7 +150,7 @@ Result<Encoded> encode(const Trajectory& trajectory, const ExportOptions& option
     return wanted;
   });
   if (!wanted) {
-    return failure(ErrorCode::Cancelled, file.string(), "preview", "stopped");
+    return failure(ErrorCode::Canceled, file.string(), "preview", "stopped");
   }
   if (!table) {
     return tl::make_unexpected(table.error());
@@ -199,14 +199,14 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   }
   const auto goesOn = [&](double done) { return !progress || progress(done); };
   ExportSummary summary;
-  summary.cancelled = !goesOn(0.0);
-  if (summary.cancelled) {
+  summary.canceled = !goesOn(0.0);
+  if (summary.canceled) {
     return summary;
   }
   auto table = makeExportTable(trajectory, options, (*format)->table,
                                [&](double done) { return goesOn(kShareOfTable * done); });
-  summary.cancelled = !goesOn(kShareOfTable);
-  if (summary.cancelled) {
+  summary.canceled = !goesOn(kShareOfTable);
+  if (summary.canceled) {
     return summary;
   }
   if (!table) {
@@ -227,8 +227,8 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   ExportWriter writer(file);
   for (std::size_t k = 0; k < parts->size(); ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(parts->size());
-    summary.cancelled = !goesOn(begin + (1.0 - begin) * share);
-    if (summary.cancelled) {
+    summary.canceled = !goesOn(begin + (1.0 - begin) * share);
+    if (summary.canceled) {
       summary.files.clear();
       return summary;
     }

@@ -22,9 +22,8 @@ struct ExportSummary {
   std::size_t rows = 0;
   std::size_t targets = 0;
   std::size_t gaps = 0; ///< target and row pairs left empty
-  bool cancelled = false;
-  /// Existing file that may not be replaced; if set, nothing was written.
-  std::filesystem::path occupied;
+  bool canceled = false;
+  std::filesystem::path occupied; ///< is there already and may not be replaced: nothing was written
 };
 
 /// Preview of an export.
@@ -41,16 +40,16 @@ struct ExportPreview {
   double rate = 0.0; ///< rows per second
 };
 
-/// Writes the trajectory as `options.format` to `file`. Additional files of the format go to the
-/// same folder. The main file is written last: to a temporary file, which is flushed and renamed. A
-/// canceled or failed export removes the files that it created. Returns FileUnwritable, and the
-/// errors of makeExportTable() and of the format.
+/// Writes the trajectory as `options.format` to `file` (formats of several files put the others
+/// beside it). The file is written beside, flushed and renamed, as the last one. A canceled or
+/// failed export takes the files away again that it has made. FileUnwritable, and the errors of
+/// makeExportTable() and of the format.
 Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const ExportOptions& options,
                                        const std::filesystem::path& file,
                                        const ExportProgress& progress = {});
 
-/// Returns the first `lineCount` lines that exportTrajectory() would write. Returns Cancelled if
-/// `progress` returns false.
+/// The first `lineCount` lines as exportTrajectory() would write them. Canceled when `progress`
+/// says so.
 Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOptions& options,
                                     const std::filesystem::path& file, std::size_t lineCount = 40,
                                     const ExportProgress& progress = {});

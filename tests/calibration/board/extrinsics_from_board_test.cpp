@@ -143,7 +143,7 @@ TEST(ExtrinsicsFromBoard, CancelStops) {
   const auto stopped = calibrateExtrinsics(requestOf("chessboard:9x6:0.025", 0.1),
                                            [](CalibrationStage, double) { return false; });
   ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(stopped.error().code, ErrorCode::Canceled);
 }
 
 } // namespace

@@ -101,7 +101,7 @@ TEST(IntrinsicsFromBoard, TooFewViewsAndCancel) {
   auto request = requestOf(testCamera(), 0.1, 12);
   const auto stopped = calibrateIntrinsics(request, [](CalibrationStage, double) { return false; });
   ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(stopped.error().code, ErrorCode::Canceled);
   request.views.resize(2);
   const auto few = calibrateIntrinsics(request);
   ASSERT_FALSE(few);

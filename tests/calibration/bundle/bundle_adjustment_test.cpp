@@ -309,7 +309,7 @@ TEST(BundleAdjustment, StopsWhenAsked) {
   const auto result = adjustBundle(wavedProblem(fourCameras(), true, 30),
                                    [](const BundleProgress& now) { return now.iteration < 1; });
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(result.error().code, ErrorCode::Canceled);
 }
 
 } // namespace

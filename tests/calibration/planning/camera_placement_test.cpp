@@ -136,11 +136,11 @@ TEST(CameraPlacement, TheFirstCameraSeesAsMuchAsItCan) {
   EXPECT_GT(seen, 0.7); // a corner sees three quarters or so of a box of 4 x 4 x 2 with 90 degrees
 }
 
-TEST(CameraPlacement, CanBeCancelled) {
+TEST(CameraPlacement, CanBeCanceled) {
   const auto found =
       placeCamera({}, lens(), settings(), [](CalibrationStage, double part) { return part < 0.5; });
   ASSERT_FALSE(found);
-  EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(found.error().code, ErrorCode::Canceled);
 }
 
 TEST(CameraPlacement, NamesWhatIsMissing) {

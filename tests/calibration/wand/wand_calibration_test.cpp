@@ -305,7 +305,7 @@ TEST(WandCalibration, SaysWhatIsMissing) {
   problem = wave(rig, 2, 0.1, 60);
   problem.initialRig = rig;
   EXPECT_EQ(calibrateFromWand(problem, [](const WandProgress&) { return false; }).error().code,
-            ErrorCode::Cancelled);
+            ErrorCode::Canceled);
 }
 
 } // namespace

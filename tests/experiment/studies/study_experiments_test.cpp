@@ -35,10 +35,10 @@ TEST_P(StudyExperiments, AnUnwritableFolderIsSaidAtOnce) {
   EXPECT_EQ(made.error().code, ErrorCode::FileUnwritable);
 }
 
-TEST_P(StudyExperiments, CancelledBeforeTheFirstSceneNothingIsWritten) {
+TEST_P(StudyExperiments, CanceledBeforeTheFirstSceneNothingIsWritten) {
   const auto made = GetParam().run({folder_, 1, [](double) { return false; }});
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(made.error().code, ErrorCode::Canceled);
   EXPECT_FALSE(std::filesystem::exists(folder_ / GetParam().report));
 }
 

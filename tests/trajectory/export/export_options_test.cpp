@@ -155,12 +155,12 @@ TEST(ExportProgress, CanCancel) {
   const auto summary = exportTrajectory(exportExample(), exportAs("pvd"), folder / "a.pvd",
                                         [](double done) { return done < 0.8; });
   ASSERT_TRUE(summary);
-  EXPECT_TRUE(summary->cancelled);
+  EXPECT_TRUE(summary->canceled);
   EXPECT_TRUE(std::filesystem::is_empty(folder / ".")); // neither a.pvd nor frames beside it
 }
 
 // The older collection still names its parts: they must not be those of another run.
-TEST(ExportProgress, CancellingLeavesAnOlderExportWhole) {
+TEST(ExportProgress, CancelingLeavesAnOlderExportWhole) {
   const ExportFolder folder;
   ASSERT_TRUE(exportTrajectory(exportExample(), exportAs("pvd"), folder / "a.pvd"));
   const std::string old = bytesOf(folder / "a-frames/00000.vtp");
@@ -169,7 +169,7 @@ TEST(ExportProgress, CancellingLeavesAnOlderExportWhole) {
   const auto summary = exportTrajectory(other, exportAs("pvd"), folder / "a.pvd",
                                         [](double done) { return done < 0.8; });
   ASSERT_TRUE(summary);
-  EXPECT_TRUE(summary->cancelled);
+  EXPECT_TRUE(summary->canceled);
   EXPECT_EQ(bytesOf(folder / "a-frames/00000.vtp"), old);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / ".")) {
     EXPECT_NE(entry.path().extension(), ".part") << entry.path();
