@@ -133,8 +133,8 @@ ColorLesson learnColorIn(ProjectHandle& handle, const CameraKey& camera, std::in
   SessionInputs inputs = openedInputs(handle);
   auto taught = [&] {
     const py::gil_scoped_release release;
-    return setup::learnFromFootage(std::move(inputs.project), *inputs.source, inputs.emptyRooms,
-                                   std::move(clicks));
+    return setup::learnFromFootage(std::move(inputs.project), *inputs.source,
+                                   inputs.backgroundImages, std::move(clicks));
   }();
   if (!taught) {
     raiseAbout(handle, taught.error());

@@ -50,7 +50,7 @@ std::shared_ptr<RunHandle> track(const ProjectHandle& handle, const std::optiona
   PythonProgress progress(callback);
   auto run = [&] {
     const py::gil_scoped_release release;
-    return recordRun(inputs.project, *inputs.source, inputs.emptyRooms, order,
+    return recordRun(inputs.project, *inputs.source, inputs.backgroundImages, order,
                      [&](std::int64_t done, const std::optional<std::int64_t>& total) {
                        return progress.call(done, total);
                      });

@@ -7,7 +7,7 @@
 #include "core/geometry/projector.h"
 #include "core/project/project_check.h"
 #include "core/project/project_load.h"
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/new_project.h"
 #include "core/simulation/people/office_day.h"
@@ -309,11 +309,11 @@ Result<SessionInputs> openInputs(Project wanted) {
     }
     inputs.truth = std::move(*truth);
   }
-  auto rooms = loadEmptyRooms(project);
+  auto rooms = loadBackgroundImages(project);
   if (!rooms) {
     return tl::make_unexpected(rooms.error());
   }
-  inputs.emptyRooms = std::move(*rooms);
+  inputs.backgroundImages = std::move(*rooms);
   inputs.project = std::move(project);
   return inputs;
 }

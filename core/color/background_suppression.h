@@ -15,11 +15,11 @@ namespace dewpoint::color {
 inline constexpr int kFamiliarLevels = 14;
 inline constexpr int kFamiliarShift = 3;
 
-/// Copies of the images (CV_8UC3) in which pixels that have a color of the ranges, and had one in
-/// the background image too, are black. Black matches no range, so a tracker with background images
-/// does not take such pixels for a target. `rooms` are the background images in the same order; an
-/// empty one, or one of another size, leaves its image unchanged. The result shares the pixels of
-/// an image in which no pixel is taken for background.
+/// The images (CV_8UC3) with black, which no range matches, where they have a color of the ranges
+/// but so did the background image: a tracker that has it does not take that for a target.
+/// `rooms` are the background images in the same order; an empty one, or one of another size,
+/// leaves its image as it is. An image in which nothing is familiar shares its pixels with the
+/// result.
 std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& rooms);

@@ -35,9 +35,8 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images);
 
-/// As learnColor(), for trackers that use background images. `rooms` are the background images in
-/// the order of the images (withoutBackgroundColors()). Pixels that are `undecided`
-/// (colorEvidence()) are ignored.
+/// learnColor() for trackers that know the background images, which are in the order of the images
+/// (withoutBackgroundColors()). Pixels that are `undecided` (colorEvidence()) count for nothing.
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& rooms,

@@ -29,11 +29,11 @@ struct ProjectCamera {
   bool mirrored = false; ///< images are mirrored left to right after the rotation
   /// True if the calibration of a simulated camera is the project's own instead of the scene's.
   bool adjusted = false;
-  /// Absolute path of the background image: an image, a video or a folder of images that show the
-  /// scene without any target, not yet rotated. Empty if there is none.
-  std::string emptyRoom = {};
-  /// Absolute path of a table with the time of each image (recordings only). Empty if the images
-  /// have equal intervals.
+  /// Absolute path of an image, a video or a folder of images that show the scene without any
+  /// target, not yet rotated; empty: there is none.
+  std::string backgroundImage = {};
+  /// Absolute path of a table that says when each of its images was taken (recordings); empty:
+  /// they were taken evenly.
   std::string times = {};
   /// Delay of the images in seconds: they show what happened this long before their time. In a
   /// recording, the image nearest in time is used; methods that can use times correct for the rest.

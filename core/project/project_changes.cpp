@@ -14,7 +14,7 @@ bool sameSource(const ProjectCamera& a, const ProjectCamera& b) {
 
 bool sameCalibration(const ProjectCamera& a, const ProjectCamera& b) {
   ProjectCamera withRoom = a;
-  withRoom.emptyRoom = b.emptyRoom;
+  withRoom.backgroundImage = b.backgroundImage;
   return withRoom == b;
 }
 
@@ -38,9 +38,10 @@ ProjectChanges changesBetween(const Project& before, const Project& after) {
   changes.points = before.points != after.points;
   changes.people = before.people != after.people;
   changes.corrections = before.corrections != after.corrections;
-  changes.emptyRooms =
-      !changes.sources && !std::ranges::equal(before.cameras, after.cameras, {},
-                                              &ProjectCamera::emptyRoom, &ProjectCamera::emptyRoom);
+  changes.backgroundImages =
+      !changes.sources &&
+      !std::ranges::equal(before.cameras, after.cameras, {}, &ProjectCamera::backgroundImage,
+                          &ProjectCamera::backgroundImage);
   changes.calibration =
       !changes.sources && !std::ranges::equal(before.cameras, after.cameras, sameCalibration);
   return changes;

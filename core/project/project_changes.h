@@ -15,18 +15,18 @@ struct ProjectChanges {
   bool boxes = false;       ///< image targets, for methods that track bounding boxes
   bool calibration = false; ///< calibration of cameras with the same sources
   bool markers = false;
-  bool grid = false;        ///< reference grid
-  bool volume = false;      ///< volume of interest
-  bool points = false;      ///< measured points and their clicks
-  bool people = false;      ///< corrections of people
-  bool corrections = false; ///< corrections of targets' positions
-  bool emptyRooms = false;  ///< background images of cameras with the same sources
-  bool sources = false;     ///< set of cameras, or the sources of images and truth
+  bool grid = false;             ///< the reference grid
+  bool volume = false;           ///< the volume of interest
+  bool points = false;           ///< measured points and their clicks
+  bool people = false;           ///< corrections of who is there
+  bool corrections = false;      ///< of where targets are
+  bool backgroundImages = false; ///< of cameras with the same sources
+  bool sources = false;          ///< which cameras there are, and where images and truth come from
 
   /// Returns whether any edit was made; `boxes` implies `targets`.
   bool any() const {
     return name || method || seed || parameters || targets || calibration || sources || markers ||
-           grid || points || people || corrections || emptyRooms || volume;
+           grid || points || people || corrections || backgroundImages || volume;
   }
 };
 

@@ -30,7 +30,7 @@ std::vector<ProjectFile> filesOfRun(const Project& project) {
     if (camera.source == SourceKind::Video || camera.source == SourceKind::Images) {
       add(camera.location);
     }
-    for (const std::string& file : {camera.times, camera.emptyRoom}) {
+    for (const std::string& file : {camera.times, camera.backgroundImage}) {
       if (!file.empty()) {
         add(file);
       }

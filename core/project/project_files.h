@@ -15,8 +15,8 @@ struct ProjectFile {
   std::filesystem::path path; ///< absolute
 };
 
-/// Returns the files that a run reads besides the project file: recordings, their times, background
-/// images, and the file of a scene. The truth is not included because no result depends on it.
+/// What a run reads beside the project file: recordings, their times, background images, a
+/// scene's file. Not the truth, which no result depends on.
 std::vector<ProjectFile> filesOfRun(const Project& project);
 
 /// Returns whether another run would see the same images. False with live cameras.

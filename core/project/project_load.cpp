@@ -97,7 +97,7 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
   } else {
     readSource(reader, place, camera);
   }
-  camera.emptyRoom = readPath(reader, "empty_room", place).string();
+  camera.backgroundImage = readPath(reader, "empty_room", place).string();
   if (const toml::table* calibration = reader.table("calibration")) {
     auto read = cameraFromToml(*calibration, file, prefix + "calibration.");
     if (read) {

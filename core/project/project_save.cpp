@@ -47,8 +47,8 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (!camera.times.empty()) {
     text += "times = " + storedPath(camera.times, folder) + "   # when each image was taken\n";
   }
-  if (!camera.emptyRoom.empty()) {
-    text += "empty_room = " + storedPath(camera.emptyRoom, folder) + "\n";
+  if (!camera.backgroundImage.empty()) {
+    text += "empty_room = " + storedPath(camera.backgroundImage, folder) + "\n";
   }
   return text + "[camera.calibration]   # pixels, radians, meters; camera from world\n" +
          cameraToToml(camera.camera, RotationForm::Matrix);

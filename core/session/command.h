@@ -52,9 +52,9 @@ struct ShowFrame {
 };
 /// Shows the current frame of the run again.
 struct BackToHead {};
-/// Tracks again from this frame up to the last tracked frame, at full speed, with the current
-/// parameters, colors and background images. The results from there on are replaced. A pause stops
-/// it.
+/// Tracks again from this frame on, as fast as it goes, up to where the run stood: with the
+/// parameters, colors and background images of now. What was recorded from there on is replaced.
+/// Pausing stops it.
 struct Rerun {
   std::int64_t from = 0;
   /// If true, the displayed frame stays: frames tracked meanwhile are not published, unless the
@@ -75,9 +75,9 @@ struct SetTargets {
 struct SetCameras {
   CameraRig rig;
 };
-/// Changes the background images of the same cameras (loadEmptyRooms); tracks continue.
-struct SetEmptyRooms {
-  std::vector<std::string> files; ///< names in the project
+/// Other background images of the same cameras (loadBackgroundImages); what is believed stays.
+struct SetBackgroundImages {
+  std::vector<std::string> files; ///< as the project names them
   std::vector<cv::Mat> rooms;
 };
 /// Changes or removes the volume of interest from the next iteration on. It limits the creation of
@@ -124,7 +124,7 @@ struct SetCorrections {
 using Command =
     std::variant<command::Play, command::Pause, command::StepFrame, command::StepIteration,
                  command::Restart, command::Configure, command::SetMethod, command::SetTargets,
-                 command::SetCameras, command::SetEmptyRooms, command::ShowMasks,
+                 command::SetCameras, command::SetBackgroundImages, command::ShowMasks,
                  command::ShowFrame, command::BackToHead, command::Rerun, command::ShowMaps,
                  command::ShowShapes, command::ShowBoard, command::SetPeople, command::SetThreads,
                  command::SetVolumeOfInterest, command::SetCorrections, command::SetPace>;

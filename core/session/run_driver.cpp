@@ -15,7 +15,7 @@ namespace dewpoint::session {
 
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
     : project_(std::move(inputs.project)), source_(std::move(inputs.source)), tap_(tap), log_(log),
-      kept_(RunDefinition::of(project_, inputs.emptyRooms), filterThreads(inputs.threads)),
+      kept_(RunDefinition::of(project_, inputs.backgroundImages), filterThreads(inputs.threads)),
       motionWatch_(*definition().rig), agreementWatch_(*definition().rig, motionWatch_),
       recorder_(log, truth) {
   replaceRun(definition(), 0);
@@ -284,14 +284,15 @@ void RunDriver::setCameras(const CameraRig& rig) {
   }
 }
 
-void RunDriver::setEmptyRooms(const command::SetEmptyRooms& request) {
+void RunDriver::setBackgroundImages(const command::SetBackgroundImages& request) {
   if (request.rooms.size() != definition().rig->size()) {
     return;
   }
   RunDefinition wanted = definition();
-  std::copy_n(request.files.begin(), std::min(request.files.size(), wanted.emptyRoomFiles.size()),
-              wanted.emptyRoomFiles.begin());
-  wanted.emptyRooms = request.rooms;
+  std::copy_n(request.files.begin(),
+              std::min(request.files.size(), wanted.backgroundImageFiles.size()),
+              wanted.backgroundImageFiles.begin());
+  wanted.backgroundImages = request.rooms;
   change(std::move(wanted));
 }
 
@@ -364,7 +365,7 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
 void RunDriver::describe(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   snapshot.rig = definition().rig;
   snapshot.family = definition().family();
-  snapshot.emptyRooms = definition().emptyRooms;
+  snapshot.backgroundImages = definition().backgroundImages;
   snapshot.seed = definition().seed;
   if (kept_.exists()) {
     showFrame(builder, quickly, snapshot);

@@ -71,8 +71,8 @@ public:
   void setMethod(const command::SetMethod& request);
   void setTargets(const std::vector<Target>& targets);
   void setCameras(const CameraRig& rig);
-  void setEmptyRooms(const command::SetEmptyRooms& request);
-  /// While a board is shown to live cameras, none of them is reported as moved.
+  void setBackgroundImages(const command::SetBackgroundImages& request);
+  /// While a board is shown to live cameras none of them is taken for moved.
   void setBoardShown(bool shown) {
     motionWatch_.setResting(shown);
     agreementWatch_.setResting(shown);

@@ -107,8 +107,9 @@ public:
   void setParameters(const ParameterValues& parameters) { send(command::Configure{parameters}); }
   void setTargets(const std::vector<Target>& targets) { send(command::SetTargets{targets}); }
   void setCameras(const CameraRig& rig) { send(command::SetCameras{rig}); }
-  void setEmptyRooms(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms) {
-    send(command::SetEmptyRooms{files, rooms});
+  void setBackgroundImages(const std::vector<std::string>& files,
+                           const std::vector<cv::Mat>& rooms) {
+    send(command::SetBackgroundImages{files, rooms});
   }
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) {
     send(command::SetVolumeOfInterest{volume});

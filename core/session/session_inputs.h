@@ -22,11 +22,11 @@ namespace dewpoint::session {
 struct SessionInputs {
   Project project;
   std::unique_ptr<FrameSetSource> source;
-  Trajectory truth; ///< empty if unknown
-  /// Background image of each camera (loadEmptyRooms); may be empty.
-  std::vector<cv::Mat> emptyRooms = {};
-  /// Memory for the history of the run in bytes: images of live cameras, particles, and copies of
-  /// the method. 0: 1 GB for live cameras, half of that for recordings.
+  Trajectory truth; ///< empty when unknown
+  /// Of the cameras (loadBackgroundImages); may be empty.
+  std::vector<cv::Mat> backgroundImages = {};
+  /// Bytes that going back in the run may take: images of live cameras, particles, copies.
+  /// 0: 1 GB for live cameras, half of it for recordings.
   std::size_t historyBytes = 0;
   /// Initial number of filter threads, which never changes the result. 0: default of
   /// base::filterThreads().

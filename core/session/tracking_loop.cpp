@@ -156,8 +156,8 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetCameras& request) {
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::SetEmptyRooms& request) {
-  driver_.setEmptyRooms(request);
+TrackingLoop::Publish TrackingLoop::handle(const command::SetBackgroundImages& request) {
+  driver_.setBackgroundImages(request);
   return Publish::Now;
 }
 

@@ -47,7 +47,7 @@ private:
   Publish handle(const command::SetMethod& request);
   Publish handle(const command::SetTargets& request);
   Publish handle(const command::SetCameras& request);
-  Publish handle(const command::SetEmptyRooms& request);
+  Publish handle(const command::SetBackgroundImages& request);
   Publish handle(const command::SetPeople& request);
   Publish handle(const command::SetVolumeOfInterest& request);
   Publish handle(const command::SetCorrections& request);

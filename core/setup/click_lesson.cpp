@@ -237,7 +237,8 @@ Result<ClickLesson> learnFromClicks(const CameraRig& rig, const ClickedImages& s
       unite(color::regionOfSample(shown.images[camera], sample), undecided[camera]);
     }
   }
-  return color::learnColorWithBackground(lesson.samples, shown.images, shown.emptyRooms, undecided)
+  return color::learnColorWithBackground(lesson.samples, shown.images, shown.backgroundImages,
+                                         undecided)
       .map([&](const LearnedColor& learned) {
         lesson.color = learned;
         return lesson;

@@ -21,8 +21,8 @@ namespace dewpoint::setup {
 /// camera without an image.
 struct ClickedImages {
   std::vector<cv::Mat> images;
-  std::vector<cv::Mat> emptyRooms; ///< as for learnColorWithBackground()
-  std::int64_t frame = 0;          ///< frame that they show
+  std::vector<cv::Mat> backgroundImages; ///< as learnColorWithBackground()
+  std::int64_t frame = 0;                ///< that they show
 };
 
 /// Outline of an object found in the image of a camera, in pixels.

@@ -90,7 +90,7 @@ Result<std::size_t> taughtTarget(Project& project, const FootageClicks& clicks) 
 } // namespace
 
 Result<FootageLesson> learnFromFootage(Project project, FrameSetSource& source,
-                                       const std::vector<cv::Mat>& emptyRooms,
+                                       const std::vector<cv::Mat>& backgroundImages,
                                        FootageClicks clicks) {
   assert(!clicks.samples.empty());
   const auto images = takeSamples(source, clicks.samples);
@@ -104,7 +104,7 @@ Result<FootageLesson> learnFromFootage(Project project, FrameSetSource& source,
   const ColorSample& click = clicks.samples.front();
   const auto& shown = images->at(click.frame);
   auto lesson = learnFromClicks(project, static_cast<int>(*target),
-                                {shown, emptyRooms, click.frame}, clicks.samples);
+                                {shown, backgroundImages, click.frame}, clicks.samples);
   if (!lesson) {
     return tl::make_unexpected(lesson.error());
   }

@@ -30,13 +30,14 @@ struct FootageLesson {
   cv::Mat image; ///< image that contains the first click
 };
 
-/// Learns the color of a target from clicks in a recording: a target of the project, or a new one
-/// with the given name. The other cameras are searched for the object of the first click. BadValue
-/// names "camera" for live cameras, "frame" beyond the end, and "pixel" or "box" outside the image.
-/// MissingKey names "target" if there are several and none is named. Also returns the errors of
-/// learnFromClicks(), checkProject() and the source. `emptyRooms` as returned by loadEmptyRooms().
+/// Learns the color of a target from clicks in a recording: one that the project has, or a new one
+/// of that name. The other cameras are searched for what the first click shows. BadValue names
+/// "camera" when the cameras are live, "frame" beyond the end, "pixel" or "box" outside the image;
+/// MissingKey names "target" when there are several and none is named; and errors of
+/// learnFromClicks(), checkProject() and the source. `backgroundImages` as of
+/// loadBackgroundImages().
 Result<FootageLesson> learnFromFootage(Project project, FrameSetSource& source,
-                                       const std::vector<cv::Mat>& emptyRooms,
+                                       const std::vector<cv::Mat>& backgroundImages,
                                        FootageClicks clicks);
 
 } // namespace dewpoint::setup

@@ -44,7 +44,7 @@ fs::path pathUnder(const toml::table& table, const char* key, const ProjectPlace
 }
 
 constexpr std::array kCameraKeys{std::pair("video", Kind::Video), std::pair("images", Kind::Images),
-                                 std::pair("empty_room", Kind::EmptyRoom)};
+                                 std::pair("empty_room", Kind::BackgroundImage)};
 
 void checkCameras(const toml::table& table, const ProjectPlace& place, MissingFileList& missing) {
   const toml::array* cameras = table["camera"].as_array();
@@ -90,7 +90,8 @@ std::vector<MissingFile> missingFilesOf(const Project& project) {
       missing.check({isVideo ? Kind::Video : Kind::Images, static_cast<int>(k), camera.camera.name,
                      camera.location});
     }
-    missing.check({Kind::EmptyRoom, static_cast<int>(k), camera.camera.name, camera.emptyRoom});
+    missing.check(
+        {Kind::BackgroundImage, static_cast<int>(k), camera.camera.name, camera.backgroundImage});
   }
   missing.check({Kind::Truth, -1, "", project.truth.value_or(fs::path())});
   if (project.scene.ends_with(".toml")) {
@@ -127,7 +128,7 @@ Project withMovedFiles(Project project, const MovedFiles& moved) {
   };
   for (ProjectCamera& camera : project.cameras) {
     camera.location = now(camera.location).string();
-    camera.emptyRoom = now(camera.emptyRoom).string();
+    camera.backgroundImage = now(camera.backgroundImage).string();
   }
   if (project.truth) {
     project.truth = now(*project.truth);

@@ -13,7 +13,7 @@ namespace dewpoint::setup {
 
 /// A file or folder that a project names but that does not exist.
 struct MissingFile {
-  enum class Kind { Video, Images, EmptyRoom, Calibration, Truth, Scene };
+  enum class Kind { Video, Images, BackgroundImage, Calibration, Truth, Scene };
   Kind kind = Kind::Video;
   int camera = -1;            ///< index of its camera; -1: belongs to the whole project
   std::string cameraName;     ///< empty if it belongs to no camera

@@ -21,7 +21,7 @@ namespace dewpoint::tracking {
 class Tracker {
 public:
   virtual ~Tracker() = default;
-  /// Removes all tracks and starts from scratch; background images are kept.
+  /// Removes all tracks and starts from scratch; background images stay.
   virtual void restart(std::uint64_t seed) = 0;
   /// Returns the number of iterations per frame.
   virtual int iterationsPerFrame() const = 0;

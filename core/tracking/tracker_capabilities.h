@@ -73,12 +73,12 @@ public:
 };
 
 /// Uses background images, which show the scene without targets.
-class EmptyRoomKnowing {
+class BackgroundImageUsing {
 public:
-  virtual ~EmptyRoomKnowing() = default;
-  /// Sets one image per camera (CV_8UC3, in the order of the rig), empty where there is none. Takes
+  virtual ~BackgroundImageUsing() = default;
+  /// One image per camera (CV_8UC3, in the order of the rig), empty where it is not known. Takes
   /// effect at the next restart; methods for people then need no learning phase.
-  virtual void setEmptyRooms(const std::vector<cv::Mat>& images) = 0;
+  virtual void setBackgroundImages(const std::vector<cv::Mat>& images) = 0;
 };
 
 /// Can be copied during a run, so that the run can return to an earlier frame.

@@ -24,7 +24,7 @@ cv::Mat withBall() {
   return image;
 }
 
-TEST(FamiliarColor, WhatTheEmptyRoomShowedIsBlack) {
+TEST(FamiliarColor, WhatTheBackgroundImageShowedIsBlack) {
   const auto images = withoutBackgroundColors(kReds, {withBall(), withBall()}, {room(), cv::Mat()});
   const cv::Mat match = matchImage(images[0], ColorClassifier(kReds));
   EXPECT_EQ(cv::countNonZero(match(kChair)), 0);

@@ -110,15 +110,15 @@ TEST(PeopleSession, TellsHowFarTheRoomIsLearned) {
   EXPECT_TRUE(shown->targets.empty());
 }
 
-TEST(PeopleSession, KnowsTheEmptyRoomWithoutLearning) {
+TEST(PeopleSession, KnowsTheBackgroundImageWithoutLearning) {
   Session session(office());
   simulation::ViewCache views;
   const OfficeRenderer renderer(officeDay(), views);
   std::vector<cv::Mat> rooms;
   for (std::size_t k = 0; k < 4; ++k) {
-    rooms.push_back(renderer.emptyRoom(k));
+    rooms.push_back(renderer.backgroundImage(k));
   }
-  session.setEmptyRooms({"", "", "", ""}, rooms);
+  session.setBackgroundImages({"", "", "", ""}, rooms);
   session.restart();
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->tracked; }));

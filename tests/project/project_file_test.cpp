@@ -176,11 +176,11 @@ TEST(ProjectFile, WhatComesFromTheCamerasIsNotWrittenUnlessItWasGiven) {
   EXPECT_EQ(again->parameters, given->parameters);
 }
 
-TEST(ProjectFile, KeepsTheEmptyRoomOfACamera) {
+TEST(ProjectFile, KeepsTheBackgroundImageOfACamera) {
   const auto project = load(kGood, "video = \"left.mkv\"\n",
                             "video = \"left.mkv\"\nempty_room = \"empty/left.png\"\n");
   ASSERT_TRUE(project) << sentence(project.error());
-  const std::filesystem::path room = project->cameras.front().emptyRoom;
+  const std::filesystem::path room = project->cameras.front().backgroundImage;
   EXPECT_EQ(room, project->file.parent_path() / "empty/left.png");
   const auto file = fileNamed("saved.toml");
   ASSERT_TRUE(saveProject(*project, file));
@@ -189,8 +189,8 @@ TEST(ProjectFile, KeepsTheEmptyRoomOfACamera) {
   ASSERT_TRUE(again) << sentence(again.error());
   EXPECT_EQ(again->cameras, project->cameras);
   Project without = *project;
-  without.cameras.front().emptyRoom.clear();
-  EXPECT_TRUE(changesBetween(without, *project).emptyRooms);
+  without.cameras.front().backgroundImage.clear();
+  EXPECT_TRUE(changesBetween(without, *project).backgroundImages);
   EXPECT_FALSE(changesBetween(without, *project).sources) << "the recording is the same";
   EXPECT_EQ(projectText(without, file.parent_path()).find("empty_room"), std::string::npos);
   EXPECT_EQ(errorOf("video = \"left.mkv\"\n", "video = \"left.mkv\"\nempty_room = 3\n").field,

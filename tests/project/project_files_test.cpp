@@ -20,7 +20,7 @@ Project projectWithFiles() {
   images.camera.name = "right";
   images.source = SourceKind::Images;
   images.location = "/archive/right";
-  images.emptyRoom = "/lab/day/empty.png";
+  images.backgroundImage = "/lab/day/empty.png";
   project.cameras = {video, images};
   return project;
 }
@@ -58,7 +58,7 @@ TEST(ProjectFiles, TextOfARunHasWhatItsResultDependsOn) {
   other.file = "/mnt/day/project.toml";
   other.cameras.front().location = "/mnt/day/left.mkv";
   other.cameras.front().times = "/mnt/day/left.csv";
-  other.cameras.back().emptyRoom = "/mnt/day/empty.png";
+  other.cameras.back().backgroundImage = "/mnt/day/empty.png";
   EXPECT_EQ(textOfRun(other), text);
 }
 

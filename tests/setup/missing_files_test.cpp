@@ -59,7 +59,7 @@ TEST_F(MissingFilesTest, AreListedWithTheirCameras) {
   ASSERT_TRUE(missing.has_value());
   const std::vector<MissingFile> expected{
       {Kind::Video, 0, "left", folder_ / "videos/left.mp4"},
-      {Kind::EmptyRoom, 0, "left", folder_ / "room.png"},
+      {Kind::BackgroundImage, 0, "left", folder_ / "room.png"},
       {Kind::Calibration, -1, "", folder_ / "rig.toml"},
       {Kind::Truth, -1, "", folder_ / "truth.csv"},
   };

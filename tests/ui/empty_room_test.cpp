@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the empty room, given to a camera in the window.
 #include "core/project/project.h"
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/session/run/snapshot.h"
 #include "tests/ui/gate.h"
 #include "tests/ui/recorded_demo.h"
@@ -36,7 +36,7 @@ private:
   /// Takes the image shown, which is not written before the gate opens.
   void takeAtTheGate();
   const std::string& emptyRoom() const {
-    return window_->document().project().cameras[1].emptyRoom;
+    return window_->document().project().cameras[1].backgroundImage;
   }
   QPushButton* take() const { return find<QPushButton>("cameraEmptyRoomTake"); }
   QLineEdit* field() const { return find<QLineEdit>("cameraEmptyRoom"); }
@@ -65,7 +65,7 @@ void EmptyRoomTest::cleanup() {
 void EmptyRoomTest::takeAtTheGate() {
   panel()->setKeeper([gate = gate_](const auto&... order) {
     gate->pass();
-    return keepEmptyRoom(order...);
+    return keepBackgroundImage(order...);
   });
   take()->click();
   QVERIFY(waitFor([this] { return gate_->waiting() == 1; }));
@@ -74,7 +74,7 @@ void EmptyRoomTest::takeAtTheGate() {
 
 void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
   Document& document = window_->document();
-  QVERIFY(window_->shown()->emptyRooms[1].empty());
+  QVERIFY(window_->shown()->backgroundImages[1].empty());
   take()->click();
   QVERIFY(waitFor([this] { return !emptyRoom().empty(); }));
   const std::string kept = emptyRoom();
@@ -84,10 +84,12 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
   QCOMPARE(field()->text(), QString::fromStdString(kept));
   QVERIFY(waitFor([&] {
     return window_->shown() && window_->shown()->frames &&
-           window_->shown()->emptyRooms.size() == 2 && !window_->shown()->emptyRooms[1].empty();
+           window_->shown()->backgroundImages.size() == 2 &&
+           !window_->shown()->backgroundImages[1].empty();
   }));
-  QVERIFY(window_->shown()->emptyRooms[0].empty());
-  QCOMPARE(window_->shown()->emptyRooms[1].cols, window_->shown()->frames->frames[1]->image.cols);
+  QVERIFY(window_->shown()->backgroundImages[0].empty());
+  QCOMPARE(window_->shown()->backgroundImages[1].cols,
+           window_->shown()->frames->frames[1]->image.cols);
 
   document.undoStack()->undo();
   QVERIFY(emptyRoom().empty());
@@ -130,8 +132,9 @@ void EmptyRoomTest::aPictureOfAnotherProjectIsNotUsed() {
 void EmptyRoomTest::whatWasChosenMeanwhileStays() {
   takeAtTheGate();
   const std::string chosen = file("chosen.png").toStdString();
-  QVERIFY(window_->document().edit(
-      QStringLiteral("Choose"), [&](Project& project) { project.cameras[1].emptyRoom = chosen; }));
+  QVERIFY(window_->document().edit(QStringLiteral("Choose"), [&](Project& project) {
+    project.cameras[1].backgroundImage = chosen;
+  }));
   gate_->open();
   QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("-empty-right.png")); }));
   QCOMPARE(emptyRoom(), chosen);

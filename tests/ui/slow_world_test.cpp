@@ -5,7 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/session.h"
 #include "tests/ui/gate.h"
@@ -374,7 +374,7 @@ void SlowWorldTest::anEmptyRoomIsUsedOnceItIsWritten() {
   QVERIFY(waitFor([&] { return take->isEnabled(); }));
   window_->findChild<CameraPanel*>()->setKeeper([disk = disk_](const auto&... order) {
     disk->pass();
-    return keepEmptyRoom(order...);
+    return keepBackgroundImage(order...);
   });
   take->click();
   QVERIFY(waitFor([this] { return disk_->waiting() == 1; }));
@@ -385,7 +385,7 @@ void SlowWorldTest::anEmptyRoomIsUsedOnceItIsWritten() {
   QVERIFY(waitFor([&] { return !field->text().isEmpty(); }));
   QVERIFY(QFile::exists(field->text()));
   document.undoStack()->undo(); // a step of its own
-  QVERIFY(document.project().cameras[0].emptyRoom.empty());
+  QVERIFY(document.project().cameras[0].backgroundImage.empty());
   QCOMPARE(document.project().parameters.at("particles"), 777.0);
 }
 

@@ -19,7 +19,7 @@ ColorLearner::ColorLearner(Document& document, QObject* parent)
 }
 
 std::vector<cv::Mat> ColorLearner::emptyRooms() const {
-  return snapshot_ ? snapshot_->emptyRooms : std::vector<cv::Mat>{};
+  return snapshot_ ? snapshot_->backgroundImages : std::vector<cv::Mat>{};
 }
 
 std::vector<cv::Mat> ColorLearner::images() const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/color/color_learning.h"
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/session/run/snapshot.h"
 #include "core/setup/click_lesson.h"
 #include "ui/jobs/latest_job.h"

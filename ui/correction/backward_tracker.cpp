@@ -55,8 +55,8 @@ void BackwardTracker::start(const PositionCorrection& correction,
     auto found = open(project).and_then([&](const SessionInputs& inputs) {
       return trackBackwards(
           *inputs.source,
-          {RunDefinition::of(inputs.project, inputs.emptyRooms), correction, believed}, threads,
-          progress);
+          {RunDefinition::of(inputs.project, inputs.backgroundImages), correction, believed},
+          threads, progress);
     });
     if (!found) {
       return [this, error = found.error()] { bench_.messages.showError(errorSentence(error)); };

@@ -111,7 +111,7 @@ void Document::announce(const ProjectChanges& changes) {
   if (changes.calibration) {
     Q_EMIT calibrationChanged();
   }
-  if (changes.emptyRooms) {
+  if (changes.backgroundImages) {
     Q_EMIT emptyRoomsChanged();
   }
   if (changes.volume) {

@@ -3,7 +3,7 @@
 
 #include "core/base/angle.h"
 #include "core/project/project.h"
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/session/run/snapshot_state.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
@@ -44,7 +44,7 @@ constexpr double kLateSteps = 10.0;      ///< shown of a millisecond
 /// Whether an image that was taken of a camera is still wanted as its empty room.
 bool isStillAs(const ProjectCamera& now, const ProjectCamera& then) {
   return now.source == then.source && now.location == then.location &&
-         now.emptyRoom == then.emptyRoom;
+         now.backgroundImage == then.backgroundImage;
 }
 
 } // namespace
@@ -59,7 +59,7 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
       turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
       lateLabel_(new QLabel(this)),
       late_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
-      calibration_(new QLabel(this)), load_(new QPushButton(this)), keep_(keepEmptyRoom),
+      calibration_(new QLabel(this)), load_(new QPushButton(this)), keep_(keepBackgroundImage),
       keeping_(std::make_unique<JobQueue>()) {
   setObjectName(QStringLiteral("cameraPanel"));
   list_->setModel(&cameras_);
@@ -222,7 +222,7 @@ void CameraPanel::showChosen() {
   }
   browse_->setEnabled(own && isFile);
   enableTake();
-  emptyRoom_->setText(QString::fromStdString(camera.emptyRoom));
+  emptyRoom_->setText(QString::fromStdString(camera.backgroundImage));
   name_->setText(QString::fromStdString(camera.camera.name));
   source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
   turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
@@ -293,7 +293,7 @@ void CameraPanel::enableTake() {
 
 void CameraPanel::setEmptyRoom(const QString& file) {
   edit(tr("Change empty room"),
-       [&](ProjectCamera& camera) { camera.emptyRoom = file.toStdString(); });
+       [&](ProjectCamera& camera) { camera.backgroundImage = file.toStdString(); });
 }
 
 void CameraPanel::chooseEmptyRoom() {
@@ -367,7 +367,7 @@ void CameraPanel::useKept(const Project& then, int camera,
     return;
   }
   const auto edited = document_.edit(tr("Change empty room"), [&](Project& project) {
-    project.cameras[row].emptyRoom = kept->string();
+    project.cameras[row].backgroundImage = kept->string();
   });
   if (!edited) {
     Q_EMIT failed(errorSentence(edited.error()));

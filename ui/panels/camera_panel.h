@@ -33,7 +33,8 @@ class Document;
 class JobQueue;
 class Selection;
 
-/// Writes an image as the background image of a camera and returns the file: keepEmptyRoom().
+/// Writes an image as a picture of a camera's empty room and returns the file:
+/// keepBackgroundImage().
 using EmptyRoomKeeper = std::function<Result<std::filesystem::path>(
     const Project& project, std::size_t camera, const cv::Mat& image,
     const std::filesystem::path& folder)>;

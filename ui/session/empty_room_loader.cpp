@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/empty_room_loader.h"
 
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "ui/jobs/background_job.h"
 #include "ui/text/error_sentence.h"
 
@@ -38,7 +38,7 @@ void EmptyRoomLoader::forget() {
 void EmptyRoomLoader::start() {
   job_->start(
       [this, generation = generation_, project = std::exchange(wanted_, nullptr)](const auto&) {
-        auto rooms = loadEmptyRooms(*project);
+        auto rooms = loadBackgroundImages(*project);
         return std::function<void()>([this, generation, project, rooms = std::move(rooms)] {
           if (generation != generation_) {
             return; // of another project, or changed again
@@ -49,7 +49,7 @@ void EmptyRoomLoader::start() {
           }
           std::vector<std::string> files;
           for (const ProjectCamera& camera : project->cameras) {
-            files.push_back(camera.emptyRoom);
+            files.push_back(camera.backgroundImage);
           }
           Q_EMIT loaded(files, *rooms);
         });

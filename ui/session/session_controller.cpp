@@ -40,7 +40,7 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
   connect(emptyRooms_, &EmptyRoomLoader::loaded, this,
           [this](const auto& files, const auto& rooms) {
             if (bridge_ != nullptr) {
-              bridge_->session().setEmptyRooms(files, rooms);
+              bridge_->session().setBackgroundImages(files, rooms);
               results_->edited();
             }
           });

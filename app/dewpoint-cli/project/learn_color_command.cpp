@@ -163,7 +163,7 @@ int learn(const LearnColorOptions& options) {
     clicks.shape = targetShapeNamed(*options.shape);
   }
   const auto taught = setup::learnFromFootage(std::move(inputs->project), *inputs->source,
-                                              inputs->emptyRooms, std::move(clicks));
+                                              inputs->backgroundImages, std::move(clicks));
   if (!taught) {
     return report(asTyped(taught.error(), options));
   }

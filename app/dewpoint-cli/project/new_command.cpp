@@ -3,7 +3,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
 #include "core/project/project_save.h"
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/setup/footage.h"
 #include "core/setup/new_project.h"
 
@@ -24,7 +24,7 @@ struct NewOptions {
   std::string footage;
   bool connected = false;
   std::string calibration;
-  std::vector<std::string> emptyRooms;
+  std::vector<std::string> backgroundImages;
   std::string times;
   bool force = false;
   NewProject project;
@@ -44,7 +44,7 @@ NewCamera cameraFrom(const std::string& text) {
 
 /// NAME=FILE into the camera of that name; then they are all read, so that what is wrong is said
 /// now.
-Status addEmptyRooms(const std::vector<std::string>& texts, Project& project) {
+Status addBackgroundImages(const std::vector<std::string>& texts, Project& project) {
   for (const std::string& text : texts) {
     const auto equals = text.find('=');
     const auto camera = std::ranges::find_if(project.cameras, [&](const ProjectCamera& one) {
@@ -54,10 +54,10 @@ Status addEmptyRooms(const std::vector<std::string>& texts, Project& project) {
       return failure(ErrorCode::BadValue, "", "--empty-room",
                      "'" + text + "' does not begin with the name of a camera and '='");
     }
-    camera->emptyRoom =
+    camera->backgroundImage =
         std::filesystem::absolute(text.substr(equals + 1)).lexically_normal().string();
   }
-  return loadEmptyRooms(project).map([](const auto&) {});
+  return loadBackgroundImages(project).map([](const auto&) {});
 }
 
 /// The cameras that were named, then those of a folder, then those that are connected.
@@ -119,7 +119,7 @@ int makeNew(NewOptions& options) {
   if (!made) {
     return report(made.error());
   }
-  if (const auto added = addEmptyRooms(options.emptyRooms, made->project); !added) {
+  if (const auto added = addBackgroundImages(options.backgroundImages, made->project); !added) {
     return report(added.error());
   }
   if (!options.times.empty()) {
@@ -165,7 +165,7 @@ void addNewCommand(CLI::App& app, int& exitCode) {
                     "All cameras that are connected to this computer");
   command->add_option("--calibration", options->calibration,
                       "Calibration file; by the cameras' names, or else in its order");
-  command->add_option("--empty-room", options->emptyRooms,
+  command->add_option("--empty-room", options->backgroundImages,
                       "NAME=FILE: image, video or folder of images in which that camera shows the "
                       "scene without any target");
   command->add_option("--times", options->times,

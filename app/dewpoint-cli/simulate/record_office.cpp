@@ -37,7 +37,7 @@ Status writeRoom(const OfficeRenderer& renderer, std::size_t camera, const std::
   if (!writer) {
     return tl::make_unexpected(writer.error());
   }
-  if (const auto written = writer->write(renderer.emptyRoom(camera)); !written) {
+  if (const auto written = writer->write(renderer.backgroundImage(camera)); !written) {
     return written;
   }
   return writer->finish();
@@ -67,9 +67,9 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
     camera.camera = scene.cameras[k];
     camera.source = SourceKind::Video;
     camera.location = (whole / fmt::format("camera-{}.mkv", k + 1)).string();
-    camera.emptyRoom = (whole / fmt::format("empty-{}", k + 1)).string();
+    camera.backgroundImage = (whole / fmt::format("empty-{}", k + 1)).string();
     for (const auto& written : {writeVideo(renderer, k, camera.location, progress),
-                                writeRoom(renderer, k, camera.emptyRoom)}) {
+                                writeRoom(renderer, k, camera.backgroundImage)}) {
       if (!written) {
         progress.finish();
         return report(written.error());

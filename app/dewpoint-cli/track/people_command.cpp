@@ -203,7 +203,7 @@ int runPeople(const PeopleOptions& options) {
   if (!inputs) {
     return report(inputs.error());
   }
-  auto run = TrackingRun::create(inputs->project, options.threads, inputs->emptyRooms);
+  auto run = TrackingRun::create(inputs->project, options.threads, inputs->backgroundImages);
   if (!run) {
     return report(run.error());
   }

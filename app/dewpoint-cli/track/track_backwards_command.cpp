@@ -65,7 +65,7 @@ int trackBackwardsIn(const TrackBackwardsOptions& options) {
   catchInterruption();
   constexpr std::int64_t kSteps = 1000;
   Progress progress("tracking backwards", kSteps);
-  const auto found = trackedBackwards(inputs->project, *inputs->source, inputs->emptyRooms,
+  const auto found = trackedBackwards(inputs->project, *inputs->source, inputs->backgroundImages,
                                       options.threads, [&](double part) {
                                         progress.show(static_cast<std::int64_t>(part * kSteps));
                                         return !interruptionRequested();

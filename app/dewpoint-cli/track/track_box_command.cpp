@@ -132,7 +132,7 @@ Result<TrackingRun> runOf(const TrackBoxOptions& options, const ParameterValues&
   definition.parameters = parameters;
   definition.targets = std::move(targets);
   definition.rig = std::make_shared<const CameraRig>(1);
-  definition.emptyRoomFiles.resize(1);
+  definition.backgroundImageFiles.resize(1);
   definition.seed = options.seed;
   return TrackingRun::create(std::make_shared<const RunDefinition>(std::move(definition)),
                              options.threads);

@@ -228,7 +228,7 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, int itera
 } // namespace
 
 int TrackJob::run(SessionInputs inputs) const {
-  auto run = TrackingRun::create(inputs.project, threads, inputs.emptyRooms);
+  auto run = TrackingRun::create(inputs.project, threads, inputs.backgroundImages);
   if (!run) {
     return report(run.error());
   }

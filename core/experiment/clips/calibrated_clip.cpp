@@ -46,7 +46,7 @@ Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, Cli
   }
   sample->frame = target.click.frame;
   auto lesson = setup::learnFromClicks(
-      rig, {.images = images, .emptyRooms = {}, .frame = target.click.frame}, {*sample});
+      rig, {.images = images, .backgroundImages = {}, .frame = target.click.frame}, {*sample});
   if (!lesson) {
     return tl::make_unexpected(lesson.error());
   }

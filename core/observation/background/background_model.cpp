@@ -22,10 +22,11 @@ constexpr int kRowPhases = 4; ///< every frame learns every fourth row
 constexpr int kLearned = BackgroundModel::kLearned;
 constexpr int kMostConfident = 16; ///< agreeing observations, remembered at most
 constexpr int kReplaceAfter = 24;  ///< observations of something new that replace the old
-/// Observations of what is usual, while every target is elsewhere, that count as an empty room: one
-/// more than it takes to know a pixel.
+/// Observations of what is usual, while every target is elsewhere, that count as a background
+/// image: one more than it takes to know a pixel.
 constexpr int kEmptyAfter = 4;
-constexpr std::uint8_t kEmptyRoom = 255; ///< of familiar_, above any number of observations
+/// Of familiar_, above any number of observations.
+constexpr std::uint8_t kFromBackgroundImage = 255;
 
 /// The mean goes half the way to a new value while it is young, later an eighth.
 constexpr int kYoungShift = 1;
@@ -89,7 +90,7 @@ struct LabelKernel {
 };
 
 struct FamiliarKernel {
-  /// Overwrites Target by Explained where the empty room is seen: `agree` is 1 there and
+  /// Overwrites Target by Explained where the background image is seen: `agree` is 1 there and
   /// `familiar` at least kEmptyAfter.
   DEWPOINT_KERNEL void run(const std::uint8_t* familiar, const std::uint8_t* agree,
                            std::int64_t count, std::uint8_t* label) {
@@ -185,7 +186,7 @@ struct MoveKernel {
 
 BackgroundModel::BackgroundModel(const BackgroundModel& other)
     : mean_(other.mean_.clone()), confidence_(other.confidence_.clone()),
-      novel_(other.novel_.clone()), emptyRoom_(other.emptyRoom_),
+      novel_(other.novel_.clone()), backgroundImage_(other.backgroundImage_),
       familiar_(other.familiar_.clone()), lightIsNew_(other.lightIsNew_), phase_(other.phase_),
       known_(other.known_), new_(other.new_), moves_(other.moves_), news_(other.news_),
       novelShare_(other.novelShare_), light_(other.light_) {}
@@ -194,7 +195,7 @@ BackgroundModel& BackgroundModel::operator=(BackgroundModel other) noexcept {
   std::swap(mean_, other.mean_);
   std::swap(confidence_, other.confidence_);
   std::swap(novel_, other.novel_);
-  std::swap(emptyRoom_, other.emptyRoom_);
+  std::swap(backgroundImage_, other.backgroundImage_);
   std::swap(familiar_, other.familiar_);
   lightIsNew_ = other.lightIsNew_;
   phase_ = other.phase_;
@@ -219,10 +220,10 @@ void BackgroundModel::reset() {
   phase_ = 0;
   familiar_ = cv::Mat();
   lightIsNew_ = false;
-  if (emptyRoom_.type() == CV_8UC3 && !emptyRoom_.empty()) {
-    start(emptyRoom_);
+  if (backgroundImage_.type() == CV_8UC3 && !backgroundImage_.empty()) {
+    start(backgroundImage_);
     confidence_.setTo(kMostConfident);
-    familiar_ = cv::Mat(emptyRoom_.size(), CV_8UC1, cv::Scalar(kEmptyRoom));
+    familiar_ = cv::Mat(backgroundImage_.size(), CV_8UC1, cv::Scalar(kFromBackgroundImage));
     lightIsNew_ = true;
   }
 }
@@ -234,7 +235,7 @@ void BackgroundModel::followLight(const cv::Mat& image) {
       light_ = *gain * light_;
     }
   }
-  if (lightIsNew_) { // the reference is the light of now, not that of the empty room
+  if (lightIsNew_) { // the reference is the light of now, not that of the background image
     resetReferenceLight();
     lightIsNew_ = false;
   }
@@ -272,7 +273,7 @@ void BackgroundModel::learn(const cv::Mat& image, const std::vector<Hidden>& hid
 
 void BackgroundModel::forgetFamiliarPixels() {
   if (!familiar_.empty()) {
-    familiar_.setTo(0, familiar_ < kEmptyRoom);
+    familiar_.setTo(0, familiar_ < kFromBackgroundImage);
   }
 }
 
@@ -283,7 +284,7 @@ void BackgroundModel::forgetFamiliarPixels(const Hidden& circle) {
   cv::Mat inside = cv::Mat::zeros(familiar_.size(), CV_8UC1);
   cv::circle(inside, {cvRound(circle.center.x()), cvRound(circle.center.y())},
              static_cast<int>(std::ceil(circle.radius)), 255, cv::FILLED);
-  familiar_.setTo(0, inside & (familiar_ < kEmptyRoom));
+  familiar_.setTo(0, inside & (familiar_ < kFromBackgroundImage));
 }
 
 void BackgroundModel::learnPixels(const cv::Mat& image, int row, int begin, int end,

@@ -40,11 +40,11 @@ public:
   BackgroundModel& operator=(BackgroundModel other) noexcept;
   ~BackgroundModel() = default;
 
-  /// Sets the background image, without targets (CV_8UC3; empty: not known). It is learned at the
-  /// next reset(). A pixel that matches a target's color now, and matched it in this image too, is
-  /// explained by the background until something new stays there.
-  void setEmptyRoom(const cv::Mat& image) { emptyRoom_ = image.clone(); }
-  /// Forgets everything except the background image.
+  /// The image without targets (CV_8UC3; empty: not known). It is learned at the next reset(). A
+  /// pixel that matches a target's color but did so in this image is explained by it, until
+  /// something new stays there.
+  void setBackgroundImage(const cv::Mat& image) { backgroundImage_ = image.clone(); }
+  /// Forgets everything but the background image.
   void reset();
   /// Adapts the means to the light of an image if the whole image has become brighter, darker or
   /// differently tinted at once (estimateLightChange()). Call it before the labels of the image are
@@ -74,9 +74,9 @@ public:
   /// Value of `matched` in labelRow() for a pixel that has the target's color only after conversion
   /// to the reference light. It belongs to the target unless it agrees with the background.
   static constexpr std::uint8_t kInUsualLight = 1;
-  /// Computes the labels (PixelLabel) of `count` pixels of one row, from `column` on. The label is
-  /// Target where `matched` is 255, or Explained if the background image is known to show that
-  /// color there. All other pixels become Unlearned, Background or Unknown.
+  /// Makes the labels (PixelLabel) of `count` pixels of one row, from `column` on: Target where
+  /// `matched` is 255, unless the background image is known to show the same there (Explained);
+  /// else Unlearned, Background or Unknown.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;
 
@@ -86,18 +86,17 @@ private:
   void start(const cv::Mat& image);
   void learnPixels(const cv::Mat& image, int row, int begin, int end, bool noTargetElsewhere);
 
-  cv::Mat mean_;       ///< CV_8UC3, gray levels
-  cv::Mat confidence_; ///< CV_8UC1, number of agreeing observations, up to kMostConfident
-  cv::Mat novel_;      ///< CV_8UC1, successive observations that did not agree
-  cv::Mat emptyRoom_;  ///< CV_8UC3, the background image; never written to
-  /// CV_8UC1, or empty. 255 where the mean is still that of the background image; otherwise the
-  /// number of observations without a target. From kEmptyAfter on, this counts as much as the
-  /// background image.
+  cv::Mat mean_;            ///< CV_8UC3
+  cv::Mat confidence_;      ///< CV_8UC1, observations that agreed, up to kMostConfident
+  cv::Mat novel_;           ///< CV_8UC1, observations in a row that did not
+  cv::Mat backgroundImage_; ///< CV_8UC3, never written to
+  /// CV_8UC1, or empty: 255 where the mean is still that of the background image; else the
+  /// observations without a target, from kEmptyAfter on as good as the background image.
   cv::Mat familiar_;
-  bool lightIsNew_ = false;         ///< no image since the background image, whose light is unknown
-  int phase_ = 0;                   ///< first row of the next learn()
-  std::int64_t known_ = 0;          ///< known pixels in the last learn()
-  std::int64_t new_ = 0;            ///< of these, pixels that showed something new
+  bool lightIsNew_ = false; ///< no image was seen since the background image, of unknown light
+  int phase_ = 0;           ///< first row of the next learn()
+  std::int64_t known_ = 0;  ///< pixels of the last learn() that were known
+  std::int64_t new_ = 0;    ///< of these, pixels that showed something new
   std::vector<std::uint8_t> moves_; ///< scratch, one row
   std::vector<std::uint8_t> news_;  ///< scratch, one row
   double novelShare_ = 0.0;

@@ -16,10 +16,10 @@ namespace dewpoint::observation {
 /// something may hide the target there. It is no evidence either way, like a pixel outside the
 /// image or one that another target explains.
 enum class PixelLabel : std::uint8_t {
-  Unlearned,  ///< no match; the background is not known yet
-  Background, ///< no match; agrees with the background
-  Unknown,    ///< no match; shows something new
-  Explained,  ///< matches, but belongs to another target or to the background
+  Unlearned,  ///< does not match; the background is not known yet
+  Background, ///< does not match and agrees with the background
+  Unknown,    ///< does not match and shows something new
+  Explained,  ///< matches, but belongs to another target or to the background image
   Target,     ///< matches the target's color
 };
 inline constexpr std::size_t kPixelLabelCount = 5;

@@ -341,7 +341,7 @@ Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
 }
 
 Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
-                                 const std::vector<cv::Mat>& emptyRooms, int threads,
+                                 const std::vector<cv::Mat>& backgroundImages, int threads,
                                  const BackwardProgress& progress) {
   Project result = project;
   std::erase_if(result.corrections,
@@ -354,7 +354,7 @@ Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
                         static_cast<double>(said.size()));
       };
     };
-    const RunDefinition definition = RunDefinition::of(result, emptyRooms);
+    const RunDefinition definition = RunDefinition::of(result, backgroundImages);
     auto believed = believedUpTo(source, definition, said[k].frame, threads, part(0.0, 0.5));
     if (!believed) {
       return tl::make_unexpected(believed.error());

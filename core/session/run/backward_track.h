@@ -38,11 +38,11 @@ Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardOrder& order, int threads,
                                                        const BackwardProgress& progress);
 
-/// Returns the project with the results of trackBackwards() for each of the user's corrections, in
-/// the order of their frames. They replace earlier tracked-back corrections. The estimates before
-/// each correction are obtained by tracking up to it. `emptyRooms` as for RunDefinition::of().
+/// The project with what trackBackwards() finds for each of its corrections by a person, in the
+/// order of their frames, in place of what it has of the kind. What is believed before each is
+/// found out by tracking up to it. `backgroundImages` as RunDefinition::of().
 Result<Project> trackedBackwards(const Project& project, FrameSetSource& source,
-                                 const std::vector<cv::Mat>& emptyRooms, int threads,
+                                 const std::vector<cv::Mat>& backgroundImages, int threads,
                                  const BackwardProgress& progress);
 
 } // namespace dewpoint::session

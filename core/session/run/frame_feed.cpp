@@ -2,7 +2,7 @@
 #include "core/session/run/frame_feed.h"
 
 #include "core/project/project_check.h"
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 #include "core/session/run/frame_loop.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ Result<FrameFeed> FrameFeed::create(const Project& project, int threads) {
   if (!checked) {
     return tl::make_unexpected(checked.error());
   }
-  auto rooms = loadEmptyRooms(project);
+  auto rooms = loadBackgroundImages(project);
   if (!rooms) {
     return tl::make_unexpected(rooms.error());
   }

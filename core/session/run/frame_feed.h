@@ -16,9 +16,8 @@ namespace dewpoint::session {
 /// time.
 class FrameFeed {
 public:
-  /// Creates a feed for the cameras of a project; the project's own sources are not opened. Returns
-  /// the errors of checkProject(), checkMethodTargets(), loadEmptyRooms() and
-  /// TrackingRun::create().
+  /// For the cameras of a project, whose own sources are not opened. Errors of checkProject(),
+  /// checkMethodTargets(), loadBackgroundImages() and TrackingRun::create().
   static Result<FrameFeed> create(const Project& project, int threads);
 
   /// Tracks one instant, `time` in seconds. `images` has one image per camera in the order of the

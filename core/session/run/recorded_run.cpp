@@ -50,12 +50,12 @@ ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit
 }
 
 Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
-                              const std::vector<cv::Mat>& emptyRooms, const RunOrder& order,
+                              const std::vector<cv::Mat>& backgroundImages, const RunOrder& order,
                               const RunProgress& progress) {
   if (const auto good = checkMethodTargets(project); !good) {
     return tl::make_unexpected(good.error());
   }
-  auto run = TrackingRun::create(project, order.threads, emptyRooms);
+  auto run = TrackingRun::create(project, order.threads, backgroundImages);
   if (!run) {
     return tl::make_unexpected(run.error());
   }

@@ -52,12 +52,12 @@ struct RunOrder {
 /// Receives the number of finished frames and, if known, their total; returning false ends the run.
 using RunProgress = std::function<bool(std::int64_t, std::optional<std::int64_t>)>;
 
-/// Tracks a recording and keeps the results, with the same bits as `dewpoint-cli track`. `progress`
-/// is called before each frame and after the last one; `emptyRooms` as returned by
-/// loadEmptyRooms(). Returns the errors of checkMethodTargets() and TrackingRun::create(), and
-/// those of the source if no frame was tracked. For later errors, see `broken`.
+/// Tracks a recording and keeps what is found; the same bits as `dewpoint-cli track`. `progress` is
+/// called before each frame and after the last one; `backgroundImages` as of
+/// loadBackgroundImages(). Errors of checkMethodTargets() and TrackingRun::create(), and of the
+/// source where not a single frame was tracked; see `broken`.
 Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
-                              const std::vector<cv::Mat>& emptyRooms, const RunOrder& order,
+                              const std::vector<cv::Mat>& backgroundImages, const RunOrder& order,
                               const RunProgress& progress);
 
 } // namespace dewpoint::session

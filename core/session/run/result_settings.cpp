@@ -30,7 +30,7 @@ bool haveSameTargets(const RunDefinition& a, const RunDefinition& b) {
 bool giveSameResults(const RunDefinition& a, const RunDefinition& b) {
   return &a == &b || (a.method == b.method && haveSameValues(a.parameters, b.parameters) &&
                       haveSameTargets(a, b) && (a.rig == b.rig || *a.rig == *b.rig) &&
-                      areSameRooms(a.emptyRooms, b.emptyRooms) &&
+                      areSameImages(a.backgroundImages, b.backgroundImages) &&
                       a.volumeOfInterest == b.volumeOfInterest && a.seed == b.seed);
 }
 

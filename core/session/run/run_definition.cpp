@@ -29,19 +29,19 @@ std::string volumeText(const WorldBox& volume) {
                      max.z());
 }
 
-bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) {
+bool areSameImages(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) {
   return std::ranges::equal(a, b, isSameImage);
 }
 
-RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> emptyRooms) {
+RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> backgroundImages) {
   RunDefinition definition;
   definition.method = project.method;
   definition.parameters = project.parameters;
   definition.targets = project.targets;
   definition.rig = std::make_shared<const CameraRig>(rigOf(project));
-  definition.emptyRooms = std::move(emptyRooms);
+  definition.backgroundImages = std::move(backgroundImages);
   for (const ProjectCamera& camera : project.cameras) {
-    definition.emptyRoomFiles.push_back(camera.emptyRoom);
+    definition.backgroundImageFiles.push_back(camera.backgroundImage);
   }
   definition.people = project.people;
   definition.volumeOfInterest = project.volumeOfInterest;
@@ -61,7 +61,7 @@ Project RunDefinition::appliedTo(Project project) const {
   project.seed = seed;
   for (std::size_t k = 0; k < std::min(project.cameras.size(), rig->size()); ++k) {
     project.cameras[k].camera = (*rig)[k];
-    project.cameras[k].emptyRoom = emptyRoomFiles[k];
+    project.cameras[k].backgroundImage = backgroundImageFiles[k];
   }
   return project;
 }
@@ -72,8 +72,9 @@ void RunDefinition::useCameras() {
 
 bool RunDefinition::operator==(const RunDefinition& other) const {
   return method == other.method && parameters == other.parameters && targets == other.targets &&
-         (rig == other.rig || *rig == *other.rig) && areSameRooms(emptyRooms, other.emptyRooms) &&
-         emptyRoomFiles == other.emptyRoomFiles && people == other.people &&
+         (rig == other.rig || *rig == *other.rig) &&
+         areSameImages(backgroundImages, other.backgroundImages) &&
+         backgroundImageFiles == other.backgroundImageFiles && people == other.people &&
          volumeOfInterest == other.volumeOfInterest && corrections == other.corrections &&
          seed == other.seed;
 }
@@ -102,7 +103,7 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
     if (!((*before.rig)[k] == (*after.rig)[k])) {
       add((*after.rig)[k].name, "another calibration");
     }
-    if (before.emptyRoomFiles[k] != after.emptyRoomFiles[k]) {
+    if (before.backgroundImageFiles[k] != after.backgroundImageFiles[k]) {
       add((*after.rig)[k].name, "another empty room");
     }
   }

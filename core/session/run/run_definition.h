@@ -22,21 +22,19 @@ namespace dewpoint::session {
 /// a new definition.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters;  ///< values in use, see useCameras()
-  std::vector<Target> targets; ///< targets of the project; methods for people find their own
-  std::shared_ptr<const CameraRig> rig; ///< never null; cameras in the order of the project
-  /// Background image per camera, as returned by loadEmptyRooms(); may be empty.
-  std::vector<cv::Mat> emptyRooms;
-  std::vector<std::string> emptyRoomFiles;  ///< per camera, as named in the project
-  std::vector<PersonCorrection> people;     ///< ordered by frame; used by methods for people
-  std::optional<WorldBox> volumeOfInterest; ///< targets are searched for only inside it
-  /// Ordered by frame; used by methods that support it.
-  std::vector<PositionCorrection> corrections;
+  ParameterValues parameters;            ///< those in use, see useCameras()
+  std::vector<Target> targets;           ///< the project's; methods for people find others
+  std::shared_ptr<const CameraRig> rig;  ///< never null; in the order of the project
+  std::vector<cv::Mat> backgroundImages; ///< per camera, as of loadBackgroundImages(); may be empty
+  std::vector<std::string> backgroundImageFiles; ///< per camera, as the project names them
+  std::vector<PersonCorrection> people;        ///< by frame; methods for people make them come true
+  std::optional<WorldBox> volumeOfInterest;    ///< targets are searched for in it alone
+  std::vector<PositionCorrection> corrections; ///< by frame; methods apply them that can
   std::uint64_t seed = 1;
 
-  /// Returns the definition of a project; `emptyRooms` as returned by loadEmptyRooms(), or none.
-  static RunDefinition of(const Project& project, std::vector<cv::Mat> emptyRooms = {});
-  /// Returns the project with the values of this definition.
+  /// What a project says; `backgroundImages` as of loadBackgroundImages(), or none.
+  static RunDefinition of(const Project& project, std::vector<cv::Mat> backgroundImages = {});
+  /// The project with what this says in place of its own.
   Project appliedTo(Project project) const;
 
   /// Derives parameters that the user has not set from the cameras (parametersInUse()). Required
@@ -44,7 +42,7 @@ struct RunDefinition {
   void useCameras();
 
   MethodFamily family() const { return methodFamily(method); }
-  /// Compares background images by their pixels, unless they share memory.
+  /// Of background images the pixels are compared, unless they are the same in memory.
   bool operator==(const RunDefinition& other) const;
 };
 using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
@@ -52,8 +50,8 @@ using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
 /// Returns the two corners of a volume of interest as text, in meters.
 std::string volumeText(const WorldBox& volume);
 
-/// Returns whether both contain the same background images.
-bool areSameRooms(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
+/// Whether the images are the same, pixel by pixel.
+bool areSameImages(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
 
 /// Returns the differences between `after` and `before` as text for the header of a trajectory;
 /// empty if there are none. Corrections of positions are omitted because they are marked in the

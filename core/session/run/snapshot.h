@@ -85,10 +85,11 @@ struct BudgetFigures {
 /// Everything that views can show of one frame. Immutable once published.
 struct TrackSnapshot {
   std::shared_ptr<const CameraRig> rig;
-  MethodFamily family;             ///< of the method that produced the results
-  FrameSetPtr frames;              ///< null before the first frame
-  std::vector<cv::Mat> emptyRooms; ///< background image per camera; empty if unknown
-  /// Mask per camera, CV_8UC1: 255 - k is the color of target k. Empty unless requested.
+  MethodFamily family; ///< of the method whose results these are
+  FrameSetPtr frames;  ///< null before the first frame
+  /// Per camera, without targets; empty when that is not known.
+  std::vector<cv::Mat> backgroundImages;
+  /// Per camera CV_8UC1, 255 - k: color of target k. Empty unless wanted.
   std::vector<cv::Mat> masks;
   bool masksShowMotion = false; ///< masks show motion instead of color; 255: moving
   /// Likelihood of motion at each pixel, per camera, with methods that compute it; empty unless

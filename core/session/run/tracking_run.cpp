@@ -85,18 +85,18 @@ Result<TrackingRun> TrackingRun::create(RunDefinitionPtr definition, int threadC
 }
 
 Result<TrackingRun> TrackingRun::create(const Project& project, int threadCount,
-                                        std::vector<cv::Mat> emptyRooms) {
-  return create(
-      std::make_shared<const RunDefinition>(RunDefinition::of(project, std::move(emptyRooms))),
-      threadCount);
+                                        std::vector<cv::Mat> backgroundImages) {
+  return create(std::make_shared<const RunDefinition>(
+                    RunDefinition::of(project, std::move(backgroundImages))),
+                threadCount);
 }
 
 TrackingRun TrackingRun::of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                             int threadCount) {
   TrackingRun run;
   run.tracker_ = std::move(tracker);
-  if (auto* const knowing = tracking::capability<EmptyRoomKnowing>(*run.tracker_)) {
-    knowing->setEmptyRooms(definition->emptyRooms);
+  if (auto* const knowing = tracking::capability<BackgroundImageUsing>(*run.tracker_)) {
+    knowing->setBackgroundImages(definition->backgroundImages);
   }
   auto* const bounded = tracking::capability<VolumeBounded>(*run.tracker_);
   if (bounded != nullptr && definition->volumeOfInterest) {
@@ -141,9 +141,10 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
   if (calibrated != nullptr && definition->rig != before->rig && *definition->rig != *before->rig) {
     calibrated->setCameras(*definition->rig);
   }
-  auto* const knowing = tracking::capability<EmptyRoomKnowing>(*tracker_);
-  if (knowing != nullptr && !areSameRooms(definition->emptyRooms, before->emptyRooms)) {
-    knowing->setEmptyRooms(definition->emptyRooms);
+  auto* const knowing = tracking::capability<BackgroundImageUsing>(*tracker_);
+  if (knowing != nullptr &&
+      !areSameImages(definition->backgroundImages, before->backgroundImages)) {
+    knowing->setBackgroundImages(definition->backgroundImages);
   }
 }
 

@@ -44,10 +44,10 @@ public:
   /// Creates a run with `threadCount` threads, which never change the result. Returns NotFound for
   /// an unknown method.
   static Result<TrackingRun> create(RunDefinitionPtr definition, int threadCount);
-  /// Creates the run of a project; `emptyRooms` as returned by loadEmptyRooms(), or none.
+  /// The run of a project; `backgroundImages` as of loadBackgroundImages(), or none.
   static Result<TrackingRun> create(const Project& project, int threadCount,
-                                    std::vector<cv::Mat> emptyRooms = {});
-  /// Creates a run with a tracker that need not be a method of the catalog.
+                                    std::vector<cv::Mat> backgroundImages = {});
+  /// A run of a tracker that need not be a method of the catalog.
   static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                         int threadCount);
 

@@ -99,7 +99,7 @@ void addCodecs(const SelfTestParts& parts, SelfTestLines& lines) {
 class SceneRun {
 public:
   Status track(SessionInputs& inputs, const std::function<bool()>& goOn) {
-    auto run = TrackingRun::create(inputs.project, filterThreads(0), inputs.emptyRooms);
+    auto run = TrackingRun::create(inputs.project, filterThreads(0), inputs.backgroundImages);
     if (!run) {
       return tl::make_unexpected(run.error());
     }

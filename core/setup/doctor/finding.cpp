@@ -57,7 +57,7 @@ constexpr std::array kFindingWords{
     FindingWords{StreamNotTried, "stream-not-tried", kNote,
                  "The stream of %1 was not tried: a check opens no network connection.",
                  "Open the project to see whether images arrive."},
-    FindingWords{EmptyRoomUnusable, "empty-room-unusable", kProblem,
+    FindingWords{BackgroundImageUnusable, "empty-room-unusable", kProblem,
                  "The background image of %1 cannot be used: %2.",
                  "Take it again, or remove empty_room from this camera."},
     FindingWords{SceneCameras, "scene-cameras", kFine, "%1 cameras are simulated.", ""},

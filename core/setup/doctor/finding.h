@@ -31,7 +31,7 @@ enum class FindingKind {
   DeviceThere,
   DeviceMissing,
   StreamNotTried,
-  EmptyRoomUnusable,
+  BackgroundImageUnusable,
   SceneCameras,
   // Times.
   RatesDiffer,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/doctor/recording_checks.h"
 
+#include "core/capture/background_image.h"
 #include "core/capture/capture_schedule.h"
-#include "core/capture/empty_room.h"
 #include "core/capture/image_reader.h"
 #include "core/capture/picture.h"
 #include "core/capture/video_reader.h"
@@ -201,16 +201,16 @@ void checkLive(Examination& examination, std::size_t number) {
                   isThere ? std::vector{name} : std::vector{name, file}, field);
 }
 
-void checkEmptyRoom(Examination& examination, std::size_t number) {
+void checkBackgroundImage(Examination& examination, std::size_t number) {
   const ProjectCamera& camera = examination.project.cameras[number];
-  if (camera.emptyRoom.empty()) {
+  if (camera.backgroundImage.empty()) {
     return;
   }
   const Intrinsics& size = camera.camera.intrinsics;
-  const auto read = readEmptyRoom(
-      camera.emptyRoom, {"", camera.rotateDegrees, size.width, size.height, camera.mirrored});
+  const auto read = readBackgroundImage(
+      camera.backgroundImage, {"", camera.rotateDegrees, size.width, size.height, camera.mirrored});
   if (!read) {
-    examination.addIn(camera.emptyRoom, FindingKind::EmptyRoomUnusable,
+    examination.addIn(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
                       {examination.nameOf(number), withoutFile(read.error())});
   }
 }
@@ -281,7 +281,7 @@ void checkRecordings(Examination& examination) {
     } else if (isOfDevice(cameras[k]) || cameras[k].source == SourceKind::Stream) {
       checkLive(examination, k);
     }
-    checkEmptyRoom(examination, k);
+    checkBackgroundImage(examination, k);
   }
   if (simulated == 0) {
     compareLengths(examination);

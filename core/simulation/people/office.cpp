@@ -74,7 +74,7 @@ cv::Mat OfficeRenderer::silhouette(std::size_t camera, std::int64_t frame,
                                                  : std::vector<simulation::BodyPart>{});
 }
 
-cv::Mat OfficeRenderer::emptyRoom(std::size_t camera) const {
+cv::Mat OfficeRenderer::backgroundImage(std::size_t camera) const {
   const auto& view = *views_.at(camera);
   cv::Mat empty = view.background;
   if (!scene_.furniture.empty()) {

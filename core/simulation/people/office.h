@@ -51,9 +51,9 @@ public:
   /// on the body, without a load; all 0 while the person is absent. The visible part is in `who` of
   /// render().
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
-  /// Returns the office without people, as at time 0, without noise: CV_8UC3.
-  cv::Mat emptyRoom(std::size_t camera) const;
-  /// Returns whether the person is present and inside the walls of the office.
+  /// The office without anybody, as it is at time 0, without noise: CV_8UC3.
+  cv::Mat backgroundImage(std::size_t camera) const;
+  /// Whether the person is there, and inside the office's walls.
   bool inside(std::size_t person, double time) const;
   /// Returns the center of the body in meters: above the floor position, at half the height of the
   /// top of the head.

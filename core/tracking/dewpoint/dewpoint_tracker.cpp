@@ -129,8 +129,8 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   }
 }
 
-void DewpointTracker::setEmptyRooms(const std::vector<cv::Mat>& images) {
-  images_.setEmptyRooms(images);
+void DewpointTracker::setBackgroundImages(const std::vector<cv::Mat>& images) {
+  images_.setBackgroundImages(images);
 }
 
 void DewpointTracker::restart(std::uint64_t seed) {

@@ -23,7 +23,7 @@ class DewpointTracker final : public Tracker,
                               public CameraCalibrated,
                               public VolumeBounded,
                               public PositionCorrecting,
-                              public EmptyRoomKnowing,
+                              public BackgroundImageUsing,
                               public ParticleCloud,
                               public CameraExplaining,
                               public PositionProposing,
@@ -46,7 +46,7 @@ public:
   /// in the images is not counted as evidence inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
   void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) override;
-  void setEmptyRooms(const std::vector<cv::Mat>& images) override;
+  void setBackgroundImages(const std::vector<cv::Mat>& images) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override;
   void beginFrame(FrameSetPtr frames) override;

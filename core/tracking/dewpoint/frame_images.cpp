@@ -35,9 +35,9 @@ void FrameImages::showTo(RegionObservation& observation, const AdaptiveColor& co
   }
 }
 
-void FrameImages::setEmptyRooms(const std::vector<cv::Mat>& images) {
+void FrameImages::setBackgroundImages(const std::vector<cv::Mat>& images) {
   for (std::size_t camera = 0; camera < std::min(images.size(), backgrounds_.size()); ++camera) {
-    backgrounds_[camera].setEmptyRoom(images[camera]);
+    backgrounds_[camera].setBackgroundImage(images[camera]);
   }
 }
 

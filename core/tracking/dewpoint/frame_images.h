@@ -33,10 +33,9 @@ public:
 
   void showTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
-  /// Sets one background image per camera; empty if unknown. They take effect at the next
-  /// resetBackgrounds().
-  void setEmptyRooms(const std::vector<cv::Mat>& images);
-  /// Discards the learned backgrounds and starts from the background images.
+  /// Images without targets, per camera; empty where not known. Known from the next
+  /// resetBackgrounds() on.
+  void setBackgroundImages(const std::vector<cv::Mat>& images);
   void resetBackgrounds();
   /// Makes the present light the reference for colors.
   void resetReferenceLight();

@@ -14,7 +14,7 @@ namespace {
 constexpr double kDefaultGap = 1.0 / 30.0; ///< seconds, where the times make no sense
 constexpr double kLongestGap = 1.0;        ///< seconds
 constexpr double kOverwhelmed = 0.6;       ///< share of foreground that cannot be people
-constexpr int kBackgroundUpdates = 10;     ///< times that a picture of the empty room is learned
+constexpr int kBackgroundUpdates = 10;     ///< times that a background image is learned
 
 /// The same camera with images `factor` times as large.
 Camera reduced(const Camera& camera, double factor) {
@@ -111,10 +111,10 @@ void PeopleCameras::begin(const FrameSet& frames, const std::vector<cv::Mat>& ke
       });
 }
 
-void PeopleCameras::learnEmptyRoom(std::size_t camera) {
+void PeopleCameras::learnBackgroundImage(std::size_t camera) {
   View& view = views_[camera];
   cv::Mat room;
-  reduceImage(emptyRooms_[camera], view.camera.intrinsics, room);
+  reduceImage(backgroundImages_[camera], view.camera.intrinsics, room);
   for (int k = 0; k < kBackgroundUpdates; ++k) {
     view.model->learn(room);
   }
@@ -131,12 +131,12 @@ void PeopleCameras::updateMask(const FrameSet& frames, std::size_t camera, const
     return;
   }
   reduceImage(frames.frames[camera]->image, view.camera.intrinsics, view.image);
-  const bool knowsRoom = camera < emptyRooms_.size() && !emptyRooms_[camera].empty();
+  const bool knowsRoom = camera < backgroundImages_.size() && !backgroundImages_[camera].empty();
   if (!view.model && (knowsRoom || frame_ > 0 || settings_.learningTime <= 0.0)) {
     // From the second frame on, when the rate is known, unless there is nothing to wait for.
     view.model = makeForegroundModel(foregroundSettings());
     if (knowsRoom) {
-      learnEmptyRoom(camera);
+      learnBackgroundImage(camera);
     }
   }
   const bool learning = !knowsRoom && sinceStart_ < settings_.learningTime;

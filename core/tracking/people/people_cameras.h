@@ -30,8 +30,8 @@ public:
 
   void setRig(const CameraRig& rig);
   void configure(const PeopleSettings& settings) { settings_ = settings; }
-  void setEmptyRooms(const std::vector<cv::Mat>& rooms) { emptyRooms_ = rooms; }
-  /// Prepares for the first frame of a run.
+  void setBackgroundImages(const std::vector<cv::Mat>& rooms) { backgroundImages_ = rooms; }
+  /// The next frame is the first one.
   void restart();
   /// Computes the masks of a frame. `keep` has one image per camera, of the mask's size or empty,
   /// that marks where nothing is learned.
@@ -77,14 +77,14 @@ private:
   };
 
   void updateMask(const FrameSet& frames, std::size_t camera, const cv::Mat& keep);
-  void learnEmptyRoom(std::size_t camera);
+  void learnBackgroundImage(std::size_t camera);
   ForegroundSettings foregroundSettings() const;
 
   PeopleSettings settings_;
   CameraRig rig_;
   std::vector<View> views_;
   std::vector<PeopleCameraState> states_;
-  std::vector<cv::Mat> emptyRooms_;
+  std::vector<cv::Mat> backgroundImages_;
   std::int64_t frame_ = -1;
   TimeStamp time_{};
   double interval_ = 0.0;

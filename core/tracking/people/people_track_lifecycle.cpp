@@ -60,8 +60,8 @@ void PeopleTrackLifecycle::setCameras(const CameraRig& rig) {
   prepare();
 }
 
-void PeopleTrackLifecycle::setEmptyRooms(const std::vector<cv::Mat>& images) {
-  cameras_.setEmptyRooms(images);
+void PeopleTrackLifecycle::setBackgroundImages(const std::vector<cv::Mat>& images) {
+  cameras_.setBackgroundImages(images);
 }
 
 void PeopleTrackLifecycle::restart(std::uint64_t seed) {

@@ -19,7 +19,7 @@ namespace dewpoint::tracking {
 class PeopleTrackLifecycle : public Tracker,
                              public Configurable,
                              public CameraCalibrated,
-                             public EmptyRoomKnowing,
+                             public BackgroundImageUsing,
                              public ParticleCloud,
                              public PeopleFinding,
                              public MotionMapping,
@@ -30,7 +30,7 @@ public:
 
   void configure(const ParameterValues& parameters) override;
   void setCameras(const CameraRig& rig) override;
-  void setEmptyRooms(const std::vector<cv::Mat>& images) override;
+  void setBackgroundImages(const std::vector<cv::Mat>& images) override;
   void restart(std::uint64_t seed) override;
   int iterationsPerFrame() const override { return 1; }
   void beginFrame(FrameSetPtr frames) override;

@@ -210,10 +210,10 @@ TEST(BackgroundModel, EmptyPlacesAreForgottenEverywhereOrInsideACircle) {
   EXPECT_EQ(count(labelsOfTargetColor(model, poster), PixelLabel::Target), kAll);
 }
 
-TEST(BackgroundModel, APictureOfTheEmptyRoomIsNotForgotten) {
+TEST(BackgroundModel, ABackgroundImageIsNotForgotten) {
   BackgroundModel model;
   const cv::Mat poster = plain(200, 30, 180);
-  model.setEmptyRoom(poster);
+  model.setBackgroundImage(poster);
   model.reset();
   model.forgetFamiliarPixels();
   model.forgetFamiliarPixels({{40.0, 30.0}, 10.0});
@@ -324,9 +324,9 @@ bool all(const std::array<std::uint8_t, kWidth>& labels, PixelLabel label) {
   return std::ranges::all_of(labels, [&](auto one) { return one == std::uint8_t(label); });
 }
 
-TEST(BackgroundModel, TheEmptyRoomIsKnownFromTheFirstFrame) {
+TEST(BackgroundModel, TheBackgroundImageIsKnownFromTheFirstFrame) {
   BackgroundModel model;
-  model.setEmptyRoom(checkered());
+  model.setBackgroundImage(checkered());
   EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Unlearned), kAll) << "not yet";
   model.reset();
   const cv::Mat darker = lit(checkered(), cv::Scalar::all(0.7)); // the day it is used on
@@ -334,13 +334,13 @@ TEST(BackgroundModel, TheEmptyRoomIsKnownFromTheFirstFrame) {
   EXPECT_EQ(count(labelsOf(model, darker), PixelLabel::Background), kAll);
   EXPECT_EQ(model.light().maxCoeff(), 1.0) << "the light of the run is the usual one";
   EXPECT_EQ(count(labelsOf(model, plain(0, 0, 255)), PixelLabel::Unknown), kAll);
-  // What matches but did so in the empty room is no target; anything else that matches is.
+  // What matches but did so in the background image is no target; anything else that matches is.
   EXPECT_TRUE(all(matchedRow(model, darker, 5), PixelLabel::Explained));
   EXPECT_TRUE(all(matchedRow(model, plain(0, 0, 255), 5), PixelLabel::Target));
 
   const BackgroundModel copy = model;
   EXPECT_TRUE(all(matchedRow(copy, darker, 5), PixelLabel::Explained));
-  // What stays is usual in the end, but was not in the empty room.
+  // What stays is usual in the end, but was not in the background image.
   for (int frame = 0; frame < 200; ++frame) {
     model.learn(plain(0, 0, 255), {});
   }
@@ -350,9 +350,9 @@ TEST(BackgroundModel, TheEmptyRoomIsKnownFromTheFirstFrame) {
   EXPECT_TRUE(all(matchedRow(model, checkered(), 5), PixelLabel::Explained));
 }
 
-TEST(BackgroundModel, AnEmptyRoomOfAnotherSizeIsForgotten) {
+TEST(BackgroundModel, ABackgroundImageOfAnotherSizeIsForgotten) {
   BackgroundModel model;
-  model.setEmptyRoom(cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3)));
+  model.setBackgroundImage(cv::Mat(10, 12, CV_8UC3, cv::Scalar(1, 2, 3)));
   model.reset();
   learn(model, checkered());
   EXPECT_EQ(count(labelsOf(model, checkered()), PixelLabel::Background), kAll);

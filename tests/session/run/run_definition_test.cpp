@@ -29,7 +29,7 @@ using test::sameBits;
 constexpr std::int64_t kFrames = 40;
 
 /// What the cameras of the recording show without the ball.
-std::vector<cv::Mat> emptyRooms() {
+std::vector<cv::Mat> backgroundImages() {
   std::vector<cv::Mat> rooms;
   const FrameSetPtr frames = drawn::framesOf(DrawnRecording::rig(), {}, 0);
   for (const FramePtr& frame : frames->frames) {
@@ -39,7 +39,7 @@ std::vector<cv::Mat> emptyRooms() {
 }
 
 RunDefinition definition() {
-  return RunDefinition::of(drawnInputs("dewpoint", 1).project, emptyRooms());
+  return RunDefinition::of(drawnInputs("dewpoint", 1).project, backgroundImages());
 }
 
 Trajectory played(Session& session) {
@@ -76,11 +76,11 @@ TEST(RunDefinition, IsComparedAsAWhole) {
         other.rig = std::make_shared<const CameraRig>(rig);
       },
       [](RunDefinition& other) {
-        other.emptyRooms[1] = other.emptyRooms[1].clone();
-        other.emptyRooms[1].at<cv::Vec3b>(3, 4)[2] ^= 1;
+        other.backgroundImages[1] = other.backgroundImages[1].clone();
+        other.backgroundImages[1].at<cv::Vec3b>(3, 4)[2] ^= 1;
       },
-      [](RunDefinition& other) { other.emptyRooms.clear(); },
-      [](RunDefinition& other) { other.emptyRoomFiles[0] = "room.png"; },
+      [](RunDefinition& other) { other.backgroundImages.clear(); },
+      [](RunDefinition& other) { other.backgroundImageFiles[0] = "room.png"; },
       [](RunDefinition& other) {
         other.volumeOfInterest = WorldBox{{0, 0, 0}, {1, 1, 1}};
       },
@@ -98,13 +98,13 @@ TEST(RunDefinition, GoesIntoAProjectAndBack) {
   RunDefinition other = definition();
   other.seed = 7;
   other.targets[0].name = "another ball";
-  other.emptyRoomFiles[1] = "/rooms/two.png";
+  other.backgroundImageFiles[1] = "/rooms/two.png";
   other.volumeOfInterest = WorldBox{{0, 0, 0}, {1, 1, 1}};
   other.corrections.emplace_back().frame = 12;
   const Project changed = other.appliedTo(project);
   EXPECT_EQ(changed.name, project.name);
-  EXPECT_EQ(changed.cameras[1].emptyRoom, "/rooms/two.png");
-  EXPECT_TRUE(RunDefinition::of(changed, emptyRooms()) == other);
+  EXPECT_EQ(changed.cameras[1].backgroundImage, "/rooms/two.png");
+  EXPECT_TRUE(RunDefinition::of(changed, backgroundImages()) == other);
 }
 
 TEST(RunDefinition, SaysWhatIsOtherwise) {
@@ -112,7 +112,7 @@ TEST(RunDefinition, SaysWhatIsOtherwise) {
   EXPECT_EQ(differences(before, before), "");
   RunDefinition after = before;
   ASSERT_TRUE(after.parameters.set("start_x", 0.61));
-  after.emptyRoomFiles[1] = "room.png";
+  after.backgroundImageFiles[1] = "room.png";
   EXPECT_EQ(differences(before, after),
             "start_x = 0.61; " + (*before.rig)[1].name + " = another empty room");
   after = before;
@@ -148,29 +148,29 @@ TEST(RunDefinition, TakesFromTheCamerasWhatNobodyGave) {
   EXPECT_NEAR(run.parameters.at("start_half_x"), 0.1, 0.0101);
 }
 
-// The copy that a run goes back to was made before the empty rooms were known.
-TEST(EmptyRoomsOfARun, ArePartOfWhatGoesOnFromAnEarlierFrame) {
+// The copy that a run goes back to was made before the background images were known.
+TEST(BackgroundImagesOfARun, ArePartOfWhatGoesOnFromAnEarlierFrame) {
   Session without(drawnInputs("dewpoint", kFrames));
   const Trajectory unknown = played(without);
   SessionInputs known = drawnInputs("dewpoint", kFrames);
-  known.emptyRooms = emptyRooms();
+  known.backgroundImages = backgroundImages();
   Session with(std::move(known));
   const Trajectory expected = played(with);
   ASSERT_FALSE(sameBits(unknown, expected)) << "the rooms must matter";
 
   Session session(drawnInputs("dewpoint", kFrames));
   played(session);
-  session.setEmptyRooms({"left.png", "right.png"}, emptyRooms());
+  session.setBackgroundImages({"left.png", "right.png"}, backgroundImages());
   rerun(session, 20);
   session.restart();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
   EXPECT_TRUE(sameBits(played(session), expected));
 }
 
-TEST(EmptyRoomsOfARun, AreSaidWhereTheyChange) {
+TEST(BackgroundImagesOfARun, AreSaidWhereTheyChange) {
   Session session(drawnInputs("dewpoint", kFrames));
   played(session);
-  session.setEmptyRooms({"left.png", "right.png"}, emptyRooms());
+  session.setBackgroundImages({"left.png", "right.png"}, backgroundImages());
   session.rerunFrom(20);
   ASSERT_TRUE(eventually([&] {
     const auto entries = session.trajectory().header.entries;

@@ -92,9 +92,9 @@ TEST_F(RecordingChecks, LiveCamerasAndRecordingsDoNotMix) {
 }
 
 TEST_F(RecordingChecks, ABackgroundImageOfAnotherSize) {
-  project_.cameras[0].emptyRoom = (folder_ / "empty.png").string();
-  cv::imwrite(project_.cameras[0].emptyRoom, cv::Mat(20, 20, CV_8UC3, cv::Scalar::all(9)));
-  EXPECT_EQ(found(FindingKind::EmptyRoomUnusable).file, project_.cameras[0].emptyRoom);
+  project_.cameras[0].backgroundImage = (folder_ / "empty.png").string();
+  cv::imwrite(project_.cameras[0].backgroundImage, cv::Mat(20, 20, CV_8UC3, cv::Scalar::all(9)));
+  EXPECT_EQ(found(FindingKind::BackgroundImageUnusable).file, project_.cameras[0].backgroundImage);
 }
 
 TEST_F(RecordingChecks, TheExaminationCanBeEnded) {

@@ -54,7 +54,7 @@ StageBody bodyOf(std::vector<MovingPart> parts) {
   return body;
 }
 
-/// Pixels that differ from the empty room by more than 8 gray levels.
+/// Pixels that differ from the background image by more than 8 gray levels.
 int changed(const Stage& stage, double time = 0.0) {
   cv::Mat room;
   smallView()->background.convertTo(room, CV_8UC3);

@@ -54,7 +54,7 @@ TEST(Office, NobodyIsThereBeforeTheBeginningOrBehindTheWalls) {
   EXPECT_EQ(cv::countNonZero(who), 0);
   (void)renderer.render(0, 0, &who);
   EXPECT_EQ(cv::countNonZero(who), 0);
-  const cv::Mat empty = renderer.emptyRoom(0);
+  const cv::Mat empty = renderer.backgroundImage(0);
   EXPECT_LT(cv::mean(cv::abs(empty - renderer.render(0, 0)))[0], 4.0); // the noise
 }
 

@@ -133,7 +133,7 @@ TEST(PeoplePainter, MovedFurnitureIsWhereItIsAtTheTime) {
   const OfficeRenderer renderer(scene, views());
   EXPECT_LT((renderer.scene().furniture[0].at(1.5).position - Eigen::Vector2d(0.0, 0.5)).norm(),
             1e-12);
-  const cv::Mat left = renderer.emptyRoom(0);
+  const cv::Mat left = renderer.backgroundImage(0);
   const cv::Mat right = renderer.render(0, 60);
   const Projector projector(scene.cameras[0]);
   for (const double x : {-0.6, 0.6}) {
@@ -147,7 +147,7 @@ TEST(PeoplePainter, MovedFurnitureIsWhereItIsAtTheTime) {
       return static_cast<int>(color[2]) - static_cast<int>(color[0]);
     };
     EXPECT_GT(red(shown), 40);
-    EXPECT_LT(std::abs(red(other) - red(bare.emptyRoom(0))), 20);
+    EXPECT_LT(std::abs(red(other) - red(bare.backgroundImage(0))), 20);
   }
   EXPECT_EQ(cv::countNonZero(whoIn(renderer)), 0); // furniture is nobody
 }

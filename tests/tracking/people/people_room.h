@@ -34,14 +34,14 @@ inline CameraRig room() {
   return rig;
 }
 
-inline cv::Mat emptyRoom() {
+inline cv::Mat backgroundImage() {
   return {240, 320, CV_8UC3, cv::Scalar(120, 125, 130)};
 }
 
-inline std::vector<cv::Mat> emptyRooms(const CameraRig& rig) {
+inline std::vector<cv::Mat> backgroundImages(const CameraRig& rig) {
   std::vector<cv::Mat> rooms;
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    rooms.push_back(emptyRoom());
+    rooms.push_back(backgroundImage());
   }
   return rooms;
 }
@@ -51,7 +51,7 @@ inline FrameSetPtr draw(const CameraRig& rig, std::int64_t frame,
                         const std::vector<Eigen::Vector2d>& people) {
   FrameSet set{frame, timeStamp(static_cast<double>(frame) / kRate), {}};
   for (const Camera& camera : rig) {
-    cv::Mat image = emptyRoom();
+    cv::Mat image = backgroundImage();
     const SilhouetteMaker maker(camera);
     for (const Eigen::Vector2d& place : people) {
       for (const cv::Rect& piece : maker.of(place, 0.0, kHeight).pieces) {

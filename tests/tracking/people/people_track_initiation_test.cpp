@@ -18,7 +18,7 @@ constexpr double kBirthTime = 0.2; ///< seconds: three intervals of 1/15 s
 class PeopleBirthsTest : public ::testing::Test {
 protected:
   PeopleBirthsTest() : cameras_(rig_, settings()) {
-    cameras_.setEmptyRooms(bodies::emptyRooms(rig_));
+    cameras_.setBackgroundImages(bodies::backgroundImages(rig_));
     cameras_.restart();
     births_.setCameras(cameras_, settings().area, kHeight);
   }

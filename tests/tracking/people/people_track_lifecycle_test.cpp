@@ -60,7 +60,7 @@ class PeopleLifeTest : public ::testing::Test {
 protected:
   explicit PeopleLifeTest(bool births = false, CameraRig rig = bodies::room())
       : rig_(std::move(rig)), life_(parametersOf(births), rig_) {
-    life_.setEmptyRooms(bodies::emptyRooms(rig_));
+    life_.setBackgroundImages(bodies::backgroundImages(rig_));
     life_.restart(1);
   }
   /// The next frame; people stand on these places in the images.

@@ -148,13 +148,13 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   PeopleRun* const tracker = &run;
   auto* const placing = capability<PersonPlacing>(run.tracker());
   ASSERT_NE(placing, nullptr);
-  // The empty room is known: nothing is learned first.
+  // The background image is known: nothing is learned first.
   std::vector<cv::Mat> rooms;
   const FrameSetPtr empty = draw(rig, 0, {});
   for (const auto& frame : empty->frames) {
     rooms.push_back(frame->image);
   }
-  capability<EmptyRoomKnowing>(run.tracker())->setEmptyRooms(rooms);
+  capability<BackgroundImageUsing>(run.tracker())->setBackgroundImages(rooms);
   run.tracker().restart(2);
   ThreadTeam team(1);
   EXPECT_EQ(placing->addPerson({0.4, 0.1, 0.85}), 1);

@@ -90,7 +90,7 @@ std::optional<setup::ClickLesson> learnFrom(const ScenarioDraft& draft, const Sc
     samples.push_back(*sample);
   }
   auto lesson = setup::learnFromClicks(
-      run.rig, {.images = images, .emptyRooms = {}, .frame = frame}, samples);
+      run.rig, {.images = images, .backgroundImages = {}, .frame = frame}, samples);
   return lesson ? std::optional(std::move(*lesson)) : std::nullopt;
 }
 

@@ -26,10 +26,10 @@ struct PeopleRecording {
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
 
-/// Records a scene. Grade `Ideal` leaves the scene unchanged. `Room` and `Wild` draw the faults of
-/// images, time stamps and calibration from the scene's seed and the scenario's `name`, as defined
-/// by GradeModel. `Wild` also moves the cameras and changes the room, see wildOffice(). The
-/// background image that methods learn from comes from the same cameras. Not for `Real`.
+/// Grade `Ideal` leaves the scene as it is; `Room` and `Wild` draw what is wrong with its images,
+/// time stamps and calibration from the scene's seed and the scenario's `name`, as GradeModel says;
+/// `Wild` also puts the cameras up elsewhere and changes the room, see wildOffice(). The background
+/// image that methods learn from comes from the same cameras as all else. Not for `Real`.
 PeopleRecording recordPeople(const std::string& name, OfficeScene scene, Grade grade,
                              simulation::ViewCache& views);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/empty_room.h"
+#include "core/capture/background_image.h"
 
 #include "core/capture/image_reader.h"
 #include "core/capture/picture_reader.h"
@@ -23,7 +23,7 @@ Result<PictureReaderPtr> openReader(const std::string& location, const std::stri
 }
 
 Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape& camera) {
-  const std::int64_t count = std::min<std::int64_t>(kEmptyRoomPictures, reader.frameCount());
+  const std::int64_t count = std::min<std::int64_t>(kBackgroundImagePictures, reader.frameCount());
   std::vector<cv::Mat> pictures;
   for (std::int64_t k = 0; k < count; ++k) {
     const std::int64_t frame = k * reader.frameCount() / count;
@@ -54,7 +54,7 @@ cv::Mat medianPicture(const std::vector<cv::Mat>& pictures) {
     return pictures.front();
   }
   cv::Mat median(pictures.front().size(), CV_8UC3);
-  std::array<std::uint8_t, kEmptyRoomPictures> values{};
+  std::array<std::uint8_t, kBackgroundImagePictures> values{};
   const auto end = values.begin() + std::ssize(pictures);
   const auto middle = values.begin() + std::ssize(pictures) / 2;
   for (int row = 0; row < median.rows; ++row) {
@@ -72,7 +72,7 @@ cv::Mat medianPicture(const std::vector<cv::Mat>& pictures) {
 
 } // namespace
 
-Result<cv::Mat> readEmptyRoom(const std::string& location, const PictureShape& camera) {
+Result<cv::Mat> readBackgroundImage(const std::string& location, const PictureShape& camera) {
   const std::string field = cameraField(camera.camera);
   std::error_code problem;
   if (!std::filesystem::exists(location, problem)) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one picture of the empty room is worth on the recording throws_pinkball: F1 score of the
+// What one background image is worth on the recording throws_pinkball: F1 score of the
 // pixels that count as target, and the share of the background among them, without and with it.
-//   empty_room_bench [DATA_FOLDER]        (default: $DEWPOINT_DATA)
+//   background_image_bench [DATA_FOLDER]        (default: $DEWPOINT_DATA)
 #include "bench/pixel_truth.h"
-#include "core/capture/empty_room.h"
+#include "core/capture/background_image.h"
 #include "core/color/color_learning.h"
 #include "core/color/hsi.h"
 #include "core/color/match_image.h"
@@ -108,7 +108,7 @@ struct Figures {
 void benchRange(const ColorRange& range, const std::map<int, cv::Mat>& images, const Boxes& boxes,
                 const cv::Mat& room, Figures& without, Figures& with) {
   BackgroundModel background;
-  background.setEmptyRoom(room);
+  background.setBackgroundImage(room);
   background.reset();
   const ColorClassifier classifier(range);
   LabelImage labels;
@@ -165,7 +165,7 @@ int main(int argc, char** argv) {
   const std::string data = argc > 1 ? argv[1] : variable ? variable : "../shared/data";
   const std::string folder = data + "/throws_pinkball/";
   const auto picture = [&](int frame) { return folder + fmt::format("frame{:05}.jpg", frame); };
-  const auto room = readEmptyRoom(picture(kEmptyFrame), {"throws", 0, 0, 0});
+  const auto room = readBackgroundImage(picture(kEmptyFrame), {"throws", 0, 0, 0});
   if (!room) {
     fmt::print(stderr, "{}\n", sentence(room.error()));
     return 1;

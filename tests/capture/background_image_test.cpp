@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/empty_room.h"
+#include "core/capture/background_image.h"
 #include "core/capture/frame_writer.h"
 #include "tests/capture/temporary_folder.h"
 
@@ -17,10 +17,10 @@ cv::Mat plain(int level) {
   return {8, 12, CV_8UC3, cv::Scalar(level, level + 1, level + 2)};
 }
 
-TEST(EmptyRoom, IsAPictureOrTheMedianOfMany) {
+TEST(BackgroundImage, IsAPictureOrTheMedianOfMany) {
   const test::TemporaryFolder folder;
   cv::imwrite(folder / "one.png", plain(40));
-  const auto one = readEmptyRoom(folder / "one.png", kCamera);
+  const auto one = readBackgroundImage(folder / "one.png", kCamera);
   ASSERT_TRUE(one) << sentence(one.error());
   EXPECT_EQ(cv::norm(*one, plain(40), cv::NORM_INF), 0.0);
 
@@ -29,7 +29,7 @@ TEST(EmptyRoom, IsAPictureOrTheMedianOfMany) {
     // Somebody walks through two of them.
     cv::imwrite(folder / ("many/" + std::to_string(k) + ".png"), plain(k < 2 ? 200 : 50));
   }
-  const auto many = readEmptyRoom(folder / "many", kCamera);
+  const auto many = readBackgroundImage(folder / "many", kCamera);
   ASSERT_TRUE(many) << sentence(many.error());
   EXPECT_EQ(cv::norm(*many, plain(50), cv::NORM_INF), 0.0);
 
@@ -39,27 +39,27 @@ TEST(EmptyRoom, IsAPictureOrTheMedianOfMany) {
     ASSERT_TRUE(writer->write(plain(60)));
   }
   ASSERT_TRUE(writer->finish());
-  const auto video = readEmptyRoom(folder / "room.mkv", kCamera);
+  const auto video = readBackgroundImage(folder / "room.mkv", kCamera);
   ASSERT_TRUE(video) << sentence(video.error());
   EXPECT_LE(cv::norm(*video, plain(60), cv::NORM_INF), 2.0);
 }
 
-TEST(EmptyRoom, IsTurnedAsTheCameraIs) {
+TEST(BackgroundImage, IsTurnedAsTheCameraIs) {
   const test::TemporaryFolder folder;
   cv::imwrite(folder / "one.png", plain(40));
-  const auto rotated = readEmptyRoom(folder / "one.png", {"left", 90, 8, 12});
+  const auto rotated = readBackgroundImage(folder / "one.png", {"left", 90, 8, 12});
   ASSERT_TRUE(rotated) << sentence(rotated.error());
   EXPECT_EQ(rotated->size(), cv::Size(8, 12));
 }
 
-TEST(EmptyRoom, WhatIsWrongNamesFileAndCamera) {
+TEST(BackgroundImage, WhatIsWrongNamesFileAndCamera) {
   const test::TemporaryFolder folder;
   cv::imwrite(folder / "small.png", plain(40));
   std::ofstream(folder / "broken.png") << "nothing";
   for (const auto& [name, camera] :
        {std::pair{"nowhere.png", kCamera}, std::pair{"broken.png", kCamera},
         std::pair{"small.png", PictureShape{"left", 0, 640, 480}}}) {
-    const auto room = readEmptyRoom(folder / name, camera);
+    const auto room = readBackgroundImage(folder / name, camera);
     ASSERT_FALSE(room) << name;
     EXPECT_NE(sentence(room.error()).find(name), std::string::npos) << sentence(room.error());
     EXPECT_NE(sentence(room.error()).find("left"), std::string::npos) << sentence(room.error());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/empty_rooms.h"
+#include "core/session/run/background_images.h"
 
 #include "core/base/text_file.h"
-#include "core/capture/empty_room.h"
+#include "core/capture/background_image.h"
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -36,16 +36,17 @@ std::filesystem::path freshFile(const Project& project, const std::string& camer
 
 } // namespace
 
-Result<std::vector<cv::Mat>> loadEmptyRooms(const Project& project) {
+Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project) {
   std::vector<cv::Mat> rooms(project.cameras.size());
   for (std::size_t k = 0; k < rooms.size(); ++k) {
     const ProjectCamera& camera = project.cameras[k];
-    if (camera.emptyRoom.empty()) {
+    if (camera.backgroundImage.empty()) {
       continue;
     }
     const Intrinsics& size = camera.camera.intrinsics;
-    auto room = readEmptyRoom(camera.emptyRoom, {camera.camera.name, camera.rotateDegrees,
-                                                 size.width, size.height, camera.mirrored});
+    auto room =
+        readBackgroundImage(camera.backgroundImage, {camera.camera.name, camera.rotateDegrees,
+                                                     size.width, size.height, camera.mirrored});
     if (!room) {
       return tl::make_unexpected(room.error());
     }
@@ -54,9 +55,9 @@ Result<std::vector<cv::Mat>> loadEmptyRooms(const Project& project) {
   return rooms;
 }
 
-Result<std::filesystem::path> keepEmptyRoom(const Project& project, std::size_t camera,
-                                            const cv::Mat& image,
-                                            const std::filesystem::path& folder) {
+Result<std::filesystem::path> keepBackgroundImage(const Project& project, std::size_t camera,
+                                                  const cv::Mat& image,
+                                                  const std::filesystem::path& folder) {
   const ProjectCamera& its = project.cameras.at(camera);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
