@@ -48,7 +48,7 @@ private:
   std::map<std::string, Times> fastest_;
 };
 
-std::string verdict(double bar, bool reached, std::string_view relation) {
+std::string assessment(double bar, bool reached, std::string_view relation) {
   return bar > 0.0 ? fmt::format("   {} {:g}: {}", relation, bar, reached ? "reached" : "MISSED")
                    : std::string();
 }
@@ -57,7 +57,7 @@ void print(const Cost& cost, const FastestReporter& reporter) {
   if (const auto times = reporter.fastest(cost.name)) {
     const double ns = times->cpuNs / cost.elements;
     fmt::print("{:<58} {:9.3f} ns{}\n", cost.title, ns,
-               verdict(cost.barNs, ns <= cost.barNs, "<="));
+               assessment(cost.barNs, ns <= cost.barNs, "<="));
   }
 }
 
@@ -70,7 +70,7 @@ void print(const Ratio& ratio, const FastestReporter& reporter) {
     };
     const double value = (pick(*slow) / ratio.slowElements) / (pick(*fast) / ratio.fastElements);
     fmt::print("{:<58} {:9.2f} x {}\n", ratio.title, value,
-               verdict(ratio.bar, value >= ratio.bar, ">="));
+               assessment(ratio.bar, value >= ratio.bar, ">="));
   }
 }
 

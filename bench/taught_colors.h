@@ -31,7 +31,7 @@ struct ColorLesson {
   static constexpr std::size_t kColors = 4;
 
   ColorRange range;
-  double separability = 0.0; ///< verdict about the range
+  double separability = 0.0; ///< how well the range tells the target apart
   std::vector<TaughtColor> colors;
 };
 ColorLesson taughtBySamples(const std::vector<ColorSample>& samples,
