@@ -11,6 +11,9 @@
 #include <memory>
 #include <optional>
 
+namespace dewpoint::project {
+struct Project;
+} // namespace dewpoint::project
 namespace dewpoint::session {
 struct TrackSnapshot;
 } // namespace dewpoint::session
