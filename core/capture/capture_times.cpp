@@ -3,6 +3,7 @@
 
 #include "core/base/limits.h"
 #include "core/base/table_text.h"
+#include "core/base/text_number.h"
 #include "core/capture/numbered_files.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -67,10 +67,8 @@ Cells cellsOf(std::string_view line) {
 }
 
 std::optional<double> numberIn(std::string_view cell) {
-  double value = 0.0;
-  const auto [stop, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  const bool isWhole = problem == std::errc() && stop == cell.data() + cell.size();
-  return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const auto number = numberFrom<double>(cell);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 struct Columns {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/live_stream.h"
 
+#include "core/base/text_number.h"
 #include "core/capture/picture.h"
 #include "core/capture/shown_location.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -29,11 +29,8 @@ std::optional<int> deviceNumber(std::string_view location) {
   if (location.starts_with(kDevicePrefix)) {
     location.remove_prefix(kDevicePrefix.size());
   }
-  int number = 0;
-  const char* end = location.data() + location.size();
-  const auto [stop, problem] = std::from_chars(location.data(), end, number);
-  const bool whole = problem == std::errc() && stop == end && number >= 0;
-  return whole ? std::optional(number) : std::nullopt;
+  const auto number = numberFrom<int>(location);
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 bool isStream(std::string_view location) {

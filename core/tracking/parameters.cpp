@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/parameters.h"
 
+#include "core/base/text_number.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
 namespace dewpoint::tracking {
@@ -99,14 +100,12 @@ Status ParameterValues::setText(std::string_view key, std::string_view text) {
   if (declaration == nullptr) {
     return tl::make_unexpected(unknownKey(declarations_, key));
   }
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, value);
-  if (parsed.ec != std::errc() || parsed.ptr != end) {
+  const auto value = numberFrom<double>(text);
+  if (!value) {
     return failure(ErrorCode::BadValue, "", declaration->key,
                    fmt::format("\"{}\" is not {}", text, rangeText(*declaration)));
   }
-  return set(key, value);
+  return set(key, *value);
 }
 
 bool ParameterValues::isGiven(std::string_view key) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/people_state.h"
 
-#include <fmt/format.h>
+#include "core/base/text_number.h"
 
-#include <charconv>
+#include <fmt/format.h>
 
 namespace dewpoint::tracking {
 
@@ -13,14 +13,11 @@ std::string personName(int identity) {
 
 std::optional<int> personIdentity(std::string_view name) {
   constexpr std::string_view kPerson = "person ";
-  int identity = 0;
   if (!name.starts_with(kPerson)) {
     return std::nullopt;
   }
-  const char* const end = name.data() + name.size();
-  const auto read = std::from_chars(name.data() + kPerson.size(), end, identity);
-  const bool whole = read.ec == std::errc() && read.ptr == end;
-  return whole && identity > 0 ? std::optional(identity) : std::nullopt;
+  const auto identity = numberFrom<int>(name.substr(kPerson.size()));
+  return identity && *identity > 0 ? identity : std::nullopt;
 }
 
 } // namespace dewpoint::tracking

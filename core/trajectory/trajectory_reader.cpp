@@ -3,11 +3,11 @@
 
 #include "core/base/limits.h"
 #include "core/base/table_text.h"
+#include "core/base/text_number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -67,8 +67,9 @@ std::optional<Cells> splitLine(std::string_view line) {
 template <class T> bool parse(std::string_view text, T& value) {
   if (!text.empty() && text.front() == '+')
     text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
+  const auto number = numberFrom<T>(text);
+  value = number.value_or(value);
+  return number.has_value();
 }
 
 /// `"name" center x y z axis x y z`; anything else is somebody's comment.

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/common/frame_range.h"
 
-#include <charconv>
+#include "core/base/text_number.h"
+
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace dewpoint::app {
 namespace {
 
-bool number(std::string_view part, std::int64_t& value) {
-  const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), value);
-  return problem == std::errc() && end == part.data() + part.size() && value >= 0;
+std::optional<std::int64_t> frameIn(std::string_view part) {
+  const auto number = numberFrom<std::int64_t>(part);
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 } // namespace
@@ -28,15 +31,19 @@ Result<FrameRange> parseFrames(const std::string& text) {
   }
   const std::string_view first = std::string_view(text).substr(0, colon);
   const std::string_view last = std::string_view(text).substr(colon + 1);
-  if (!first.empty() && !number(first, range.first)) {
-    return wrong();
-  }
-  if (!last.empty()) {
-    std::int64_t end = 0;
-    if (!number(last, end) || end <= range.first) {
+  if (!first.empty()) {
+    const auto begin = frameIn(first);
+    if (!begin) {
       return wrong();
     }
-    range.end = end;
+    range.first = *begin;
+  }
+  if (!last.empty()) {
+    const auto end = frameIn(last);
+    if (!end || *end <= range.first) {
+      return wrong();
+    }
+    range.end = *end;
   }
   return range;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint-cli/project/sample_argument.h"
 
+#include "core/base/text_number.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -12,19 +13,12 @@
 namespace dewpoint::app {
 namespace {
 
-template <class Number> std::optional<Number> numberIn(std::string_view text) {
-  Number number{};
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = problem == std::errc() && end == text.data() + text.size();
-  return whole ? std::optional(number) : std::nullopt;
-}
-
 /// Numbers between commas; nothing when one of them is none.
 std::optional<std::vector<double>> numbersIn(std::string_view text) {
   std::vector<double> numbers;
   while (true) {
     const auto comma = text.find(',');
-    const auto number = numberIn<double>(text.substr(0, comma));
+    const auto number = numberFrom<double>(text.substr(0, comma));
     if (!number) {
       return std::nullopt;
     }
@@ -50,7 +44,7 @@ Result<int> cameraNamed(const Project& project, const std::string& text, const c
   if (named != cameras.end()) {
     return static_cast<int>(named - cameras.begin());
   }
-  const auto number = numberIn<int>(text);
+  const auto number = numberFrom<int>(text);
   if (number && *number >= 1 && *number <= static_cast<int>(cameras.size())) {
     return *number - 1;
   }
@@ -91,7 +85,7 @@ Result<ColorSample> sampleFrom(const Project& project, const std::string& text,
   const auto frame =
       first == std::string::npos
           ? std::nullopt
-          : numberIn<std::int64_t>(std::string_view(text).substr(first + 1, second - first - 1));
+          : numberFrom<std::int64_t>(std::string_view(text).substr(first + 1, second - first - 1));
   if (!frame || *frame < 0) {
     return expected(option, "CAMERA:FRAME:X,Y", text);
   }

@@ -3,6 +3,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "core/base/text_file.h"
+#include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/trajectory/export/export_catalog.h"
 #include "core/trajectory/export/trajectory_export.h"
@@ -13,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -42,17 +42,17 @@ Result<std::optional<SpanEnd>> parseSpanEnd(const std::string& text, const char*
     return std::optional<SpanEnd>();
   }
   SpanEnd end;
-  std::string_view number = text;
-  end.isFrame = number.ends_with('f');
-  if (end.isFrame || number.ends_with('s')) {
-    number.remove_suffix(1);
+  std::string_view digits = text;
+  end.isFrame = digits.ends_with('f');
+  if (end.isFrame || digits.ends_with('s')) {
+    digits.remove_suffix(1);
   }
-  const auto [stop, problem] =
-      std::from_chars(number.data(), number.data() + number.size(), end.value);
-  if (problem != std::errc() || stop != number.data() + number.size()) {
+  const auto number = numberFrom<double>(digits);
+  if (!number) {
     return failure(ErrorCode::BadValue, "", option,
                    fmt::format("expected seconds, as 2.5, or a frame, as 75f; found {}", text));
   }
+  end.value = *number;
   return std::optional(end);
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board.h"
 
+#include "core/base/text_number.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace dewpoint::calibration {
@@ -27,12 +28,6 @@ std::vector<std::string> partsOf(const std::string& text, char separator) {
   return parts;
 }
 
-template <class Number> bool readNumber(const std::string& text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, number);
-  return problem == std::errc() && stop == end && !text.empty();
-}
-
 /// What is wrong with the numbers of columns and rows, or nothing.
 std::string wrongCounts(const BoardDescription& board) {
   const int least = board.kind == BoardDescription::Kind::Chessboard ? 3 : 2;
@@ -47,10 +42,13 @@ std::string wrongCounts(const BoardDescription& board) {
 /// What is wrong with "9x6", or nothing.
 std::string readCounts(const std::string& text, BoardDescription& board) {
   const auto counts = partsOf(text, 'x');
-  if (counts.size() != 2 || !readNumber(counts[0], board.columns) ||
-      !readNumber(counts[1], board.rows)) {
+  const auto columns = numberFrom<int>(counts.front());
+  const auto rows = numberFrom<int>(counts.back());
+  if (counts.size() != 2 || !columns || !rows) {
     return fmt::format("COLUMNSxROWS is expected, as 9x6, found '{}'", text);
   }
+  board.columns = *columns;
+  board.rows = *rows;
   return {};
 }
 
@@ -69,7 +67,9 @@ std::string wrongLength(const char* what, double length) {
 }
 
 std::string readLength(const std::string& text, const char* what, double& length) {
-  return readNumber(text, length) ? wrongLength(what, length) : noLength(what, text);
+  const auto number = numberFrom<double>(text);
+  length = number.value_or(0.0);
+  return number ? wrongLength(what, length) : noLength(what, text);
 }
 
 std::string wrongMarkers(const BoardDescription& board) {
@@ -87,8 +87,8 @@ std::string wrongMarkers(const BoardDescription& board) {
   }
   const int markers = board.columns * board.rows / 2;
   const auto words = partsOf(board.dictionary, '_');
-  int size = 1024; // of the dictionary without a number, DICT_ARUCO_ORIGINAL
-  readNumber(words.back(), size);
+  constexpr int kOriginalSize = 1024; // of the one without a number, DICT_ARUCO_ORIGINAL
+  const int size = numberFrom<int>(words.back()).value_or(kOriginalSize);
   if (markers > size) {
     return fmt::format("{} has too few markers: the board has {}", board.dictionary, markers);
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/number_text.h"
 
+#include "core/base/text_number.h"
+
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -56,12 +57,7 @@ std::optional<double> numberOf(std::string_view text) {
   if (text == ".Inf" || text == ".inf" || text == "-.Inf" || text == "-.inf") {
     return (text.front() == '-' ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();
   }
-  double value = 0.0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size()) {
-    return std::nullopt;
-  }
-  return value;
+  return numberFrom<double>(text);
 }
 
 bool hasLine(std::string_view text, std::string_view start) {

@@ -2,11 +2,11 @@
 #include "core/experiment/clips/clip_table.h"
 
 #include "core/base/text_file.h"
+#include "core/base/text_number.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -27,13 +27,6 @@ std::vector<std::string> cellsOf(std::string line) {
     }
   }
   return cells;
-}
-
-std::optional<double> cellNumber(const std::string& cell) {
-  double value = 0.0;
-  const char* end = cell.data() + cell.size();
-  const auto [stop, problem] = std::from_chars(cell.data(), end, value);
-  return problem == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
 
 /// The positions of the named columns in the head line.
@@ -106,7 +99,7 @@ Result<ClipTable> readClipTable(const std::filesystem::path& file,
     }
     auto& row = table.rows.emplace_back();
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      const auto value = cellNumber(source.cells[(*positions)[column]]);
+      const auto value = numberFrom<double>(source.cells[(*positions)[column]]);
       if (!value) {
         return refuse("a number is expected");
       }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/skipped_runs.h"
 
+#include "core/base/text_number.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 
 namespace dewpoint::experiment {
@@ -71,14 +72,13 @@ std::optional<SkippedRun> parseSkipped(const std::string& line) {
     return std::nullopt;
   }
   const auto grade = gradeNamed(line.substr(first + 1, second - first - 1));
-  std::uint64_t seed = 0;
-  const char* const end = line.data() + third;
-  const auto [stop, problem] = std::from_chars(line.data() + second + 1, end, seed);
+  const auto seed =
+      numberFrom<std::uint64_t>(std::string_view(line).substr(second + 1, third - second - 1));
   const auto reason = unquoted(line.substr(third + 1));
-  if (!grade || problem != std::errc() || stop != end || !reason) {
+  if (!grade || !seed || !reason) {
     return std::nullopt;
   }
-  return SkippedRun{line.substr(0, first), *grade, seed, *reason};
+  return SkippedRun{line.substr(0, first), *grade, *seed, *reason};
 }
 
 std::vector<ScenarioGrade> withoutAnyRun(const SkippedRuns& skipped, const std::set<RunKey>& done) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_row.h"
 
+#include "core/base/text_number.h"
+
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -25,13 +26,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-template <class Number> std::optional<Number> number(const std::string& text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, value);
-  return problem == std::errc() && stop == end ? std::optional(value) : std::nullopt;
-}
-
 std::string keyText(const RunKey& key) {
   return fmt::format("{},{},{},{}", key.scenario, gradeName(key.grade), key.method, key.seed);
 }
@@ -41,7 +35,7 @@ std::optional<RunKey> parseKey(const std::vector<std::string>& fields) {
     return std::nullopt;
   }
   const auto grade = gradeNamed(fields[1]);
-  const auto seed = number<std::uint64_t>(fields[3]);
+  const auto seed = numberFrom<std::uint64_t>(fields[3]);
   return grade && seed ? std::optional(RunKey{fields[0], *grade, fields[2], *seed}) : std::nullopt;
 }
 
@@ -60,7 +54,7 @@ std::optional<std::vector<double>> parseErrors(const std::string& text) {
   std::vector<double> errors;
   for (const std::string& part : split(text, ' ')) {
     const auto value = part == "-" ? std::numeric_limits<double>::quiet_NaN()
-                                   : number<double>(part).value_or(-1.0);
+                                   : numberFrom<double>(part).value_or(-1.0);
     if (value < 0.0) {
       return std::nullopt;
     }
@@ -74,9 +68,9 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
   if (parts.size() != 3) {
     return std::nullopt;
   }
-  const auto count = number<std::int64_t>(parts[0]);
-  const auto sum = number<double>(parts[1]);
-  const auto happened = number<std::int64_t>(parts[2]);
+  const auto count = numberFrom<std::int64_t>(parts[0]);
+  const auto sum = numberFrom<double>(parts[1]);
+  const auto happened = numberFrom<std::int64_t>(parts[2]);
   return count && sum && happened ? std::optional(ReliabilityCount{*count, *sum, *happened})
                                   : std::nullopt;
 }
@@ -225,7 +219,7 @@ std::optional<SuiteRow> parseRow(const std::string& line) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const std::string& field = fields[kKeyFields + k];
     if (!field.empty()) {
-      const auto value = number<double>(field);
+      const auto value = numberFrom<double>(field);
       if (!value) {
         return std::nullopt;
       }
