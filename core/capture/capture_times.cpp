@@ -2,6 +2,7 @@
 #include "core/capture/capture_times.h"
 
 #include "core/base/limits.h"
+#include "core/base/lower_case.h"
 #include "core/base/table_text.h"
 #include "core/base/text_number.h"
 #include "core/capture/numbered_files.h"
@@ -77,19 +78,12 @@ struct Columns {
   std::optional<std::size_t> camera;
 };
 
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 /// Nothing: no column is one of times.
 std::optional<Columns> columnsOf(const Cells& heading) {
   Columns columns;
   bool isFound = false;
   for (std::size_t k = 0; k < heading.size(); ++k) {
-    const std::string name = lowered(heading[k]);
+    const std::string name = inLowerCase(heading[k]);
     for (const auto& [ending, unit] : kTimeUnits) {
       const bool isTime =
           std::ranges::any_of(kTimeColumns, [&, ending = ending](const char* column) {

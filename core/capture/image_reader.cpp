@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/image_reader.h"
 
+#include "core/base/lower_case.h"
 #include "core/capture/natural_order.h"
 #include "core/capture/numbered_files.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 
 bool isPicture(const fs::path& path) {
   constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff"};
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = inLowerCase(path.extension().string());
   return !path.filename().string().starts_with('.') &&
          std::ranges::find(kEndings, ending) != kEndings.end();
 }

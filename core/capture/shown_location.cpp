@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/shown_location.h"
 
+#include "core/base/lower_case.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,20 +13,12 @@ namespace {
 
 constexpr std::string_view kStars = "***";
 
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
-  return lower;
-}
-
 /// Whether the value of an option of this name is a secret.
 bool isSecret(std::string_view option) {
   static constexpr std::array<std::string_view, 9> kParts{
       "pass", "pwd", "-pw", "token", "secret", "apikey", "api_key", "signature", "auth"};
   static constexpr std::array<std::string_view, 3> kNames{"pw", "key", "sig"};
-  const std::string name = lowered(option);
+  const std::string name = inLowerCase(option);
   return std::ranges::find(kNames, name) != kNames.end() ||
          std::ranges::any_of(
              kParts, [&](std::string_view part) { return name.find(part) != std::string::npos; });

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/video_reader.h"
 
+#include "core/base/lower_case.h"
+
 #include <fmt/format.h>
 #include <opencv2/videoio.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -167,8 +168,7 @@ Result<cv::Mat> VideoReader::read(std::int64_t frame) {
 }
 
 Result<cv::Mat> VideoReader::missing(std::int64_t frame) const {
-  std::string kind = std::filesystem::path(path_).extension().string();
-  std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string kind = inLowerCase(std::filesystem::path(path_).extension().string());
   // Only these containers store the number of frames; for the others it is the duration times the
   // rate, which may be one too many.
   const bool exact = kind == ".mp4" || kind == ".mov" || kind == ".m4v" || kind == ".avi";

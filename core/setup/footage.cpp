@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/setup/footage.h"
 
+#include "core/base/lower_case.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -31,9 +33,7 @@ constexpr auto kImageEndings = std::to_array<std::string_view>(
 
 template <std::size_t Count>
 bool holds(const std::array<std::string_view, Count>& endings, const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = inLowerCase(file.extension().string());
   return ending.size() > 1 &&
          std::ranges::find(endings, std::string_view(ending).substr(1)) != endings.end();
 }

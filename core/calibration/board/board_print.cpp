@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_print.h"
 
+#include "core/base/lower_case.h"
 #include "core/base/text_file.h"
 #include "core/calibration/board/board_picture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <hpdf.h>
 #include <memory>
@@ -37,13 +37,6 @@ using Document = std::unique_ptr<std::remove_pointer_t<HPDF_Doc>, FreeDocument>;
 
 [[noreturn]] void onError(HPDF_STATUS error, HPDF_STATUS detail, void*) {
   throw std::runtime_error(fmt::format("libharu error {:#x}, {}", error, detail));
-}
-
-std::string lowered(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
-  return text;
 }
 
 Result<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
@@ -164,7 +157,7 @@ const std::vector<Paper>& papers() {
 
 Result<Paper> paperNamed(const std::string& name, const std::string& field) {
   for (const Paper& paper : papers()) {
-    if (lowered(paper.name) == lowered(name)) {
+    if (inLowerCase(paper.name) == inLowerCase(name)) {
       return paper;
     }
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/format_qualisys.h"
 
+#include "core/base/lower_case.h"
 #include "core/calibration/formats/camera_limit.h"
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/number_text.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <pugixml.hpp>
 
 namespace dewpoint::calibration {
@@ -80,10 +80,7 @@ void readPose(const pugi::xml_node& camera, AttributeReader& reader, CameraParts
 
 /// Markers' cameras are in the same file; only those that make video matter here.
 bool makesVideo(const pugi::xml_node& camera) {
-  std::string model = camera.attribute("model").value();
-  std::ranges::transform(model, model.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
+  const std::string model = inLowerCase(camera.attribute("model").value());
   return model.find("video") != std::string::npos || model.empty() || model == "none";
 }
 
