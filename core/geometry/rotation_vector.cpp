@@ -16,4 +16,8 @@ Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation) {
   return angleAxis.angle() * angleAxis.axis();
 }
 
+double angleBetween(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other) {
+  return Eigen::AngleAxisd(one * other.transpose()).angle();
+}
+
 } // namespace dewpoint::geometry

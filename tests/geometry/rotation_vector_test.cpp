@@ -33,5 +33,17 @@ TEST(RotationVector, ComesBackWithinHalfATurn) {
   EXPECT_LT((vectorOfRotation(rotationOfVector(vector)) - shorter).norm(), 1e-12);
 }
 
+TEST(RotationVector, TheAngleBetweenTwoRotationsIsThatOfTheTurnFromOneToTheOther) {
+  const Eigen::Matrix3d one = rotationOfVector({0.4, -1.0, 0.3});
+  const Eigen::Vector3d turn(0.2, 0.1, -0.6);
+  const Eigen::Matrix3d other = rotationOfVector(turn) * one;
+  EXPECT_NEAR(angleBetween(one, other), turn.norm(), 1e-12);
+  EXPECT_NEAR(angleBetween(other, one), turn.norm(), 1e-12);
+  EXPECT_NEAR(angleBetween(one, one), 0.0, 1e-7);
+  const Eigen::Matrix3d opposite =
+      rotationOfVector(Eigen::Vector3d(0.0, 0.0, std::numbers::pi)) * one;
+  EXPECT_NEAR(angleBetween(one, opposite), std::numbers::pi, 1e-7);
+}
+
 } // namespace
 } // namespace dewpoint::tests

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board/board_chain.h"
 
+#include "core/geometry/rotation_vector.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,11 +40,11 @@ struct PairLink {
 };
 
 bool alike(const PairPose& one, const PairPose& other) {
-  const Eigen::AngleAxisd turn(
-      Eigen::Matrix3d(one.otherFromOne.linear().transpose() * other.otherFromOne.linear()));
+  // As the first camera sees it; the second sees the same turn about another axis.
+  const double turn =
+      angleBetween(one.otherFromOne.linear().transpose(), other.otherFromOne.linear().transpose());
   const double apart = (one.otherFromOne.translation() - other.otherFromOne.translation()).norm();
-  return std::abs(turn.angle()) < kAlikeTurn &&
-         apart < kAlikePlace * std::max(one.distance, other.distance);
+  return turn < kAlikeTurn && apart < kAlikePlace * std::max(one.distance, other.distance);
 }
 
 int turnStep(int symmetry) {

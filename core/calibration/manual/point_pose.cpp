@@ -84,8 +84,7 @@ std::vector<Eigen::Isometry3d> candidates(const Camera& camera,
 }
 
 bool differ(const Camera& a, const Camera& b) {
-  const Eigen::AngleAxisd turn(a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose());
-  return turn.angle() > 0.02;
+  return angleBetween(a.cameraFromWorld.linear(), b.cameraFromWorld.linear()) > 0.02;
 }
 
 /// Whether a second pose explains the points about as well as the best.

@@ -160,9 +160,8 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
 }
 
 PoseShift poseShift(const Camera& before, const Camera& after) {
-  const Eigen::AngleAxisd turn(after.cameraFromWorld.linear() *
-                               before.cameraFromWorld.linear().transpose());
-  return {(after.center() - before.center()).norm(), turn.angle()};
+  return {(after.center() - before.center()).norm(),
+          angleBetween(after.cameraFromWorld.linear(), before.cameraFromWorld.linear())};
 }
 
 } // namespace dewpoint::calibration

@@ -3,6 +3,7 @@
 
 #include "core/base/statistics.h"
 #include "core/geometry/ray.h"
+#include "core/geometry/rotation_vector.h"
 
 #include <algorithm>
 #include <array>
@@ -110,9 +111,8 @@ std::vector<double> squaresOf(const BundleResult& now) {
 /// Whether a camera is where the initial rig allows it: else it fits by standing elsewhere, which
 /// is no explanation.
 bool plausible(const Camera& initial, const Camera& found, const InitialRigSigma& sigma) {
-  const double turn = Eigen::AngleAxisd(found.cameraFromWorld.linear() *
-                                        initial.cameraFromWorld.linear().transpose())
-                          .angle();
+  const double turn =
+      angleBetween(found.cameraFromWorld.linear(), initial.cameraFromWorld.linear());
   return turn < kMostSigmas * sigma.turn &&
          (found.center() - initial.center()).norm() < kMostSigmas * sigma.position;
 }

@@ -3,8 +3,7 @@
 
 #include "core/base/angle.h"
 #include "core/calibration/formats/calibration_plausibility.h"
-
-#include <Eigen/Geometry>
+#include "core/geometry/rotation_vector.h"
 
 #include <array>
 #include <cmath>
@@ -28,8 +27,8 @@ constexpr double kSameAxes = 0.02 * base::kDegree;
 
 bool haveSamePose(const Camera& a, const Camera& b) {
   const double apart = (a.center() - b.center()).norm();
-  const Eigen::Matrix3d turn = a.cameraFromWorld.linear() * b.cameraFromWorld.linear().transpose();
-  return apart <= kSamePosition * a.center().norm() && Eigen::AngleAxisd(turn).angle() <= kSameAxes;
+  const double turn = angleBetween(a.cameraFromWorld.linear(), b.cameraFromWorld.linear());
+  return apart <= kSamePosition * a.center().norm() && turn <= kSameAxes;
 }
 
 } // namespace
