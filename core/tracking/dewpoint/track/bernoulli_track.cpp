@@ -5,6 +5,7 @@
 #include "core/filter/constant_velocity.h"
 #include "core/filter/evenly_picked.h"
 #include "core/tracking/dewpoint/track/birth_fit.h"
+#include "core/tracking/dewpoint/track/track_constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +16,6 @@ namespace {
 // Reasons: docs/method-dewpoint.md, sections 5, 6 and 10; those without a derivation are judgments.
 
 constexpr std::size_t kMaxCandidates = 10; ///< per search
-/// Probability that an absent target appears within one frame.
-constexpr double kBirthProbability = 0.2;
-constexpr double kBirthSpeed = 1.5; ///< m/s, standard deviation along each axis
-/// Least log likelihood ratio of a birth.
-constexpr double kMinLogLikelihoodRatio = 2.0;
-/// Probability of a hypothesis at a given position. Origin not recorded.
-constexpr double kInitialProbability = 0.98;
 /// Radii, standard deviation of a given position along each axis. Origin not recorded.
 constexpr double kInitialSigmaRadii = 0.1;
 /// Largest size misfit (squared standard deviations) that counts against an initial hypothesis.

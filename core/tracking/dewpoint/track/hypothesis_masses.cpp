@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/track/hypothesis_masses.h"
 
+#include "core/tracking/dewpoint/track/track_constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,8 +14,6 @@ namespace {
 
 constexpr std::size_t kMaxHypotheses = 6; ///< per target
 constexpr double kMinProbability = 1e-8;  ///< of a hypothesis that is kept
-/// Least probability of absence, so that it has a logarithm. Origin not recorded.
-constexpr double kMinAbsence = 1e-9;
 /// Probability of the likeliest hypothesis from which on no new hypotheses are searched.
 constexpr double kNoSearchProbability = 0.98;
 /// Frames after which one of several objects that look just like the target is taken for it.

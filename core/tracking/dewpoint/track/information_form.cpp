@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/track/information_form.h"
 
+#include "core/tracking/dewpoint/track/track_constants.h"
+
 #include <Eigen/LU>
 
 namespace dewpoint::tracking {
-namespace {
-
-/// 1/m², added to an information matrix so that it can be inverted: one meter. Origin not recorded.
-constexpr double kMinInformation = 1.0;
-
-} // namespace
 
 InformationForm InformationForm::between(const Gaussian3& before, const Gaussian3& after,
                                          double variance) {

@@ -4,6 +4,7 @@
 #include "core/filter/prepared_gaussian.h"
 #include "core/tracking/dewpoint/search/region_search.h"
 #include "core/tracking/dewpoint/track/information_form.h"
+#include "core/tracking/dewpoint/track/track_constants.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -17,18 +18,8 @@ namespace {
 // Judgments (docs/method-dewpoint.md, section 12), where no other source is named.
 
 constexpr std::size_t kMaxCandidates = 4; ///< per search
-/// As BernoulliTrack has them.
-constexpr double kBirthProbability = 0.2;
-constexpr double kInitialProbability = 0.98;
-constexpr double kBirthSpeed = 1.5; ///< m/s
-constexpr double kMinAbsence = 1e-9;
 /// Probability above which another object is not searched for.
 constexpr double kNoSearchProbability = 0.5;
-/// Least log likelihood ratio of a birth.
-constexpr double kMinLogLikelihoodRatio = 2.0;
-/// Standard deviations from the prediction; a region farther off belongs to another object.
-constexpr double kGate = 5.0;
-constexpr double kManeuverGate = 4.0;
 /// Standard deviation of the extent from frame to frame, as a share of its trace: a stick that
 /// tumbles once in four seconds changes by 0.05 in a thirtieth of one. And at a birth.
 constexpr double kExtentSigma = 0.06;
@@ -39,8 +30,6 @@ constexpr double kFillRate = 0.1;
 constexpr double kMaxDisagreement = 100.0;
 /// Share of its outline that a target fills, before it is known.
 constexpr double kPriorFill = 0.75;
-/// 1/m², so that an information matrix can be inverted: one meter.
-constexpr double kMinInformation = 1.0;
 /// Probability below which a hypothesis is given up.
 constexpr double kMinProbability = 1e-3;
 

@@ -5,6 +5,7 @@
 #include "core/filter/prepared_gaussian.h"
 #include "core/filter/systematic_resampling.h"
 #include "core/tracking/dewpoint/track/information_form.h"
+#include "core/tracking/dewpoint/track/track_constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +22,11 @@ namespace {
 constexpr double kWider = 1.2;              ///< factor of the standard deviations
 constexpr Eigen::Index kWideEvery = 7;      ///< particles
 constexpr double kWideShareOfRadius = 0.25; ///< radii, added standard deviation
-/// Standard deviations from the prediction; an outline farther off belongs to another object.
-constexpr double kGate = 5.0;
 /// Radii, standard deviation with which the likelihood alone, without an outline, tells positions
 /// apart: half the distance from the samples near the edge to the edge.
 constexpr double kBluntShareOfRadius = 0.1;
 /// Radii; a fit also starts from the best particle when the prediction is less certain than this.
 constexpr double kWideOfRadius = 0.3;
-/// Standard deviations between outline and prediction beyond which the learned process noise does
-/// not explain the motion: a maneuver.
-constexpr double kManeuverGate = 4.0;
 /// Share of the fully visible evidence that leaves no need for a fit with farther edges.
 constexpr double kNoFarFitShare = 0.7;
 /// Log likelihood ratio of the five samples along one spoke and its opposite (5 x 1.08 and a
