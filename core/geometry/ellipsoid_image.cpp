@@ -19,6 +19,10 @@ double Ellipsoid::radius() const {
   return std::pow(std::max(0.0, extent.determinant()), 1.0 / 6.0);
 }
 
+Eigen::Matrix3d ballExtent(double radius) {
+  return radius * radius * Eigen::Matrix3d::Identity();
+}
+
 double EllipseImage::area() const {
   return std::numbers::pi * std::sqrt(std::max(0.0, extent.determinant()));
 }

@@ -21,7 +21,10 @@ struct Ellipsoid {
   double radius() const;
 };
 
-/// Outline of an ellipsoid in an image.
+/// The extent (m²) of a ball of this radius (meters).
+Eigen::Matrix3d ballExtent(double radius);
+
+/// The outline of an ellipsoid in an image.
 struct EllipseImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< pixels
   /// Extent (px²): a symmetric matrix whose eigenvalues are the squared semi-axes. The covariance

@@ -67,8 +67,7 @@ TEST(EllipsoidImage, OfABallIsThatOfASphere) {
   const Camera view = camera();
   const double radius = 0.05;
   const Eigen::Vector3d center(0.35, 0.4, 0.15);
-  const auto ellipse =
-      EllipsoidProjector(view).project({center, radius * radius * Eigen::Matrix3d::Identity()});
+  const auto ellipse = EllipsoidProjector(view).project({center, ballExtent(radius)});
   const auto sphere = SphereProjector(view).project(center, radius);
   ASSERT_TRUE(ellipse && sphere);
   EXPECT_LT((ellipse->center - sphere->center).norm(), 1e-6);
@@ -87,6 +86,7 @@ TEST(EllipsoidImage, IsNothingBehindTheCamera) {
 // A ball of the same volume: the third root of 12 x 6 x 3 cm is 6 cm.
 TEST(EllipsoidImage, HasTheRadiusOfABallOfItsVolume) {
   EXPECT_NEAR(tilted().radius(), 0.06, 1e-9);
+  EXPECT_NEAR((Ellipsoid{Eigen::Vector3d::Zero(), ballExtent(0.035)}.radius()), 0.035, 1e-12);
 }
 
 } // namespace

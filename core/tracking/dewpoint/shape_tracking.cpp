@@ -16,10 +16,6 @@ constexpr std::int64_t kMeasurementPeriod = 8;
 /// the time since the one before.
 constexpr std::int64_t kFirstFrames = 30;
 
-Eigen::Matrix3d ballExtent(double radius) {
-  return radius * radius * Eigen::Matrix3d::Identity();
-}
-
 /// Radius (meters) of a ball whose outlines have second moments as large as those of the regions
 /// that were found where one of `radius` was expected.
 double radiusOf(const std::vector<RegionMeasurement>& views, double radius) {

@@ -19,7 +19,7 @@ const cv::Scalar kSomethingNew(200, 40, 40);
 /// A start that is off by `off` meters, as a ball, with next to nothing known.
 EllipsoidPrior startAt(const Ellipsoid& truth, const Eigen::Vector3d& off, double radius = 0.05) {
   EllipsoidPrior prior;
-  prior.ellipsoid = {truth.center + off, radius * radius * Eigen::Matrix3d::Identity()};
+  prior.ellipsoid = {truth.center + off, ballExtent(radius)};
   prior.information = Eigen::Matrix3d::Identity() / (0.1 * 0.1);
   return prior;
 }

@@ -33,10 +33,6 @@ constexpr double kPriorFill = 0.75;
 /// Probability below which a hypothesis is given up.
 constexpr double kMinProbability = 1e-3;
 
-Eigen::Matrix3d ballExtent(double radius) {
-  return radius * radius * Eigen::Matrix3d::Identity();
-}
-
 double logLikelihoodRatio(const std::vector<RegionMeasurement>& views, double fill) {
   double sum = 0.0;
   for (const RegionMeasurement& view : views) {
