@@ -5,6 +5,7 @@
 #include "core/tracking/dewpoint/background_learning.h"
 #include "core/tracking/dewpoint/color_adaptation.h"
 #include "core/tracking/dewpoint/dewpoint_diagnostics.h"
+#include "core/tracking/frame_gap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,6 @@ namespace {
 
 // Judgments (docs/method-dewpoint.md, sections 1 and 2).
 
-/// Seconds; a longer gap between two frames is a new scene as far as motion is concerned.
-constexpr double kLongestGap = 1.0;
-/// Seconds, gap before a frame that is earlier than the last one: the user went back.
-constexpr double kDefaultGap = 1.0 / 30.0;
 /// Frames in which the reach of a color is updated in each after the start, or after its track
 /// was lost, and frames from one update to the next after these. Judgments
 /// (docs/method-dewpoint.md, section 8): the exposure settles within the first, daylight changes

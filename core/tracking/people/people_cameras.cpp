@@ -2,6 +2,7 @@
 #include "core/tracking/people/people_cameras.h"
 
 #include "core/geometry/projector.h"
+#include "core/tracking/frame_gap.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -11,10 +12,8 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kDefaultGap = 1.0 / 30.0; ///< seconds, where the times make no sense
-constexpr double kLongestGap = 1.0;        ///< seconds
-constexpr double kOverwhelmed = 0.6;       ///< share of foreground that cannot be people
-constexpr int kBackgroundUpdates = 10;     ///< times that a background image is learned
+constexpr double kOverwhelmed = 0.6;   ///< share of foreground that cannot be people
+constexpr int kBackgroundUpdates = 10; ///< times that a background image is learned
 
 /// The same camera with images `factor` times as large.
 Camera reduced(const Camera& camera, double factor) {
