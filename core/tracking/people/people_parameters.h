@@ -22,7 +22,11 @@ struct PeopleArea {
   }
 };
 
-/// Settings shared by all methods for people.
+/// The mean score that a piece of a body (see bodyScore()) has at least where somebody's position
+/// is weighed. A judgment.
+inline constexpr double kPieceFloor = -0.25;
+
+/// What all methods for people have in common.
 struct PeopleSettings {
   PeopleArea area;
   ForegroundSettings foreground; ///< in frames of 1/30 s until the frame rate is known

@@ -13,7 +13,6 @@
 namespace dewpoint::tracking {
 namespace {
 
-constexpr double kPieceFloor = -0.25;  ///< what a piece of the body says at least
 constexpr double kBirthSpread = 0.12;  ///< meters, standard deviation of a new person's place
 constexpr double kBirthSpeed = 0.6;    ///< m/s, the same of the velocity
 constexpr double kHeightSpread = 0.08; ///< meters, the same of the height

@@ -14,12 +14,11 @@ constexpr double kStep = 0.2;            ///< meters between positions of the gr
 constexpr std::size_t kMostCells = 4000; ///< a larger floor gets a coarser grid
 constexpr double kSeen = 0.2;            ///< score from which a camera sees somebody
 constexpr double kNotSeen = 0.0;         ///< score below which it sees nobody
-constexpr double kPieceFloor = -0.3;
-constexpr double kUpperShare = 0.7; ///< what the upper body counts by itself
-constexpr double kApart = 0.5;      ///< meters to people who are there already
-constexpr double kSame = 0.5;       ///< meters a candidate may move between frames
-constexpr double kPatience = 0.15;  ///< seconds that a candidate may be out of sight
-constexpr double kInImage = 0.6;    ///< share of a body in the image from which its camera counts
+constexpr double kUpperShare = 0.7;      ///< what the upper body counts by itself
+constexpr double kApart = 0.5;           ///< meters to people who are there already
+constexpr double kSame = 0.5;            ///< meters a candidate may move between frames
+constexpr double kPatience = 0.15;       ///< seconds that a candidate may be out of sight
+constexpr double kInImage = 0.6; ///< share of a body in the image from which its camera counts
 
 /// Share of a silhouette that lies in the image.
 double shareInImage(const BodySilhouette& silhouette, const Intrinsics& size) {
@@ -87,11 +86,12 @@ double PeopleTrackInitiation::scoreOf(const Cell& cell, const PeopleCameras& cam
     }
     // The chest first: where that is not seen, nothing more is scored.
     const double chest = scores[k].mean(silhouette.pieces[3]);
+    // Every piece counts as it is, and not kPieceFloor at least.
     const double score =
         chest < kNotSeen
             ? std::min(chest, kNotSeen - 0.01)
-            : std::max(bodyScore(scores[k], silhouette, kPieceFloor),
-                       kUpperShare * upperBodyScore(scores[k], silhouette, kPieceFloor));
+            : std::max(bodyScore(scores[k], silhouette, kStillPixel),
+                       kUpperShare * upperBodyScore(scores[k], silhouette, kStillPixel));
     seeing += score >= kSeen ? 1 : 0;
     notSeeing += score < kNotSeen ? 1 : 0;
     sum += score;

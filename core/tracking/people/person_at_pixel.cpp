@@ -16,7 +16,6 @@ namespace {
 constexpr double kStep = 0.1; ///< meters between places that are tried
 constexpr double kMostSteps = 200.0;
 constexpr double kUsualHeight = 1.72; ///< where the method has none of its own
-constexpr double kPieceFloor = -0.25; ///< what a piece of a body says at least
 /// What a pixel at the border of a body takes from its score: who clicks on somebody aims at the
 /// middle.
 constexpr double kBesideCost = 0.2;
