@@ -2,6 +2,7 @@
 // The detector of camera motion on simulated scenes: how soon a rotated camera is reported, how
 // often one that stands still, and what a check costs. Usage: camera_motion_bench [motions] [quiet
 // minutes] [image width]
+#include "core/base/angle.h"
 #include "core/base/random.h"
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/camera_motion/camera_motion_detector.h"
@@ -17,12 +18,10 @@
 #include <cstdlib>
 #include <ctime>
 #include <limits>
-#include <numbers>
 
 namespace dewpoint::bench {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kRate = 10.0; // images per second; the sentinel looks at five of them
 
 const char* const kScenes[] = {"demo", "fast", "look-alikes", "occluder"};

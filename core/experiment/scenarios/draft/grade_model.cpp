@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/scenarios/draft/grade_model.h"
 
+#include "core/base/angle.h"
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/simulation/room/light.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::experiment::scenarios {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0; ///< radians
 
 // What a user's webcams are within. Where a line names no source it is chosen, by eye, so that the
 // images look like those of webcams in a room.
