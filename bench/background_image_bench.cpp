@@ -3,6 +3,7 @@
 // pixels that count as target, and the share of the background among them, without and with it.
 //   background_image_bench [DATA_FOLDER]        (default: $DEWPOINT_DATA)
 #include "bench/pixel_truth.h"
+#include "core/base/statistics.h"
 #include "core/capture/background_image.h"
 #include "core/color/color_learning.h"
 #include "core/color/hsi.h"
@@ -80,8 +81,7 @@ ColorRange byHand(const ColorSample& sample) {
       hues.push_back(hue);
     }
   }
-  std::ranges::sort(hues);
-  const double hue = hues.empty() ? 0.0 : hues[hues.size() / 2];
+  const double hue = upperMedian(hues);
   return {
       std::fmod(hue - kAside + 360.0, 360.0), std::fmod(hue + kAside, 360.0), 0.2, 1.0, 0.1, 1.0};
 }

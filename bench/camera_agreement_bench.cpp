@@ -5,6 +5,7 @@
 // camera_agreement_bench quiet real 1 1 RECORDINGS, a folder with a folder for each real recording.
 #include "core/base/angle.h"
 #include "core/base/random.h"
+#include "core/base/statistics.h"
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/camera_motion/agreement/camera_agreement.h"
 #include "core/experiment/clips/clip_catalog.h"
@@ -177,11 +178,10 @@ void measureFaults(const ScenarioDeclaration& scenario, Grade grade, std::uint64
                    outcome.text.empty() ? "nothing" : outcome.text, outcome.named);
       }
     }
-    std::ranges::sort(times);
     fmt::print("{} {} fault {}: {} runs, {} named, {} right, {} right within 3 s; median {:.1f} s, "
                "longest {:.1f} s\n",
                scenario.name, gradeName(grade), int(fault), runs, named, right, inTime,
-               times.empty() ? 0.0 : times[times.size() / 2], times.empty() ? 0.0 : times.back());
+               upperMedian(times), times.empty() ? 0.0 : std::ranges::max(times));
     std::fflush(stdout);
   }
 }

@@ -4,6 +4,7 @@
 // minutes] [image width]
 #include "core/base/angle.h"
 #include "core/base/random.h"
+#include "core/base/statistics.h"
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/camera_motion/camera_motion_detector.h"
 #include "core/simulation/scene/scene.h"
@@ -115,13 +116,11 @@ void measureMotions(int count, double degrees, int width) {
     delays.push_back(delay);
     errors.push_back(error);
   }
-  std::ranges::sort(delays);
-  std::ranges::sort(errors);
   fmt::print(
       "{:.2f} degrees: {} motions, {} missed, {} later than 2 s, {} before; delay median {:.2f} "
       "s, longest {:.2f} s; turn known to {:.4f} degrees (median), {:.4f} (worst)\n",
-      degrees, count, missed, late, early, delays[delays.size() / 2], delays.back(),
-      errors[errors.size() / 2], errors.back());
+      degrees, count, missed, late, early, upperMedian(delays), std::ranges::max(delays),
+      upperMedian(errors), std::ranges::max(errors));
   fmt::print("cost: {:.3f} ms a frame at {} images/s, longest {:.2f} ms\n",
              cost.sum / double(cost.frames), kRate, cost.longest);
 }

@@ -2,6 +2,7 @@
 #include "bench/color_score.h"
 
 #include "bench/pixel_truth.h"
+#include "core/base/statistics.h"
 
 #include <algorithm>
 #include <array>
@@ -38,11 +39,6 @@ double areaUnderRoc(const cv::Mat& values, const cv::Mat& target, const cv::Mat&
   return allTargets > 0.0 && allOthers > 0.0 ? higher / (allTargets * allOthers) : 0.5;
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values.empty() ? 0.0 : values[values.size() / 2];
-}
-
 } // namespace
 
 ColorScore colorScore(const cv::Mat& values, const ColorTruth& truth) {
@@ -58,7 +54,7 @@ ColorScore medianOf(const std::vector<ColorScore>& scores) {
   const auto each = [&](double ColorScore::*measure) {
     std::vector<double> values;
     std::ranges::transform(scores, std::back_inserter(values), measure);
-    return median(std::move(values));
+    return upperMedian(std::move(values));
   };
   return {each(&ColorScore::strict), each(&ColorScore::whole), each(&ColorScore::near),
           each(&ColorScore::rocArea)};
