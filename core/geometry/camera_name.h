@@ -12,8 +12,10 @@ namespace dewpoint::geometry {
 /// this function; the window shows the same words in its own language.
 std::string defaultCameraName(std::size_t index);
 
-/// Returns the first default name, counting from the size of the rig, that no camera of the rig
-/// has.
+/// What a camera is called in messages: by its name, or by its number where it has none.
+std::string nameOrNumber(const Camera& camera, std::size_t index);
+
+/// The first default name from the rig's size on that no camera of it has.
 std::string freeCameraName(const CameraRig& rig);
 
 } // namespace dewpoint::geometry

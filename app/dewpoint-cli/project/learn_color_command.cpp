@@ -73,9 +73,9 @@ void printFound(const std::vector<ColorSample>& samples, const Project& project)
   for (const ColorSample& sample : samples) {
     if (sample.found) {
       const auto camera = static_cast<std::size_t>(sample.camera);
-      const std::string& name = project.cameras[camera].camera.name;
       fmt::print("Found in {} at {:.0f},{:.0f}.\n",
-                 name.empty() ? geometry::defaultCameraName(camera) : name, sample.x, sample.y);
+                 geometry::nameOrNumber(project.cameras[camera].camera, camera), sample.x,
+                 sample.y);
     }
   }
 }

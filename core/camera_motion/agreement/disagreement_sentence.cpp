@@ -13,7 +13,7 @@ namespace dewpoint::camera_motion {
 std::string disagreementSentence(const CameraDisagreement& found, const CameraRig& rig) {
   const auto name = [&](std::size_t i) {
     const std::size_t camera = found.cameras.at(i);
-    return rig[camera].name.empty() ? geometry::defaultCameraName(camera) : rig[camera].name;
+    return geometry::nameOrNumber(rig[camera], camera);
   };
   switch (found.fault) {
   case CameraFault::Swapped:

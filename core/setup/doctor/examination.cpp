@@ -15,8 +15,7 @@ bool Examination::has(FindingKind kind) const {
 }
 
 std::string Examination::nameOf(std::size_t camera) const {
-  const std::string& name = project.cameras[camera].camera.name;
-  return cameraField(name.empty() ? geometry::defaultCameraName(camera) : name);
+  return cameraField(geometry::nameOrNumber(project.cameras[camera].camera, camera));
 }
 
 std::string cameraKey(std::size_t camera, const char* key) {
