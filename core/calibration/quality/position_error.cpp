@@ -3,6 +3,7 @@
 
 #include "core/calibration/bundle/bundle_cost.h"
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/mean_vector.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/rotation_vector.h"
 
@@ -141,14 +142,6 @@ void addPosition(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d
   rows.emplace_back(solver.solve(pull));
 }
 
-Eigen::Vector3d centroidOf(const std::vector<Eigen::Vector3d>& positions) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& position : positions) {
-    sum += position;
-  }
-  return sum / static_cast<double>(std::max<std::size_t>(positions.size(), 1));
-}
-
 } // namespace
 
 PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
@@ -171,7 +164,7 @@ PositionErrors propagateToPositions(const BundleProblem& problem, const BundleRe
 
 Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
                                   const Eigen::MatrixXd& errors, bool sizeToo) {
-  const Eigen::Vector3d middle = centroidOf(positions);
+  const Eigen::Vector3d middle = meanVector(positions);
   Eigen::MatrixXd motions(errors.rows(), sizeToo ? 7 : 6);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Eigen::Vector3d arm = positions[i] - middle;
@@ -189,7 +182,7 @@ Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
 
 Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
                               const Eigen::MatrixXd& errors) {
-  const Eigen::Vector3d middle = centroidOf(positions);
+  const Eigen::Vector3d middle = meanVector(positions);
   Eigen::VectorXd arms(errors.rows());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     arms.segment<3>(static_cast<Eigen::Index>(3 * i)) = positions[i] - middle;

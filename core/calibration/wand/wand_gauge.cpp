@@ -2,6 +2,7 @@
 #include "core/calibration/wand/wand_gauge.h"
 
 #include "core/geometry/linear_algebra.h"
+#include "core/geometry/mean_vector.h"
 #include "core/geometry/rotation_check.h"
 #include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
@@ -23,14 +24,6 @@ constexpr std::size_t kFewestOfFall = 5;
 /// By how much all edges of a ball may lie too far in or out alike: that does not average out.
 constexpr double kEdgePx = 0.05;
 constexpr double kFlatEnough = 0.05; ///< meters that floor touches must spread in both directions
-
-Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& point : points) {
-    sum += point;
-  }
-  return sum / static_cast<double>(points.size());
-}
 
 tl::unexpected<Error> notSeen(const char* field, double time) {
   return failure(ErrorCode::Undetermined, "", field,
@@ -134,7 +127,7 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
     }
     touches.push_back(*position);
   }
-  const Eigen::Vector3d middle = meanOf(touches);
+  const Eigen::Vector3d middle = geometry::meanVector(touches);
   Eigen::Vector3d up = fallUp;
   if (touches.size() >= 3) {
     Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -185,7 +178,7 @@ Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool siz
   const auto spread = [](const std::vector<Eigen::Vector3d>& positions) {
     double sum = 0.0;
     for (const auto& position : positions) {
-      sum += (position - meanOf(positions)).squaredNorm();
+      sum += (position - geometry::meanVector(positions)).squaredNorm();
     }
     return std::sqrt(sum / static_cast<double>(positions.size()));
   };
@@ -243,7 +236,7 @@ std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std:
       positions.push_back(state.ends[ball]);
     }
   }
-  return positions.empty() ? std::nullopt : std::optional(meanOf(positions));
+  return positions.empty() ? std::nullopt : std::optional(geometry::meanVector(positions));
 }
 
 Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,

@@ -13,6 +13,7 @@
 #include "core/experiment/metrics/tie_belief.h"
 #include "core/experiment/suite/stated_presence.h"
 #include "core/filter/assignment.h"
+#include "core/geometry/mean_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +53,6 @@ std::vector<Eigen::Vector3d> errorsBetween(const std::vector<TargetFrame>& frame
     }
   }
   return errors;
-}
-
-Eigen::Vector3d meanOfErrors(const std::vector<Eigen::Vector3d>& errors) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& error : errors) {
-    sum += error;
-  }
-  return sum / static_cast<double>(errors.size());
 }
 
 bool happensToACamera(ScenarioEvent::Kind kind) {
@@ -114,7 +107,7 @@ void measureEvents(const ScenarioRun& run, const std::vector<TargetFrame>& frame
       const auto after = errorsBetween(frames, event.frame, event.frame + kStepFrames);
       const bool both = !before.empty() && !after.empty();
       raise(row.largestStepMm,
-            both ? kMillimeters * (meanOfErrors(after) - meanOfErrors(before)).norm() : kNever);
+            both ? kMillimeters * (meanVector(after) - meanVector(before)).norm() : kNever);
     }
   }
 }
