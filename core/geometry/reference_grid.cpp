@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/reference_grid.h"
 
+#include "core/geometry/image_bounds.h"
 #include "core/geometry/ray.h"
 
 #include <fmt/format.h>
@@ -305,8 +306,7 @@ ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid) {
   const Projector projector(camera);
   for (const GridText<3>& label : gridLabels(grid)) {
     const auto at = projector.project(label.at);
-    if (at && at->x() >= 0.0 && at->y() >= 0.0 && at->x() <= camera.intrinsics.width - 1 &&
-        at->y() <= camera.intrinsics.height - 1) {
+    if (at && isInImage(camera.intrinsics, *at)) {
       result.labels.push_back({label.role, *at, label.text});
     }
   }

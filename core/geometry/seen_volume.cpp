@@ -2,6 +2,7 @@
 #include "core/geometry/seen_volume.h"
 
 #include "core/base/statistics.h"
+#include "core/geometry/image_bounds.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
@@ -34,9 +35,8 @@ struct View {
 
   bool sees(const Eigen::Vector3d& point) const {
     const auto pixel = projector.project(point);
-    const Intrinsics& image = projector.intrinsics();
-    return pixel && pixel->x() >= 0.0 && pixel->y() >= 0.0 && pixel->x() <= image.width - 1.0 &&
-           pixel->y() <= image.height - 1.0 && (point - unprojector.center()).norm() <= reach;
+    return pixel && isInImage(projector.intrinsics(), *pixel) &&
+           (point - unprojector.center()).norm() <= reach;
   }
 };
 

@@ -101,7 +101,9 @@ std::vector<VariedCamera> variedCameras(const BundleResult& result) {
   return cameras;
 }
 
-bool inImage(const Intrinsics& image, const Eigen::Vector2d& pixel) {
+/// Not geometry::isInImage(), which ends at the centers of the last pixels: which positions count
+/// is in the accuracies that reports have stated.
+bool isOnPixels(const Intrinsics& image, const Eigen::Vector2d& pixel) {
   return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() < image.width &&
          pixel.y() < image.height;
 }
@@ -114,7 +116,7 @@ void addPosition(const std::vector<VariedCamera>& cameras, const Eigen::Vector3d
   int seeing = 0;
   for (const VariedCamera& camera : cameras) {
     const auto here = camera.projector.project(position);
-    if (!here || !inImage(camera.projector.intrinsics(), *here)) {
+    if (!here || !isOnPixels(camera.projector.intrinsics(), *here)) {
       continue;
     }
     Eigen::Matrix<double, 2, 3> byPosition;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/baselines/blob_pairing.h"
 
+#include "core/geometry/image_bounds.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -23,11 +25,6 @@ constexpr double kOutsideGate = 1e6;
 
 double allowedPx(const Bearing& bearing) {
   return std::max(kResidualPx, kResidualRadii * bearing.radiusPx);
-}
-
-bool inImage(const Intrinsics& image, const Eigen::Vector2d& pixel) {
-  return pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= image.width - 1.0 &&
-         pixel.y() <= image.height - 1.0;
 }
 
 double distanceCost(const PairedBlobs& pair, const ExpectedPosition& expected) {
@@ -126,7 +123,7 @@ double BlobPairing::missingCost(const TriangulatedPoint& point,
       continue;
     }
     const auto pixel = projectors_[camera].projector().project(point.position);
-    cost += pixel && inImage(rig_[camera].intrinsics, *pixel) ? kMissingCost : 0.0;
+    cost += pixel && isInImage(rig_[camera].intrinsics, *pixel) ? kMissingCost : 0.0;
   }
   return cost;
 }

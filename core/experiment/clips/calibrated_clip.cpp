@@ -2,6 +2,7 @@
 #include "core/experiment/clips/calibrated_clip.h"
 
 #include "core/experiment/scenarios/random_draws.h"
+#include "core/geometry/image_bounds.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 #include "core/setup/click_lesson.h"
@@ -70,9 +71,7 @@ std::vector<MarkedCenter> marksOf(const CalibratedClip& clip) {
     const Projector projector(clip.rig[camera]);
     for (const ClipPosition& truth : clip.positions) {
       const auto pixel = projector.project(truth.position);
-      const Intrinsics& size = clip.rig[camera].intrinsics;
-      if (pixel && pixel->x() >= 0.0 && pixel->y() >= 0.0 && pixel->x() <= size.width - 1 &&
-          pixel->y() <= size.height - 1) {
+      if (pixel && isInImage(clip.rig[camera].intrinsics, *pixel)) {
         marks.push_back({truth.instant, truth.target, camera, *pixel});
       }
     }
