@@ -8,19 +8,11 @@
 #include <opencv2/core.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace dewpoint::observation {
-namespace {
-
-int wholePixels(double length) {
-  return std::max(1, static_cast<int>(std::lround(length)));
-}
-
-} // namespace
 
 std::vector<double> boxHistogram(const cv::Mat& bgr, const ImageBox& box) {
-  const BoxKernel kernel(wholePixels(box.width), wholePixels(box.height));
+  const BoxKernel kernel(box);
   const Eigen::Vector2d center = box.center();
   if (bgr.empty() || !center.allFinite()) {
     return {};

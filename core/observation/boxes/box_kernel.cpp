@@ -12,7 +12,14 @@ constexpr double kSum = 2147483648.0; // 2^31: half the range of an accumulator
 constexpr double kFinest = 16777216.0;
 constexpr double kFar = 1e8; // pixels; keeps positions within int
 
+int wholePixels(double length) {
+  return std::max(1, static_cast<int>(std::lround(length)));
+}
+
 } // namespace
+
+BoxKernel::BoxKernel(const ImageBox& box)
+    : BoxKernel(wholePixels(box.width), wholePixels(box.height)) {}
 
 BoxKernel::BoxKernel(int width, int height) : width_(width), height_(height) {
   assert(width > 0 && height > 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/floors.h"
+#include "core/geometry/image_box.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,8 @@ class BoxKernel {
 public:
   /// Makes a kernel of this size in pixels, at least 1 x 1.
   BoxKernel(int width, int height);
+  /// Of a box that is laid on whole pixels.
+  explicit BoxKernel(const ImageBox& box);
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -18,10 +18,6 @@ cv::Rect everything(const cv::Mat& image) {
   return {{0, 0}, image.size()};
 }
 
-int wholePixels(double length) {
-  return std::max(1, static_cast<int>(std::lround(length)));
-}
-
 } // namespace
 
 SugandiTracker::SugandiTracker(const ParameterValues& parameters) {
@@ -44,7 +40,7 @@ Status SugandiTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uint6
   const Eigen::Vector2d center = box.center();
   cv::Mat bins;
   findRgbBins(bgr, everything(bgr), bins);
-  BoxKernel kernel(wholePixels(box.width), wholePixels(box.height));
+  BoxKernel kernel(box);
   const auto reference = weightedHistogram(bins, kRgbBinCount, kernel, center.x(), center.y());
   similarity_.emplace(reference, std::move(kernel));
   states_.resize(particleCount_, 4);
