@@ -10,6 +10,7 @@
 #include "core/session/run/background_images.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/new_project.h"
+#include "core/setup/project_recording.h"
 #include "core/simulation/people/office_day.h"
 #include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_renderer.h"
@@ -164,18 +165,7 @@ Result<std::unique_ptr<FrameSetSource>> openLiveCameras(Project& project) {
 Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
   std::vector<RecordedCamera> cameras;
   for (const auto& camera : project.cameras) {
-    RecordedCamera recorded;
-    recorded.name = camera.camera.name;
-    recorded.kind = camera.source == SourceKind::Video ? RecordedCamera::Kind::Video
-                                                       : RecordedCamera::Kind::Images;
-    recorded.path = camera.location;
-    recorded.rotateDegrees = camera.rotateDegrees;
-    recorded.mirrored = camera.mirrored;
-    recorded.delay = camera.delay;
-    recorded.times = camera.times;
-    recorded.width = camera.camera.intrinsics.width;
-    recorded.height = camera.camera.intrinsics.height;
-    cameras.push_back(std::move(recorded));
+    cameras.push_back(setup::recordedCamera(camera));
   }
   return openRecording(cameras, project.framesPerSecond);
 }

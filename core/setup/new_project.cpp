@@ -5,6 +5,7 @@
 #include "core/capture/recording.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_check.h"
+#include "core/setup/project_recording.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
@@ -89,15 +90,13 @@ Result<CameraRig> matched(const std::vector<ProjectCamera>& cameras, const Camer
                              rig.size(), ordered.size(), cameras.size()));
 }
 
-/// The size of a recording's images.
+/// The size of a recording's images, whatever its calibration and its times say.
 Result<cv::Size> sizeOf(const ProjectCamera& camera) {
-  RecordedCamera recorded;
-  recorded.name = camera.camera.name;
-  recorded.kind = camera.source == SourceKind::Video ? RecordedCamera::Kind::Video
-                                                     : RecordedCamera::Kind::Images;
-  recorded.path = camera.location;
-  recorded.rotateDegrees = camera.rotateDegrees;
-  recorded.mirrored = camera.mirrored;
+  RecordedCamera recorded = recordedCamera(camera);
+  recorded.width = 0;
+  recorded.height = 0;
+  recorded.times.clear();
+  recorded.delay = 0.0;
   auto source = openRecording({recorded}, 0.0);
   if (!source) {
     return tl::make_unexpected(source.error());

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/setup/project_recording.h"
+
+namespace dewpoint::setup {
+
+RecordedCamera recordedCamera(const ProjectCamera& camera) {
+  RecordedCamera recorded;
+  recorded.name = camera.camera.name;
+  recorded.kind = camera.source == SourceKind::Video ? RecordedCamera::Kind::Video
+                                                     : RecordedCamera::Kind::Images;
+  recorded.path = camera.location;
+  recorded.rotateDegrees = camera.rotateDegrees;
+  recorded.mirrored = camera.mirrored;
+  recorded.delay = camera.delay;
+  recorded.times = camera.times;
+  recorded.width = camera.camera.intrinsics.width;
+  recorded.height = camera.camera.intrinsics.height;
+  return recorded;
+}
+
+} // namespace dewpoint::setup
