@@ -2,6 +2,7 @@
 #include "core/calibration/formats/format_qualisys.h"
 
 #include "core/base/lower_case.h"
+#include "core/base/markup.h"
 #include "core/calibration/formats/camera_limit.h"
 #include "core/calibration/formats/camera_parts.h"
 #include "core/calibration/formats/number_text.h"
@@ -143,17 +144,6 @@ std::string attributes(std::initializer_list<std::pair<const char*, double>> val
   std::string text;
   for (const auto& [name, value] : values) {
     text += fmt::format(" {}=\"{}\"", name, numberText(value));
-  }
-  return text;
-}
-
-std::string escaped(const std::string& name) {
-  std::string text;
-  for (const char letter : name) {
-    text += letter == '<'   ? "&lt;"
-            : letter == '&' ? "&amp;"
-            : letter == '"' ? "&quot;"
-                            : std::string(1, letter);
   }
   return text;
 }
