@@ -3,6 +3,9 @@
 
 #include "core/base/floors.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace dewpoint::base {
 
 /// Severity of a finding of a check, the most severe last.
@@ -23,6 +26,15 @@ constexpr const char* levelName(FindingLevel level) {
     break;
   }
   return "problem";
+}
+
+/// The worst level of what was found, `level` being the member that says it; Ok of none.
+template <class Range, class Level> FindingLevel worstLevel(const Range& found, Level level) {
+  FindingLevel worst = FindingLevel::Ok;
+  for (const auto& one : found) {
+    worst = std::max(worst, std::invoke(level, one));
+  }
+  return worst;
 }
 
 } // namespace dewpoint::base

@@ -184,11 +184,7 @@ std::string selfTestText(const SelfTestLine& line) {
 }
 
 FindingLevel worstOf(const std::vector<SelfTestLine>& lines) {
-  FindingLevel worst = Ok;
-  for (const SelfTestLine& line : lines) {
-    worst = std::max(worst, line.level);
-  }
-  return worst;
+  return worstLevel(lines, &SelfTestLine::level);
 }
 
 } // namespace dewpoint::session

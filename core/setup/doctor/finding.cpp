@@ -169,11 +169,7 @@ const FindingWords& wordsOf(FindingKind kind) {
 }
 
 FindingLevel worstOf(const std::vector<Finding>& findings) {
-  FindingLevel worst = FindingLevel::Ok;
-  for (const Finding& finding : findings) {
-    worst = std::max(worst, finding.level());
-  }
-  return worst;
+  return worstLevel(findings, &Finding::level);
 }
 
 std::string filledIn(std::string_view words, const std::vector<std::string>& values) {
