@@ -6,6 +6,7 @@
 #include "core/geometry/ellipsoid_image.h"
 #include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
+#include "core/session/run/snapshot_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,19 +113,19 @@ void addPlace(const Camera& camera, const TargetSnapshot& target, Eigen::Index s
 CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                             const TargetSnapshot& target) {
   CameraOverlay overlay;
-  if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
+  const Camera* its = cameraOf(snapshot, camera);
+  if (its == nullptr) {
     return overlay;
   }
-  const Camera& its = (*snapshot.rig)[static_cast<std::size_t>(camera)];
   const Eigen::Index stride = particleStride(snapshot, target);
-  std::visit(Overloaded{[&](const SphereEstimate&) { addPlace(its, target, stride, overlay); },
+  std::visit(Overloaded{[&](const SphereEstimate&) { addPlace(*its, target, stride, overlay); },
                         [&](const BoxEstimate& box) {
                           if (box.camera == camera) {
                             addBox(box, target.boxParticles, overlay);
                           }
                         },
-                        [&](const PersonEstimate&) { addPlace(its, target, stride, overlay); },
-                        [&](const AbsentEstimate&) { addPlace(its, target, stride, overlay); }},
+                        [&](const PersonEstimate&) { addPlace(*its, target, stride, overlay); },
+                        [&](const AbsentEstimate&) { addPlace(*its, target, stride, overlay); }},
              target.estimate);
   return overlay;
 }
@@ -155,10 +156,11 @@ double cloudRadius(const CameraOverlay& overlay) {
 std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,
                                               const TargetSnapshot& target) {
   std::vector<ProposedOutline> outlines;
-  if (!snapshot.rig || camera < 0 || camera >= static_cast<int>(snapshot.rig->size())) {
+  const Camera* its = cameraOf(snapshot, camera);
+  if (its == nullptr) {
     return outlines;
   }
-  const SphereProjector projector((*snapshot.rig)[static_cast<std::size_t>(camera)]);
+  const SphereProjector projector(*its);
   for (const CandidatePosition& proposed : target.proposals) {
     if (const auto outline = projector.project(proposed.position, proposed.radius)) {
       outlines.push_back({outline->center, outline->radius, proposed.kind, proposed.probability});

@@ -13,13 +13,6 @@ namespace dewpoint::session {
 
 namespace {
 
-/// Null where the snapshot has no such camera.
-const Camera* cameraOf(const TrackSnapshot& snapshot, int camera) {
-  const auto index = static_cast<std::size_t>(camera);
-  const bool known = snapshot.rig && camera >= 0 && index < snapshot.rig->size();
-  return known ? &(*snapshot.rig)[index] : nullptr;
-}
-
 /// Whether an outline goes around a point: a line to the left crosses it an odd number of times.
 bool isWithin(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& point) {
   bool within = false;
@@ -36,6 +29,12 @@ bool isWithin(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d
 }
 
 } // namespace
+
+const Camera* cameraOf(const TrackSnapshot& snapshot, int camera) {
+  const auto index = static_cast<std::size_t>(camera);
+  const bool known = snapshot.rig && camera >= 0 && index < snapshot.rig->size();
+  return known ? &(*snapshot.rig)[index] : nullptr;
+}
 
 HoldState holdState(TargetStatus status) {
   switch (status) {

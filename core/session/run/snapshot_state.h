@@ -11,7 +11,10 @@
 
 namespace dewpoint::session {
 
-/// Returns the state shown for a target's status.
+/// A camera of a snapshot's rig; null when it has none of this number.
+const Camera* cameraOf(const TrackSnapshot& snapshot, int camera);
+
+/// The state a view shows for a target's status.
 HoldState holdState(TargetStatus status);
 /// Returns the state of a target; for a box, also whether it is hidden or does not exist yet.
 HoldState holdState(const TargetSnapshot& target);

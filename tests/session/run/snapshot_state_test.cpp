@@ -140,5 +140,13 @@ TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
   EXPECT_EQ(personSeenAt(snapshot, 7, center), -1);
 }
 
+TEST(SnapshotState, ACameraIsOneOfTheRig) {
+  const TrackSnapshot snapshot = snapshotOf({});
+  EXPECT_EQ(cameraOf(snapshot, 1), &snapshot.rig->at(1));
+  EXPECT_EQ(cameraOf(snapshot, -1), nullptr);
+  EXPECT_EQ(cameraOf(snapshot, 2), nullptr);
+  EXPECT_EQ(cameraOf(TrackSnapshot(), 0), nullptr);
+}
+
 } // namespace
 } // namespace dewpoint::tests
