@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/units.h"
 #include "core/color/color_ranges.h"
 #include "core/color/color_sample.h"
 
@@ -90,10 +91,9 @@ struct ColorAssessment {
   static constexpr double kFewMatch =
       0.75; ///< share of the target below which missesTarget() is true
 
-  /// Separability as it is shown, 0 to 100.
-  int score() const { return static_cast<int>(std::lround(100.0 * separability)); }
-  /// Whether the score is low, or lower than it could be, because much of the target does not
-  /// match.
+  /// The separability as it is shown, 0 to 100.
+  int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
+  /// Whether the score is low, or lower, because much of the target does not match.
   bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
 };
 

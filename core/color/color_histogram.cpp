@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/color_histogram.h"
 
+#include "core/base/units.h"
 #include "core/color/hsi.h"
 #include "core/color/hsi_counts.h"
 
@@ -20,8 +21,8 @@ ColorHistogram histogramOf(const std::vector<cv::Mat>& images) {
     if (!std::isnan(cell.color.hueDegrees)) {
       histogram.hue[std::size_t(std::lround(cell.color.hueDegrees)) % 360] += cell.weight;
     }
-    histogram.saturation[std::size_t(std::lround(cell.color.saturation * 100.0))] += cell.weight;
-    histogram.intensity[std::size_t(std::lround(cell.color.intensity * 100.0))] += cell.weight;
+    histogram.saturation[std::size_t(std::lround(inPercent(cell.color.saturation)))] += cell.weight;
+    histogram.intensity[std::size_t(std::lround(inPercent(cell.color.intensity)))] += cell.weight;
   }
   const double scale = total > 0.0 ? 1.0 / total : 0.0;
   for (double& share : histogram.hue) {

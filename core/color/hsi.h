@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 
 namespace dewpoint::color {
 
@@ -22,8 +23,14 @@ struct Hsi {
   double intensity = 0.0;  ///< [0, 1]
 };
 
-/// HSI of one 8-bit pixel, computed with the book's arc cosine. Exact but slow: the reference
-/// implementation for ColorClassifier.
+/// An angle of a hue, radians, in degrees. Not base::inDegrees(), which rounds otherwise and would
+/// put colors that lie on a bound on its other side.
+inline double hueDegreesOf(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
+
+/// HSI of one 8-bit pixel, by the book's arc cosine. Exact but slow: the reference that
+/// ColorClassifier is held to.
 Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r);
 
 /// Inverse of hsiFromBgr(): blue, green and red in gray levels, not rounded. Values above 255

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/range_fit.h"
 
+#include "core/base/units.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,11 +45,11 @@ int binOf(Axis axis, const Hsi& color) {
   case Axis::Hue:
     return static_cast<int>(std::lround(color.hueDegrees)) % kHues;
   case Axis::Saturation:
-    return static_cast<int>(std::lround(color.saturation * 100.0));
+    return static_cast<int>(std::lround(inPercent(color.saturation)));
   case Axis::Intensity:
     break;
   }
-  return static_cast<int>(std::lround(color.intensity * 100.0));
+  return static_cast<int>(std::lround(inPercent(color.intensity)));
 }
 
 void openAxis(Axis axis, ColorRange& range) {
@@ -193,7 +195,7 @@ int oppositeHue(const std::vector<double>& bins) {
     x += bins[i] * std::cos(double(i) * std::numbers::pi / 180.0);
     y += bins[i] * std::sin(double(i) * std::numbers::pi / 180.0);
   }
-  const double opposite = std::atan2(-y, -x) * 180.0 / std::numbers::pi;
+  const double opposite = hueDegreesOf(std::atan2(-y, -x));
   return (static_cast<int>(std::lround(opposite)) + kHues) % kHues;
 }
 

@@ -17,6 +17,7 @@ constexpr int kNewtonSteps = 50;
 constexpr int kHalvings = 30;
 constexpr double kDifference = 1e-6; // normalized coordinates; only the speed depends on it
 constexpr double kResidual = 1e-9;   // pixels
+constexpr double kRounding = 1e3;    // kResiduals that rounding leaves in a very large image
 /// Smallest eigenvalue of sum (I - d d') for two rays at angle a is 1 - cos a: 1.5e-6 at 0.1
 /// degrees.
 constexpr double kParallel = 1.5e-6;
@@ -116,8 +117,7 @@ std::optional<Eigen::Vector2d> Unprojector::normalized(const Eigen::Vector2d& pi
     }
     const auto next = stepCloser(lens_, *at, -(slope->inverse() * error), pixel, error.norm());
     if (!next) {
-      // Rounding leaves a little more than kResidual in a very large image; that is as good.
-      return error.norm() < 1e3 * kResidual ? at : std::nullopt;
+      return error.norm() < kRounding * kResidual ? at : std::nullopt;
     }
     at = next;
   }

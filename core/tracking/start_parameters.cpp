@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/start_parameters.h"
 
+#include "core/base/units.h"
 #include "core/geometry/seen_volume.h"
 
 #include <algorithm>
@@ -71,12 +72,12 @@ std::optional<StartVolume> startFromCameras(const CameraRig& rig,
 /// the size are rounded up, so that they take in the volume.
 ParameterValues::ByKey valuesOf(const StartVolume& start) {
   // In steps of the declarations: a centimeter, and a decimeter of the search size.
-  const auto centimeters = [](double value) { return std::round(100.0 * value) / 100.0; };
+  const auto centimeters = [](double value) { return std::round(inCentimeters(value)) / 100.0; };
   ParameterValues::ByKey values;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
     values["start_" + kAxes[axis]] = centimeters(start.center[at]);
-    values["start_half_" + kAxes[axis]] = std::ceil(100.0 * start.half[at]) / 100.0;
+    values["start_half_" + kAxes[axis]] = std::ceil(inCentimeters(start.half[at])) / 100.0;
   }
   values[kSearchSizeKey] = std::ceil(10.0 * 2.0 * start.half.maxCoeff()) / 10.0;
   return values;

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/evaluation_text.h"
 
+#include "core/base/units.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace dewpoint::trajectory {
 namespace {
-
-double millimeters(double meters) {
-  return meters * 1000.0;
-}
 
 std::string targetText(const Evaluation& e) {
   std::string text = fmt::format("target {}\n", e.target.empty() ? "(unnamed)" : e.target);
@@ -22,16 +20,18 @@ std::string targetText(const Evaluation& e) {
     text += "  converged          never\n";
   text += fmt::format(
       "  error              RMSE {:.1f} mm, median {:.1f}, p95 {:.1f}, max {:.1f}\n",
-      millimeters(e.rmse), millimeters(e.median), millimeters(e.p95), millimeters(e.max));
-  text += fmt::format("  RMSE, all frames   {:.1f} mm\n", millimeters(e.rmseAll));
-  text += fmt::format("  truth inside 95 %  {:.1f} % of the frames\n", 100.0 * e.inside95);
-  text += fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", millimeters(e.bias.x()),
-                      millimeters(e.bias.y()), millimeters(e.bias.z()));
+      inMillimeters(e.rmse), inMillimeters(e.median), inMillimeters(e.p95), inMillimeters(e.max));
+  text += fmt::format("  RMSE, all frames   {:.1f} mm\n", inMillimeters(e.rmseAll));
+  text += fmt::format("  truth inside 95 %  {:.1f} % of the frames\n", inPercent(e.inside95));
+  text +=
+      fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", inMillimeters(e.bias.x()),
+                  inMillimeters(e.bias.y()), inMillimeters(e.bias.z()));
   for (const CameraBias& camera : e.cameras)
-    text += fmt::format("  camera {:<11} along axis {:+.1f} mm (rms {:.1f}), across {:.1f} mm (rms "
-                        "{:.1f})\n",
-                        camera.name, millimeters(camera.alongBias), millimeters(camera.alongRms),
-                        millimeters(camera.acrossBias), millimeters(camera.acrossRms));
+    text +=
+        fmt::format("  camera {:<11} along axis {:+.1f} mm (rms {:.1f}), across {:.1f} mm (rms "
+                    "{:.1f})\n",
+                    camera.name, inMillimeters(camera.alongBias), inMillimeters(camera.alongRms),
+                    inMillimeters(camera.acrossBias), inMillimeters(camera.acrossRms));
   return text;
 }
 

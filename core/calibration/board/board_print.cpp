@@ -3,6 +3,7 @@
 
 #include "core/base/lower_case.h"
 #include "core/base/text_file.h"
+#include "core/base/units.h"
 #include "core/calibration/board/board_picture.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ using Document = std::unique_ptr<std::remove_pointer_t<HPDF_Doc>, FreeDocument>;
 Result<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
   const double squares[] = {static_cast<double>(board.squareColumns()),
                             static_cast<double>(board.squareRows())};
-  const double size = 1e3 * board.squareSize;
+  const double size = inMillimeters(board.squareSize);
   double largest = 0.0;
   for (const bool lengthwise : {squares[0] > squares[1], squares[0] <= squares[1]}) {
     Layout layout;
@@ -60,7 +61,8 @@ Result<Layout> layoutOf(const BoardDescription& board, const Paper& paper) {
   return failure(
       ErrorCode::BadValue, "", "paper",
       fmt::format("the board of {:.0f} x {:.0f} mm does not fit {}; squares of {} m would",
-                  size * squares[0], size * squares[1], paper.name, std::floor(largest) / 1e3));
+                  size * squares[0], size * squares[1], paper.name,
+                  fromMillimeters(std::floor(largest))));
 }
 
 /// Draws in millimeters from the upper left corner of the page.
@@ -92,8 +94,8 @@ private:
 };
 
 void drawSquares(Pen& pen, const BoardDescription& board, const Layout& layout) {
-  const double width = 1e3 * board.squareSize * board.squareColumns();
-  const double height = 1e3 * board.squareSize * board.squareRows();
+  const double width = inMillimeters(board.squareSize) * board.squareColumns();
+  const double height = inMillimeters(board.squareSize) * board.squareRows();
   if (board.inverted) { // the border that is white on other boards
     const double border = std::min(kMarginMm, 500.0 * board.squareSize);
     pen.rectangle(layout.left - border, layout.top - border, width + 2.0 * border, border);
@@ -102,8 +104,8 @@ void drawSquares(Pen& pen, const BoardDescription& board, const Layout& layout) 
     pen.rectangle(layout.left + width, layout.top, border, height);
   }
   for (const auto& dark : BoardPattern(board).darkRectangles()) {
-    pen.rectangle(layout.left + 1e3 * dark.left, layout.top + 1e3 * dark.top, 1e3 * dark.width,
-                  1e3 * dark.height);
+    pen.rectangle(layout.left + inMillimeters(dark.left), layout.top + inMillimeters(dark.top),
+                  inMillimeters(dark.width), inMillimeters(dark.height));
   }
   pen.fill(); // all at once: no hairlines between neighbors
 }

@@ -26,6 +26,8 @@ constexpr double kClearSigmas = 5.0;
 /// Of the image's diagonal: real corners are off by a tenth of that; and widths: 3 degrees of view.
 constexpr double kMostRms = 0.0025;
 constexpr double kLongestFocal = 20.0;
+/// Image widths: a solution of a longer focal length is none.
+constexpr double kDivergedFocal = 1e3;
 
 using Views = std::vector<const BoardView*>;
 
@@ -94,7 +96,7 @@ Result<Solution> solve(const IntrinsicsRequest& request, const Views& views, boo
     const auto& in = solution.camera.intrinsics;
     const bool good = std::isfinite(in.focalX) && in.focalX > 1.0 && std::isfinite(in.focalY) &&
                       in.focalY > 1.0 && std::isfinite(in.centerX) && std::isfinite(in.centerY) &&
-                      in.focalX < 1e3 * request.width;
+                      in.focalX < kDivergedFocal * request.width;
     if (!good) {
       return undetermined(fmt::format("focal length {:.4g} px", in.focalX));
     }

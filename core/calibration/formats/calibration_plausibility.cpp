@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_plausibility.h"
 
+#include "core/base/units.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
 
@@ -88,7 +89,7 @@ Status doubtUnit(const CameraRig& rig, const std::string& file) {
     return failure(ErrorCode::BadValue, file, "translation",
                    fmt::format("the cameras would be {:.2g} mm apart; the lengths are likely in "
                                "meters already, then convert with --unit m",
-                               1e3 * spread));
+                               inMillimeters(spread)));
   }
   return {};
 }

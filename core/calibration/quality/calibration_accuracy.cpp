@@ -3,6 +3,7 @@
 
 #include "core/base/random.h"
 #include "core/base/statistics.h"
+#include "core/base/units.h"
 #include "core/calibration/quality/position_error.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/geometry/linear_algebra.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::calibration {
 namespace {
@@ -235,12 +235,12 @@ Result<CalibrationAccuracy> assessWand(const WandResult& result,
 }
 
 std::string accuracySentence(const CalibrationAccuracy& accuracy) {
-  std::string text = fmt::format("In this volume +-{:.2g} mm (95 %)", 1e3 * accuracy.position95);
-  text += accuracy.scale95 ? fmt::format(", scale +-{:.2g} %", 1e2 * *accuracy.scale95)
+  std::string text =
+      fmt::format("In this volume +-{:.2g} mm (95 %)", inMillimeters(accuracy.position95));
+  text += accuracy.scale95 ? fmt::format(", scale +-{:.2g} %", inPercent(*accuracy.scale95))
                            : std::string(", scale unknown");
-  text += accuracy.up95
-              ? fmt::format(", up +-{:.2g} degrees", *accuracy.up95 * 180.0 / std::numbers::pi)
-              : std::string(", up not measured");
+  text += accuracy.up95 ? fmt::format(", up +-{:.2g} degrees", inDegrees(*accuracy.up95))
+                        : std::string(", up not measured");
   return text + ".";
 }
 

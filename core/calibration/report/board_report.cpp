@@ -2,13 +2,13 @@
 #include "core/calibration/report/board_report.h"
 
 #include "core/base/markup.h"
+#include "core/base/units.h"
 #include "core/calibration/report/report_drawing.h"
 #include "core/calibration/report/space_drawing.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
-#include <numbers>
 
 namespace dewpoint::calibration {
 namespace {
@@ -71,14 +71,14 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
                  "<h2>{}</h2>\n<p>rms {:.4f} px over {} corners in {} of {} pictures; corners in "
                  "{:.0f} % of the image",
                  escaped(camera.name), camera.rmsPx, corners, used, camera.views.size(),
-                 100.0 * camera.coverage.imagePart());
+                 inPercent(camera.coverage.imagePart()));
   if (camera.projectionPx) {
     fmt::format_to(out, "; a ray is known to {:.2f} px (1 sigma) where the image is known least",
                    *camera.projectionPx);
   }
   if (camera.centerSigma && *camera.centerSigma > 0.0) {
     fmt::format_to(out, "; place ±{:.2f} mm, direction ±{:.3f}° against the first camera (1 sigma)",
-                   1e3 * *camera.centerSigma, *camera.turnSigma * 180.0 / std::numbers::pi);
+                   inMillimeters(*camera.centerSigma), inDegrees(*camera.turnSigma));
   }
   html += ".</p>\n";
   addParameters(html, camera);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/report/wand_report.h"
 
-#include "core/base/angle.h"
 #include "core/base/markup.h"
+#include "core/base/units.h"
 #include "core/calibration/manual/pose_change.h"
 #include "core/calibration/report/report_drawing.h"
 #include "core/calibration/report/space_drawing.h"
@@ -69,10 +69,10 @@ void addFigures(std::string& html, const WandReport& report) {
                    "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.3f}</td><td>{:.3f}</td>"
                    "<td>{:.2f}</td><td>{:.2f}°</td>",
                    escaped(camera.name), result.views[c], result.dropped[c],
-                   result.bundle.cameraRms.at(c), result.cameraMedianPx[c], 100.0 * shift.meters,
-                   shift.radians / kDegree);
+                   result.bundle.cameraRms.at(c), result.cameraMedianPx[c],
+                   inCentimeters(shift.meters), inDegrees(shift.radians));
     if (report.offsetsFound) {
-      fmt::format_to(out, "<td>{:.2f}</td>", -1000.0 * result.offsets[c] + 0.0);
+      fmt::format_to(out, "<td>{:.2f}</td>", inMilliseconds(-result.offsets[c]) + 0.0);
     }
     html += "</tr>\n";
   }
@@ -88,7 +88,7 @@ void addCamera(std::string& html, const Camera& camera, const std::vector<ImageR
   html += residualDrawing(camera.intrinsics, residuals);
   html += "<h3>Coverage</h3><p>Balls seen in each part of the image.</p>\n";
   html += coverageDrawing(camera.intrinsics, coverage,
-                          {fmt::format("{:.0f} % of the image", 100.0 * coverage.imagePart())});
+                          {fmt::format("{:.0f} % of the image", inPercent(coverage.imagePart()))});
 }
 
 } // namespace

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/clips/real_scenarios.h"
 
+#include "core/base/units.h"
+
 #include <fmt/format.h>
 
 #include <utility>
 
 namespace dewpoint::experiment {
 namespace {
-
-constexpr double kMillimeters = 1000.0; // per meter
 
 /// Whether truth is known in images only.
 bool isInPixels(const ClipDeclaration& clip) {
@@ -65,7 +65,7 @@ ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& f
   if (clip.images) {
     scenario.clip = [images = clip.images, folders] { return images(folders); };
   } else {
-    const double sigma = isInPixels(clip) ? 0.0 : clip.truthSigma / kMillimeters;
+    const double sigma = isInPixels(clip) ? 0.0 : fromMillimeters(clip.truthSigma);
     scenario.make = [calibrated = clip.calibrated, folders, sigma](std::uint64_t seed,
                                                                    Grade) -> Result<ScenarioRun> {
       const auto source = calibrated(folders);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/metrics/identity_evaluation.h"
 
+#include "core/base/units.h"
 #include "core/trajectory/trajectory_reader.h"
 
 #include <fmt/format.h>
@@ -83,7 +84,7 @@ std::string identityText(const IdentityEvaluation& e) {
   std::string text = fmt::format("identities, gate {:.3f} m{}, {} frames\n", e.comparison.gate,
                                  e.comparison.ground ? " on the floor" : "", e.frames);
   text += fmt::format("  CLEAR MOT          MOTA {:.3f}, MOTP {:.1f} mm\n", e.clear.mota(),
-                      1000.0 * e.clear.motp());
+                      inMillimeters(e.clear.motp()));
   text += fmt::format("                     {} misses, {} false, {} switches, {} fragmentations "
                       "of {} truths\n",
                       e.clear.misses, e.clear.falsePositives, e.clear.identitySwitches,
@@ -92,7 +93,7 @@ std::string identityText(const IdentityEvaluation& e) {
                       "localization {:.3f})\n",
                       e.hota.hota, e.hota.detection, e.hota.association, e.hota.localization);
   text += fmt::format("  GOSPA              {:.1f} mm ({:.3f} missed, {:.3f} false per frame)\n",
-                      1000.0 * e.gospa.mean, e.gospa.missedPerFrame, e.gospa.falsePerFrame);
+                      inMillimeters(e.gospa.mean), e.gospa.missedPerFrame, e.gospa.falsePerFrame);
   return text;
 }
 

@@ -2,6 +2,7 @@
 // Barrera et al. 2005, section III-A: figures 3 and 4.
 #include "core/experiment/studies/barrera_figures.h"
 
+#include "core/base/units.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/report/seed_blocks.h"
@@ -106,9 +107,9 @@ double sideSpread(const SphereEstimate& estimate, const Eigen::Vector3d& axis) {
 std::vector<std::string> rowOf(int iteration, const Instant& instant, const ConvergenceCase& setup,
                                const Eigen::Vector3d& axis) {
   return {std::to_string(iteration),
-          fmt::format("{:.0f} mm", 1000.0 * (instant.estimate.mean - setup.ball).norm()),
-          fmt::format("{:.0f} mm", 1000.0 * depthSpread(instant.estimate, axis)),
-          fmt::format("{:.0f} mm", 1000.0 * sideSpread(instant.estimate, axis))};
+          fmt::format("{:.0f} mm", inMillimeters((instant.estimate.mean - setup.ball).norm())),
+          fmt::format("{:.0f} mm", inMillimeters(depthSpread(instant.estimate, axis))),
+          fmt::format("{:.0f} mm", inMillimeters(sideSpread(instant.estimate, axis)))};
 }
 
 const std::vector<std::string> kInstantHead{"iteration", "error", "spread along axis 1",
@@ -188,7 +189,7 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
                                            : ClaimOutcome::NotReproduced,
              fmt::format("Here {} and {} of 200.", insideAtTwo[0], insideAtTwo[1]));
   page.claim("At iteration 60 they have converged on the ball, with an error below 3 cm.",
-             errorAt(60) < 0.03, fmt::format("Here {:.1f} mm.", 1000.0 * errorAt(60)));
+             errorAt(60) < 0.03, fmt::format("Here {:.1f} mm.", inMillimeters(errorAt(60))));
   page.claim(
       "At iteration 50 they are still on their way along camera 1's optical axis.",
       errorAt(50) > 0.03,
@@ -196,7 +197,7 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
                   "ball is away, which the paper does not state. Of the runs of this "
                   "command: {} with this ball, and {} with one half as far, at (0.5, 0.5, "
                   "0.15).",
-                  1000.0 * errorAt(50), medianSentence(*far), medianSentence(*near)));
+                  inMillimeters(errorAt(50)), medianSentence(*far), medianSentence(*near)));
   return {};
 }
 
@@ -271,8 +272,8 @@ Status barreraFigure4(const ExperimentOptions& options) {
   page.claim("On the way the spread along camera 1's optical axis is the larger one.",
              depthSpread(way.estimate, axis) > sideSpread(way.estimate, axis),
              fmt::format("Here {:.0f} mm against {:.0f} mm at iteration 50.",
-                         1000.0 * depthSpread(way.estimate, axis),
-                         1000.0 * sideSpread(way.estimate, axis)));
+                         inMillimeters(depthSpread(way.estimate, axis)),
+                         inMillimeters(sideSpread(way.estimate, axis))));
   page.data("instants.csv", instantsCsv(*instants, setup, axis));
   page.data("particles.csv", particlesCsv(*instants));
   return page.write(options.folder);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/convergence_csv.h"
 
+#include "core/base/units.h"
 #include "core/trajectory/csv_text.h"
 
 #include <fmt/format.h>
@@ -23,9 +24,10 @@ std::string convergenceCsv(const std::vector<ConvergenceResult>& results) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(setup.name), cellsOf(setup.ball),
                         cellsOf(setup.start), cellsOf(setup.startHalf), setup.firstSeed, setup.runs,
                         result.converged, result.within);
-    text += result.converged > 0 ? fmt::format(",{:g},{:.6g},{:.6g}\n", result.medianIterations,
-                                               1000.0 * result.rmse, 1000.0 * result.depthBias)
-                                 : std::string(",,,\n");
+    text += result.converged > 0
+                ? fmt::format(",{:g},{:.6g},{:.6g}\n", result.medianIterations,
+                              inMillimeters(result.rmse), inMillimeters(result.depthBias))
+                : std::string(",,,\n");
   }
   return text;
 }
@@ -34,7 +36,7 @@ std::string driftCsv(const std::vector<DriftResult>& results) {
   std::string text = "first_seed,runs,iterations,mm_per_iteration\n";
   for (const DriftResult& result : results) {
     text += fmt::format("{},{},{},{:.6g}\n", result.firstSeed, result.runs, result.iterations,
-                        1000.0 * result.meters);
+                        inMillimeters(result.meters));
   }
   return text;
 }

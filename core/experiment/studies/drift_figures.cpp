@@ -3,6 +3,7 @@
 #include "core/experiment/studies/drift_figures.h"
 
 #include "core/base/random.h"
+#include "core/base/units.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/report/seed_blocks.h"
@@ -134,7 +135,7 @@ void assessCone(const StayCurves& curves, FigurePage& page) {
     const std::vector<double>& shares = curves.shares[k];
     isAlways = isAlways && shares[away] > shares[toward];
     here += fmt::format("{}{:.0f} % against {:.0f} % at {} m", k == 0 ? "" : ", ",
-                        100.0 * shares[toward], 100.0 * shares[away], kConeDepths.at(k));
+                        inPercent(shares[toward]), inPercent(shares[away]), kConeDepths.at(k));
   }
   page.heading("What the paper says");
   page.claim(
@@ -227,7 +228,7 @@ Status barreraDrift(const ExperimentOptions& options) {
              moved->back() > 0.05,
              fmt::format("Here {:.1f} mm per iteration over the first 5, {:.1f} over 40: the drift "
                          "grows with the cloud.",
-                         1000.0 * (*moved)[4] / 5.0, 1000.0 * (*moved)[39] / 40.0));
+                         inMillimeters((*moved)[4]) / 5.0, inMillimeters((*moved)[39]) / 40.0));
   std::vector<double> iterations(moved->size());
   std::iota(iterations.begin(), iterations.end(), 1.0);
   page.data("drift.csv", numbersAsCsv({"iteration", "moved_m"}, {iterations, *moved}));
@@ -312,7 +313,7 @@ Status barreraStarts(const ExperimentOptions& options) {
                               "iterations. A run converges when the spread of its cloud falls "
                               "below {:.0f} mm for good: by that much one step of motion alone "
                               "scatters a point.",
-                              options.runs, 1000.0 * std::sqrt(3.0) * kMotionSigma));
+                              options.runs, inMillimeters(std::sqrt(3.0) * kMotionSigma)));
   page.plots({{"Evenly spread in a cube around the ball",
                sharePlot("half its edge, m", halves, *boxShares)},
               {"From one point (0.5, y, 0.15), at and beyond the ball",
@@ -324,14 +325,14 @@ Status barreraStarts(const ExperimentOptions& options) {
              fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "
                          "converge from a cube of 0.4 m, {:.0f} % from one of 1 m, {:.0f} % from "
                          "one of 4 m.",
-                         100.0 * boxShares->converged[2], 100.0 * boxShares->converged[4],
-                         100.0 * boxShares->converged.back()));
+                         inPercent(boxShares->converged[2]), inPercent(boxShares->converged[4]),
+                         inPercent(boxShares->converged.back())));
   page.claim("From a start farther than the ball it does not converge at all.",
              claimOfNone({pointShares->converged.begin() + 1, pointShares->converged.end()}),
              fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
                          "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
-                         100.0 * pointShares->converged[2], 100.0 * pointShares->converged[6],
-                         100.0 * pointShares->converged.back()));
+                         inPercent(pointShares->converged[2]), inPercent(pointShares->converged[6]),
+                         inPercent(pointShares->converged.back())));
   page.paragraph("Reproduced: fewer than 10 % converge from every start that was tried; in part: "
                  "from some of them.");
   page.data("boxes.csv", numbersAsCsv({"half_edge_m", "share", "share_within_3_cm"},

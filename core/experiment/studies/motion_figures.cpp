@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/motion_figures.h"
 
+#include "core/base/units.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/figure_parts.h"
 #include "core/experiment/report/seed_blocks.h"
@@ -241,7 +242,7 @@ void assessMasks(const MotionFrame& nearest, const MaskNumbers& numbers, FigureP
   page.claim("The regions of the masks are inaccurate.", recall < 0.95 || precision < 0.95,
              fmt::format("Here the mask has {:.0f} % of the people's pixels, and {:.0f} % of the "
                          "mask's pixels are people's.",
-                         100.0 * recall, 100.0 * precision));
+                         inPercent(recall), inPercent(precision)));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/people_study.h"
 
+#include "core/base/units.h"
 #include "core/experiment/metrics/clear_mot.h"
 #include "core/experiment/metrics/gospa.h"
 #include "core/experiment/metrics/hota.h"
@@ -117,7 +118,7 @@ public:
     result.longestGhost = ghosts_.longest();
     result.longestMissed = missed_.longest();
     result.hullVolume = volumes_ > 0 ? volume_ / volumes_ : 0.0;
-    result.stepMs = steps_ > 0 ? 1000.0 * seconds_ / steps_ : 0.0;
+    result.stepMs = steps_ > 0 ? inMilliseconds(seconds_) / steps_ : 0.0;
     result.pictures = pictures_;
     result.everybody = everybody_.result(0.0);
     result.persons.reserve(tallies_.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/people_summary.h"
 
+#include "core/base/units.h"
 #include "core/experiment/metrics/proportion.h"
 #include "core/experiment/scenarios/grade.h"
 
@@ -165,9 +166,14 @@ std::vector<std::string> heightRow(const std::vector<PeopleTrial>& trials, const
       }
     }
   }
-  return {gradeName(one.grade),   clothesName(one.clothes),      one.method,
-          height.words,           std::to_string(people),        cell(100.0 * found.mean(), 0),
-          cell(recall.mean(), 2), cell(1000.0 * error.mean(), 0)};
+  return {gradeName(one.grade),
+          clothesName(one.clothes),
+          one.method,
+          height.words,
+          std::to_string(people),
+          cell(inPercent(found.mean()), 0),
+          cell(recall.mean(), 2),
+          cell(inMillimeters(error.mean()), 0)};
 }
 
 /// Who is found, by method and height; only where there are people with a child's proportions.
@@ -314,10 +320,10 @@ std::string peopleTableRow(const PeopleSummary& one) {
       "{:<17} {:<5} {:<9} {:<13} {:>3}/{:<3} {:>5.0f}..{:<4.0f} % {:>6} {:>6.3f} {:>6.3f} "
       "{:>7.0f} {:>7.3f} {:>6.2f} {:>6.2f} {:>6.3f} {:>6.2f} {:>6} {:>6} {:>6} {:>6}",
       one.scenario, gradeName(one.grade), clothesName(one.clothes), one.method, one.kept, one.runs,
-      100.0 * interval.low, 100.0 * interval.high, one.identitySwitches, one.mota, one.hota,
-      1000.0 * one.motp, one.gospa, one.longestGhost, one.longestMissed, one.hullVolume, one.stepMs,
-      cell(one.found, 3), cell(one.silhouette.recall, 3), cell(one.silhouette.precision, 3),
-      cell(one.silhouette.iou, 3));
+      inPercent(interval.low), inPercent(interval.high), one.identitySwitches, one.mota, one.hota,
+      inMillimeters(one.motp), one.gospa, one.longestGhost, one.longestMissed, one.hullVolume,
+      one.stepMs, cell(one.found, 3), cell(one.silhouette.recall, 3),
+      cell(one.silhouette.precision, 3), cell(one.silhouette.iou, 3));
 }
 
 std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials) {
@@ -364,10 +370,10 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
     rows.push_back({gradeName(one.grade), clothesName(one.clothes), one.method,
                     fmt::format("{} of {}", one.kept, one.runs),
                     std::to_string(one.identitySwitches), fmt::format("{:.3f}", one.mota),
-                    fmt::format("{:.3f}", one.hota), fmt::format("{:.0f}", 1000.0 * one.motp),
+                    fmt::format("{:.3f}", one.hota), fmt::format("{:.0f}", inMillimeters(one.motp)),
                     fmt::format("{:.3f}", one.gospa), fmt::format("{:.2f}", one.longestGhost),
                     fmt::format("{:.2f}", one.longestMissed), fmt::format("{:.3f}", one.hullVolume),
-                    fmt::format("{:.2f}", one.stepMs), cell(100.0 * one.found, 0),
+                    fmt::format("{:.2f}", one.stepMs), cell(inPercent(one.found), 0),
                     cell(one.silhouette.recall, 2), cell(one.silhouette.precision, 2),
                     cell(one.silhouette.iou, 2)});
   }

@@ -3,6 +3,7 @@
 
 #include "core/base/markup.h"
 #include "core/base/text_file.h"
+#include "core/base/units.h"
 #include "core/experiment/report/figure_page.h"
 #include "core/experiment/report/report_style.h"
 #include "core/experiment/report/seed_blocks.h"
@@ -50,8 +51,8 @@ std::string tableRow(const BoxRow& row) {
   return fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{:.1f} %</td>"
                      "<td>{:.1f} %</td><td>{:.2f}</td></tr>",
                      row.ours ? " class='ours'" : "", escaped(row.method), row.seeds,
-                     row.metrics.rmse, row.metrics.success, 100.0 * row.metrics.precision,
-                     100.0 * row.worstPrecision, row.milliseconds);
+                     row.metrics.rmse, row.metrics.success, inPercent(row.metrics.precision),
+                     inPercent(row.worstPrecision), row.milliseconds);
 }
 
 /// The table of a clip and its figures.
@@ -88,7 +89,7 @@ constexpr const char* kPerturbationRemark =
 
 std::string claimsText(const BoxPerturbationRow& row) {
   return row.claims ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
-                                  row.similarityOff, 100.0 * row.confidentlyWrong)
+                                  row.similarityOff, inPercent(row.confidentlyWrong))
                     : std::string();
 }
 
@@ -101,16 +102,17 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
   for (const BoxPerturbationRow& row : rows) {
     text += fmt::format("{:<28} {:<10} {:>5.1f} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {}\n",
                         row.clip, row.method, row.scale, row.runs, row.metrics.rmse,
-                        row.metrics.success, 100.0 * row.metrics.precision,
-                        100.0 * row.worstPrecision, claimsText(row));
+                        row.metrics.success, inPercent(row.metrics.precision),
+                        inPercent(row.worstPrecision), claimsText(row));
   }
   return text + fmt::format("{}\n", kPerturbationRemark);
 }
 
 std::string claimsCells(const BoxPerturbationRow& row) {
-  return row.claims ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>",
-                                  row.similarityOn, row.similarityOff, 100.0 * row.confidentlyWrong)
-                    : "<td></td><td></td><td></td>";
+  return row.claims
+             ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>", row.similarityOn,
+                           row.similarityOff, inPercent(row.confidentlyWrong))
+             : "<td></td><td></td><td></td>";
 }
 
 std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
@@ -120,12 +122,12 @@ std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
       "<th>precision</th><th>worst run</th><th>similarity on</th><th>off</th>"
       "<th>surely wrong</th></tr></thead><tbody>";
   for (const BoxPerturbationRow& row : rows) {
-    text +=
-        fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
-                    "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",
-                    row.claims ? " class='ours'" : "", escaped(row.clip), escaped(row.method),
-                    row.scale, row.runs, row.metrics.rmse, row.metrics.success,
-                    100.0 * row.metrics.precision, 100.0 * row.worstPrecision, claimsCells(row));
+    text += fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.1f}</td><td>{}</td><td>{:.2f}</td>"
+                        "<td>{:.3f}</td><td>{:.1f} %</td><td>{:.1f} %</td>{}</tr>",
+                        row.claims ? " class='ours'" : "", escaped(row.clip), escaped(row.method),
+                        row.scale, row.runs, row.metrics.rmse, row.metrics.success,
+                        inPercent(row.metrics.precision), inPercent(row.worstPrecision),
+                        claimsCells(row));
   }
   return text + fmt::format("</tbody></table></div><p>{}</p>", escaped(kPerturbationRemark));
 }
@@ -151,10 +153,10 @@ std::string boxStudyText(const BoxStudy& study) {
       fmt::format("{:<26} {:<25} {:>5} {:>8} {:>8} {:>9} {:>8} {:>8}\n", "clip", "method", "seeds",
                   "RMSE px", "success", "precision", "worst", "ms");
   for (const BoxRow& row : study.rows) {
-    text +=
-        fmt::format("{:<26} {:<25} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {:>8.2f}\n",
-                    starred(row), row.method, row.seeds, row.metrics.rmse, row.metrics.success,
-                    100.0 * row.metrics.precision, 100.0 * row.worstPrecision, row.milliseconds);
+    text += fmt::format("{:<26} {:<25} {:>5} {:>8.2f} {:>8.3f} {:>7.1f} % {:>6.1f} % {:>8.2f}\n",
+                        starred(row), row.method, row.seeds, row.metrics.rmse, row.metrics.success,
+                        inPercent(row.metrics.precision), inPercent(row.worstPrecision),
+                        row.milliseconds);
   }
   text += '\n';
   for (const BoxBar& bar : study.bars) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/studies/sugandi_study.h"
 
+#include "core/base/units.h"
 #include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/studies/sugandi_pictures.h"
 #include "core/observation/boxes/box_histogram.h"
@@ -128,7 +129,7 @@ std::vector<BoxBar> barsOf(const std::vector<BoxRow>& rows) {
       bars.push_back(
           {fmt::format("{}: histogram stays within a ball's radius on at least 85 % of "
                        "the frames ({:.1f} %, worst seed {:.1f} %)",
-                       row.clip, 100.0 * row.metrics.precision, 100.0 * row.worstPrecision),
+                       row.clip, inPercent(row.metrics.precision), inPercent(row.worstPrecision)),
            row.worstPrecision >= kJuggleBar});
     }
     if (row.clip.starts_with("otb")) {

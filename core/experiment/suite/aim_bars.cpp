@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/aim_bars.h"
 
+#include "core/base/units.h"
 #include "core/experiment/metrics/chi_square.h"
 #include "core/experiment/metrics/consistency.h"
 #include "core/experiment/metrics/tie_belief.h"
@@ -59,8 +60,8 @@ double excessAt(double coveredPercent) {
 
 /// The percentage in the 50 % ellipsoid that goes with one in the 95 % ellipsoid.
 double within50At(double coveredPercent) {
-  return rounded(100.0 *
-                 chiSquareProbability(kChiSquared50ThreeDof / excessAt(coveredPercent), 3.0));
+  return rounded(
+      inPercent(chiSquareProbability(kChiSquared50ThreeDof / excessAt(coveredPercent), 3.0)));
 }
 
 double neesAt(double coveredPercent) {

@@ -2,6 +2,7 @@
 #include "core/experiment/suite/bar_measures.h"
 
 #include "core/base/statistics.h"
+#include "core/base/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,7 @@ BarMeasure percentWithin(BarColumn figure, double limit) {
     const auto within = std::ranges::count_if(values, [&](double v) { return v <= limit; });
     return values.empty()
                ? kNoFigure
-               : 100.0 * static_cast<double>(within) / static_cast<double>(values.size());
+               : inPercent(static_cast<double>(within)) / static_cast<double>(values.size());
   };
 }
 

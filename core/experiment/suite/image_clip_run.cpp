@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/image_clip_run.h"
 
+#include "core/base/units.h"
 #include "core/experiment/boxes/box_follower.h"
 #include "core/experiment/metrics/box_metrics.h"
 
@@ -74,7 +75,7 @@ Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
   const auto converged = framesToConverge(frames, clip.radius);
   row.framesToConverge =
       converged ? static_cast<double>(*converged) : std::numeric_limits<double>::infinity();
-  row.lostPercent = 100.0 * lostFrames(frames, clip.radius).value();
+  row.lostPercent = inPercent(lostFrames(frames, clip.radius).value());
   row.rmsePx = metrics.rmse;
   row.success = metrics.success;
   row.usPerFrame = took / static_cast<double>(images.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/pixel_recorder.h"
 
+#include "core/base/units.h"
 #include "core/experiment/metrics/overconfidence.h"
 #include "core/experiment/suite/stated_presence.h"
 
@@ -124,11 +125,11 @@ SuiteResult PixelRecorder::result(RunKey key, double usPerFrame) const {
                                        std::numeric_limits<double>::quiet_NaN());
   }
   if (lost.total > 0) {
-    row.lostPercent = 100.0 * lost.value();
+    row.lostPercent = inPercent(lost.value());
   }
   if (wrong.total > 0) {
-    row.wrongPercent = 100.0 * wrong.value();
-    row.wrongWhenSurePercent = 100.0 * wrongWhenSure.value();
+    row.wrongPercent = inPercent(wrong.value());
+    row.wrongWhenSurePercent = inPercent(wrongWhenSure.value());
   }
   fillBelief(forecasts, result);
   row.rmsePx = rmsePx();

@@ -2,6 +2,7 @@
 #include "core/experiment/suite/suite_figures.h"
 
 #include "core/base/statistics.h"
+#include "core/base/units.h"
 #include "core/trajectory/error_statistics.h"
 
 #include <fmt/format.h>
@@ -85,7 +86,7 @@ SvgSeries distribution(const SuiteCell& cell, std::size_t frameCount) {
     const double part = static_cast<double>(k) / static_cast<double>(kMostPoints);
     const double error = axis.low * std::pow(axis.high / axis.low, part);
     const auto within = std::ranges::upper_bound(errors, error) - errors.begin();
-    series.line.push_back({error, 100.0 * static_cast<double>(within) / total});
+    series.line.push_back({error, inPercent(static_cast<double>(within)) / total});
   }
   return series;
 }

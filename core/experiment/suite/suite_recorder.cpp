@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/suite/suite_recorder.h"
 
+#include "core/base/units.h"
 #include "core/experiment/metrics/clear_mot.h"
 #include "core/experiment/metrics/consistency.h"
 #include "core/experiment/metrics/error_split.h"
@@ -25,7 +26,6 @@ namespace dewpoint::experiment {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kMillimeters = 1000.0;
 constexpr std::int64_t kStepFrames = 5; // frames before and after a camera's loss that are averaged
 
 double framesOrNever(const std::optional<std::int64_t>& frames) {
@@ -101,13 +101,13 @@ void measureEvents(const ScenarioRun& run, const std::vector<TargetFrame>& frame
       raise(row.framesToDeclareLoss, framesOrNever(framesToDeclareLoss(frames, event.frame)));
     } else if (event.kind == ScenarioEvent::Kind::BlackoutBegin) {
       const auto errors = errorsBetween(frames, event.frame, endOfBlackout(run, event));
-      raise(row.blackoutRmseMm, errors.empty() ? kNever : kMillimeters * rootMeanSquare(errors));
+      raise(row.blackoutRmseMm, errors.empty() ? kNever : inMillimeters(rootMeanSquare(errors)));
     } else if (happensToACamera(event.kind)) {
       const auto before = errorsBetween(frames, event.frame - kStepFrames, event.frame);
       const auto after = errorsBetween(frames, event.frame, event.frame + kStepFrames);
       const bool both = !before.empty() && !after.empty();
       raise(row.largestStepMm,
-            both ? kMillimeters * (meanVector(after) - meanVector(before)).norm() : kNever);
+            both ? inMillimeters((meanVector(after) - meanVector(before)).norm()) : kNever);
     }
   }
 }
@@ -121,25 +121,25 @@ void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig
     cameras.push_back({camera.name, camera.center(), camera.opticalAxis()});
   }
   const ErrorSplit split = splitErrors(errors, cameras);
-  row.rmseMm = kMillimeters * split.summary.rmse;
-  row.medianMm = kMillimeters * split.summary.median;
-  row.p95Mm = kMillimeters * split.summary.p95;
-  row.maxMm = kMillimeters * split.summary.max;
-  row.biasMm = kMillimeters * split.summary.bias.norm();
+  row.rmseMm = inMillimeters(split.summary.rmse);
+  row.medianMm = inMillimeters(split.summary.median);
+  row.p95Mm = inMillimeters(split.summary.p95);
+  row.maxMm = inMillimeters(split.summary.max);
+  row.biasMm = inMillimeters(split.summary.bias.norm());
   if (split.meanView) {
-    row.depthMm = kMillimeters * split.meanView->alongRms;
-    row.lateralMm = kMillimeters * split.meanView->acrossRms;
-    row.depthBiasMm = kMillimeters * split.meanView->alongBias;
+    row.depthMm = inMillimeters(split.meanView->alongRms);
+    row.lateralMm = inMillimeters(split.meanView->acrossRms);
+    row.depthBiasMm = inMillimeters(split.meanView->alongBias);
   }
 }
 
 void fillTracks(const std::vector<TrackFrame>& frames, SuiteRow& row) {
-  row.gospaMm = kMillimeters * averageGospa(frames, {kMatchGate, 2.0}).mean;
+  row.gospaMm = inMillimeters(averageGospa(frames, {kMatchGate, 2.0}).mean);
   const ClearMot mot = clearMot(frames, kMatchGate);
   row.mota = mot.mota();
   row.identitySwitches = static_cast<double>(mot.identitySwitches);
   row.hota = hota(frames, kMatchGate).hota;
-  row.falseAlarmPercent = 100.0 * falseAlarmFrames(frames, kMatchGate).value();
+  row.falseAlarmPercent = inPercent(falseAlarmFrames(frames, kMatchGate).value());
 }
 
 void fillReliability(const std::vector<Forecast>& forecasts, SuiteResult& result) {
@@ -160,8 +160,8 @@ bool isInside95(const StateError& sample) {
 void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
   const Consistency fit = consistency(samples);
   row.nees = fit.nees.value;
-  row.coverage95Percent = 100.0 * fit.inside.value();
-  row.coverage50Percent = 100.0 * fit.inside50.value();
+  row.coverage95Percent = inPercent(fit.inside.value());
+  row.coverage50Percent = inPercent(fit.inside50.value());
 }
 
 /// Nothing where there was nothing to measure.
@@ -171,16 +171,16 @@ SuiteRow::Figure figureOrNone(double value) {
 
 void fillExtents(const std::vector<ExtentSample>& samples, SuiteRow& row) {
   const ExtentErrors errors = extentErrors(samples);
-  row.nearCentroidPercent = figureOrNone(100.0 * errors.near.value());
-  row.centroidErrorPercent = figureOrNone(100.0 * errors.centroid);
-  row.sizeErrorPercent = figureOrNone(100.0 * errors.size);
+  row.nearCentroidPercent = figureOrNone(inPercent(errors.near.value()));
+  row.centroidErrorPercent = figureOrNone(inPercent(errors.centroid));
+  row.sizeErrorPercent = figureOrNone(inPercent(errors.size));
 }
 
 void fillOverconfidence(const std::vector<StatedBelief>& beliefs, SuiteRow& row) {
   const Overconfidence shares = overconfidence(beliefs, kFollowGate);
-  row.sureAndWrongPercent = 100.0 * shares.sureAndWrong.value();
-  row.wrongPercent = 100.0 * shares.wrong.value();
-  row.wrongWhenSurePercent = 100.0 * shares.wrongWhenSure.value();
+  row.sureAndWrongPercent = inPercent(shares.sureAndWrong.value());
+  row.wrongPercent = inPercent(shares.wrong.value());
+  row.wrongWhenSurePercent = inPercent(shares.wrongWhenSure.value());
 }
 
 } // namespace
@@ -319,7 +319,7 @@ void SuiteRecorder::addTarget(std::size_t target, std::size_t estimate, Samples&
     // Of the difference between estimate and truth.
     const Eigen::Matrix3d covariance =
         stated.covariance + run_.truthSigma * run_.truthSigma * Eigen::Matrix3d::Identity();
-    trace.push_back(error ? kMillimeters * error->norm()
+    trace.push_back(error ? inMillimeters(error->norm())
                           : std::numeric_limits<double>::quiet_NaN());
     samples.forecasts.push_back(
         {stated.existenceProbability,
@@ -362,21 +362,21 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
     addTarget(target, estimateOf[target], samples, result);
   }
   fillErrors(samples.errors, run_.trueRig, row);
-  row.jitterMm = figureOrNone(kMillimeters * jitterOf(samples.sequences));
+  row.jitterMm = figureOrNone(inMillimeters(jitterOf(samples.sequences)));
   fillExtents(samples.extents, row);
   fillConsistency(samples.states, row);
   fillReliability(samples.forecasts, result);
   fillOverconfidence(samples.beliefs, row);
   if (run_.equalCandidates > 1) {
     row.sureOfTiePercent =
-        figureOrNone(100.0 * sureOfTie(samples.firstBeliefs, run_.equalCandidates).value());
+        figureOrNone(inPercent(sureOfTie(samples.firstBeliefs, run_.equalCandidates).value()));
   }
   fillTracks(trackFrames(), row);
   if (samples.lost.total > 0) {
-    row.lostPercent = 100.0 * samples.lost.value();
+    row.lostPercent = inPercent(samples.lost.value());
   }
   if (samples.blindInside.total > 0) {
-    row.blackoutCoverage95Percent = 100.0 * samples.blindInside.value();
+    row.blackoutCoverage95Percent = inPercent(samples.blindInside.value());
   }
   row.usPerFrame = usPerFrame;
   row.frames = static_cast<double>(estimates_.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/camera_motion_watch.h"
 
-#include "core/base/angle.h"
+#include "core/base/units.h"
 
 #include <fmt/format.h>
 
@@ -136,7 +136,7 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
 std::vector<Error> CameraMotionWatch::notices() const {
   std::vector<Error> notices;
   for (const CameraMotionReport& report : reports_) {
-    const double degrees = report.event.turn.turn.norm() / kDegree;
+    const double degrees = inDegrees(report.event.turn.turn.norm());
     notices.push_back(
         {ErrorCode::Mismatch, "", rig_[report.event.camera].name,
          fmt::format("the camera was turned by {:.2f} degrees, frame {}; calibrate it "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/run_report.h"
 
+#include "core/base/units.h"
 #include "core/project/project_rig.h"
 
 #include <nlohmann/json.hpp>
@@ -9,7 +10,6 @@ namespace dewpoint::session {
 namespace {
 
 constexpr double kMicroseconds = 1e6; ///< in a second
-constexpr double kMilliseconds = 1e3;
 
 /// Nothing where the target or camera has just been removed.
 template <class Named>
@@ -59,10 +59,10 @@ std::string runReport(const Project& project, const RunFigures& figures) {
   json["iterations"] = figures.iterations.count();
   json["microseconds_per_iteration"] = {{"p50", kMicroseconds * figures.iterations.quantile(0.5)},
                                         {"p99", kMicroseconds * figures.iterations.quantile(0.99)}};
-  json["milliseconds_per_frame"] = {{"p50", kMilliseconds * figures.latency.quantile(0.5)},
-                                    {"p99", kMilliseconds * figures.latency.quantile(0.99)},
-                                    {"p99.9", kMilliseconds * figures.latency.quantile(0.999)},
-                                    {"max", kMilliseconds * figures.latency.longest()}};
+  json["milliseconds_per_frame"] = {{"p50", inMilliseconds(figures.latency.quantile(0.5))},
+                                    {"p99", inMilliseconds(figures.latency.quantile(0.99))},
+                                    {"p99.9", inMilliseconds(figures.latency.quantile(0.999))},
+                                    {"max", inMilliseconds(figures.latency.longest())}};
   json["dropped_frames"] = figures.droppedFrames;
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);

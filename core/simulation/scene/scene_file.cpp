@@ -4,6 +4,7 @@
 #include "core/base/angle.h"
 #include "core/base/limits.h"
 #include "core/base/table_reader.h"
+#include "core/base/units.h"
 #include "core/geometry/camera_name.h"
 
 #include <Eigen/Geometry>
@@ -34,7 +35,7 @@ std::array<double, 2> hueAndSaturation(const Eigen::Vector3d& bgr) {
   const double r = bgr[2];
   const double cosine =
       0.5 * ((r - g) + (r - b)) / std::max(1e-9, std::sqrt((r - g) * (r - g) + (r - b) * (g - b)));
-  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree;
+  const double angle = inDegrees(std::acos(std::clamp(cosine, -1.0, 1.0)));
   return {b <= g ? angle : 360.0 - angle, 1.0 - 3.0 * bgr.minCoeff() / std::max(1e-9, bgr.sum())};
 }
 

@@ -2,6 +2,7 @@
 #include "core/trajectory/export/export_table.h"
 
 #include "core/base/statistics.h"
+#include "core/base/units.h"
 #include "core/trajectory/export/path_interpolation.h"
 #include "core/trajectory/smoother.h"
 
@@ -288,7 +289,7 @@ void turnAndScale(ExportTable& table) {
   if (table.axes == WorldAxes::YUp) {
     turn << 0, 1, 0, 0, 0, 1, 1, 0, 0;
   }
-  const double scale = table.unit == LengthUnit::Meter ? 1.0 : 1000.0;
+  const double scale = table.unit == LengthUnit::Meter ? 1.0 : inMillimeters(1.0);
   for (auto& column : table.cells) {
     for (ExportCell& cell : column) {
       cell.position = scale * (turn * cell.position);

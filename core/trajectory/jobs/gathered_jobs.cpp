@@ -2,6 +2,7 @@
 #include "core/trajectory/jobs/gathered_jobs.h"
 
 #include "core/base/text_file.h"
+#include "core/base/units.h"
 #include "core/trajectory/csv_line.h"
 #include "core/trajectory/evaluation_text.h"
 #include "core/trajectory/jobs/gathered_rows.h"
@@ -170,7 +171,6 @@ std::string gatheredTable(const GatheredJobs& gathered) {
       "recording,command,method,settings,frame_range,seed,target,frames,coverage,frames_compared,"
       "rmse_mm,median_mm,p95_mm,max_mm,rmse_all_mm,inside_95,frames_to_converge,lost_frames,"
       "version\n";
-  constexpr double kMillimeters = 1000.0;
   for (const GatheredRow& row : rowsOf(gathered)) {
     CsvLine line(text);
     putIdentity(row.job->record.identity, line);
@@ -179,7 +179,7 @@ std::string gatheredTable(const GatheredJobs& gathered) {
       const Evaluation& e = *row.evaluation;
       line.put(e.framesCompared);
       for (const double length : {e.rmse, e.median, e.p95, e.max, e.rmseAll}) {
-        line.put(kMillimeters * length);
+        line.put(inMillimeters(length));
       }
       line.put(e.inside95);
       if (e.framesToConverge) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/statistics.h"
+#include "core/base/units.h"
 #include "core/trajectory/jobs/gathered_jobs.h"
 #include "core/trajectory/jobs/gathered_rows.h"
 
@@ -14,7 +15,6 @@ namespace dewpoint::trajectory {
 namespace {
 
 constexpr std::size_t kWorstRows = 10;
-constexpr double kMillimetersPerMeter = 1000.0;
 
 /// The results of one method with the same settings.
 struct MethodGroup {
@@ -38,11 +38,11 @@ std::string markdownCell(std::string text) {
 }
 
 std::string percent(double share) {
-  return fmt::format("{:.1f} %", 100.0 * share);
+  return fmt::format("{:.1f} %", inPercent(share));
 }
 
 std::string medianText(const std::vector<double>& meters) {
-  return meters.empty() ? "" : fmt::format("{:.1f}", kMillimetersPerMeter * median(meters));
+  return meters.empty() ? "" : fmt::format("{:.1f}", inMillimeters(median(meters)));
 }
 
 std::map<MethodName, MethodGroup> methodGroups(const GatheredJobs& gathered) {
@@ -102,7 +102,7 @@ std::string worstTable(const char* title, std::vector<GatheredRow> rows, const W
                         markdownCell(row.target), percent(row.coverage()),
                         row.evaluation == nullptr
                             ? ""
-                            : fmt::format("{:.1f}", kMillimetersPerMeter * row.evaluation->rmse));
+                            : fmt::format("{:.1f}", inMillimeters(row.evaluation->rmse)));
   }
   return text;
 }
