@@ -43,6 +43,19 @@ TEST(QuantityRule, TheCommandLineBringsNumbersToAnotherUnitInOnePlace) {
             Found{});
 }
 
+TEST(QuantityRule, SoDoesCore) {
+  const std::string file = "core/trajectory/evaluation_text.cpp";
+  EXPECT_EQ(quantitiesByHand(file, "return meters * 1000.0;"), Found{"* 1000.0"});
+  EXPECT_EQ(quantitiesByHand(file, "fmt::format(\"{}\", 1e2 * share);"), Found{"1e2 *"});
+  EXPECT_EQ(quantitiesByHand(file, "return angle / base::kDegree;"), Found{"/ base::kDegree"});
+  EXPECT_EQ(quantitiesByHand(file, "constexpr double kMillimetersPerMeter = 1000.0;"),
+            Found{"kMillimetersPerMeter = 1000.0"});
+
+  EXPECT_EQ(quantitiesByHand(file, "x = inMillimeters(rmse); constexpr double kFar = 100.0;"),
+            Found{});
+  EXPECT_EQ(quantitiesByHand("core/base/units.h", "return 1000.0 * meters;"), Found{});
+}
+
 TEST(QuantityRule, TextsWithUnitsAreAskedOfTheWindowAlone) {
   const std::string planted = "namespace dewpoint::ui {\nauto a = tr(\"%1 mm\");\n}\n";
   EXPECT_EQ(violations(kFile, planted).size(), 1U);

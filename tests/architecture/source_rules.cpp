@@ -302,7 +302,10 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
     found.push_back(path + " does not open its namespace " + namespaceOf(path));
   }
   for (const std::string& written : quantitiesByHand(path, text)) {
-    found.push_back(path + " writes a quantity by hand, see ui/text/quantity_text.h: " + written);
+    found.push_back(path +
+                    " writes a quantity by hand, see ui/text/quantity_text.h and "
+                    "core/base/units.h: " +
+                    written);
   }
   return found;
 }
