@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kLeastCharucoCorners = 4;
 
+/// click_aids.cpp has its own, which leaves gray images as they are: no room that both may include
+/// knows images.
 cv::Mat grayOf(const cv::Mat& image, bool inverted) {
   cv::Mat gray = image;
   if (image.channels() == 3) {
