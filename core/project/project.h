@@ -5,6 +5,7 @@
 #include "core/geometry/camera.h"
 #include "core/geometry/reference_grid.h"
 #include "core/geometry/world_box.h"
+#include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/parameters.h"
 #include "core/tracking/target.h"
 
@@ -96,7 +97,7 @@ struct PositionCorrection {
 struct Project {
   std::filesystem::path file; ///< file it was loaded from; empty for the built-in demo
   std::string name;
-  std::string method = "dewpoint";
+  std::string method{defaultMethod()};
   std::uint64_t seed = 1;
   double framesPerSecond = 0.0; ///< frame rate of image folders; 0: rate of the source, or 30
   ParameterValues parameters;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/manual_pages.h"
 
+#include "core/tracking/catalog/method_catalog.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
 #include <array>
+#include <string_view>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -25,62 +28,51 @@ constexpr std::array kPageOfDock{
     PageRow{"peopleDock", "people.md"},          PageRow{"calibrationDock", "calibration.md"},
     PageRow{"historyDock", "window.md"}};
 
-constexpr std::array kPageOfMethod{
-    PageRow{"dewpoint", "method-dewpoint.md"},   PageRow{"barrera", "method-dynamics.md"},
-    PageRow{"dynamics", "method-dynamics.md"},   PageRow{"histogram", "method-sugandi.md"},
-    PageRow{"sugandi", "method-sugandi.md"},     PageRow{"people", "method-people.md"},
-    PageRow{"mohedano-msc", "method-people.md"}, PageRow{"mohedano-ms", "method-people.md"}};
+QString manualPage(std::string_view page) {
+  return QString::fromUtf8(page.data(), static_cast<qsizetype>(page.size()));
+}
 
 } // namespace
 
 QStringList manualPages() {
-  return {QStringLiteral("quick-start.md"),
-          QStringLiteral("first-ten-minutes.md"),
-          kWindowPage,
-          QStringLiteral("tutorial-two-videos.md"),
-          QStringLiteral("tutorial-grid-by-hand.md"),
-          QStringLiteral("tutorial-board.md"),
-          QStringLiteral("tutorial-wand.md"),
-          QStringLiteral("tutorial-one-camera-box.md"),
-          QStringLiteral("tutorial-people.md"),
-          QStringLiteral("tutorial-several-targets.md"),
-          QStringLiteral("tutorial-changing-light.md"),
-          QStringLiteral("many-recordings.md"),
-          QStringLiteral("color.md"),
-          QStringLiteral("calibration.md"),
-          QStringLiteral("people.md"),
-          QStringLiteral("time-travel.md"),
-          QStringLiteral("plots.md"),
-          QStringLiteral("export.md"),
-          QStringLiteral("troubleshooting.md"),
-          QStringLiteral("concepts.md"),
-          QStringLiteral("limitations.md"),
-          QStringLiteral("glossary.md"),
-          QStringLiteral("project-file.md"),
-          QStringLiteral("command-line.md"),
-          QStringLiteral("python.md"),
-          QStringLiteral("method-dewpoint.md"),
-          QStringLiteral("method-dynamics.md"),
-          QStringLiteral("method-sugandi.md"),
-          QStringLiteral("method-people.md"),
-          QStringLiteral("method-calibration.md"),
-          QStringLiteral("method-color.md"),
-          QStringLiteral("fidelity.md"),
-          QStringLiteral("measurements-people.md"),
-          QStringLiteral("measurements-calibration.md"),
-          QStringLiteral("measurements-color.md"),
-          QStringLiteral("accuracy.md"),
-          QStringLiteral("speed.md"),
-          QStringLiteral("changelog.md")};
+  QStringList pages = {QStringLiteral("quick-start.md"),
+                       QStringLiteral("first-ten-minutes.md"),
+                       kWindowPage,
+                       QStringLiteral("tutorial-two-videos.md"),
+                       QStringLiteral("tutorial-grid-by-hand.md"),
+                       QStringLiteral("tutorial-board.md"),
+                       QStringLiteral("tutorial-wand.md"),
+                       QStringLiteral("tutorial-one-camera-box.md"),
+                       QStringLiteral("tutorial-people.md"),
+                       QStringLiteral("tutorial-several-targets.md"),
+                       QStringLiteral("tutorial-changing-light.md"),
+                       QStringLiteral("many-recordings.md"),
+                       QStringLiteral("color.md"),
+                       QStringLiteral("calibration.md"),
+                       QStringLiteral("people.md"),
+                       QStringLiteral("time-travel.md"),
+                       QStringLiteral("plots.md"),
+                       QStringLiteral("export.md"),
+                       QStringLiteral("troubleshooting.md"),
+                       QStringLiteral("concepts.md"),
+                       QStringLiteral("limitations.md"),
+                       QStringLiteral("glossary.md"),
+                       QStringLiteral("project-file.md"),
+                       QStringLiteral("command-line.md"),
+                       QStringLiteral("python.md")};
+  for (const std::string_view page : methodPages()) {
+    pages << manualPage(page);
+  }
+  pages << QStringLiteral("method-calibration.md") << QStringLiteral("method-color.md")
+        << QStringLiteral("fidelity.md") << QStringLiteral("measurements-people.md")
+        << QStringLiteral("measurements-calibration.md") << QStringLiteral("measurements-color.md")
+        << QStringLiteral("accuracy.md") << QStringLiteral("speed.md")
+        << QStringLiteral("changelog.md");
+  return pages;
 }
 
 QString methodPageOf(const QString& method) {
-  for (const auto& [name, page] : kPageOfMethod) {
-    if (method == QLatin1String(name)) {
-      return QLatin1String(page);
-    }
-  }
-  return QLatin1String(kPageOfMethod.front().second);
+  return manualPage(methodPage(method.toStdString()));
 }
 
 QString manualPageOf(const QString& dock, const QString& method) {

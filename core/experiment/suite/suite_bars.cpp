@@ -2,16 +2,17 @@
 #include "core/experiment/suite/suite_bars.h"
 
 #include "core/experiment/suite/aim_bars.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 namespace dewpoint::experiment {
 namespace {
 
-constexpr const char* kOurs = "dewpoint";
 constexpr const char* kOther = "triangulation";
 
 /// The families of the first version's requirements. What is asked of all runs of grade `ideal`
@@ -121,8 +122,7 @@ std::vector<SuiteBar> identityBars() {
 }
 
 /// The runs of a method that a bar is measured on; of every scenario where it names none.
-BarRuns runsFor(const SuiteBar& bar, const std::vector<SuiteCell>& cells,
-                const std::string& method) {
+BarRuns runsFor(const SuiteBar& bar, const std::vector<SuiteCell>& cells, std::string_view method) {
   BarRuns runs;
   for (const SuiteCell& cell : cells) {
     const bool meant =
@@ -166,7 +166,7 @@ double BarResult::shortfall() const {
 std::vector<BarResult> measureBars(const std::vector<SuiteCell>& cells) {
   std::vector<BarResult> results;
   for (const SuiteBar& bar : suiteBars()) {
-    const BarRuns ours = runsFor(bar, cells, kOurs);
+    const BarRuns ours = runsFor(bar, cells, defaultMethod());
     const BarRuns others = runsFor(bar, cells, kOther);
     const BarFigure figure = ours.empty() ? BarFigure(kNoFigure) : bar.measure(ours, others);
     results.push_back({&bar, ours.size(), figure.value, figure.scenario});

@@ -2,6 +2,7 @@
 #include "core/experiment/suite/suite_tables.h"
 
 #include "core/experiment/suite/suite_figures.h"
+#include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>
 
@@ -270,7 +271,7 @@ std::string beliefTable(std::span<const BeliefSummary> methods) {
   text += "</tr></thead><tbody>";
   for (const BeliefSummary& summary : methods) {
     text += fmt::format("<tr{}><td>{}</td><td>{}</td>",
-                        summary.method == "dewpoint" ? " class='ours'" : "",
+                        summary.method == defaultMethod() ? " class='ours'" : "",
                         methodName(summary.method), summary.scenarios);
     for (const OverScenarios& figure : summary.figures) {
       text += beliefCell(figure);
@@ -303,7 +304,7 @@ std::string scenarioTable(std::span<const SuiteCell> cells) {
   }
   text += "</tr></thead><tbody>";
   for (const SuiteCell& cell : cells) {
-    text += fmt::format("<tr{}><td>{}</td>", cell.method == "dewpoint" ? " class='ours'" : "",
+    text += fmt::format("<tr{}><td>{}</td>", cell.method == defaultMethod() ? " class='ours'" : "",
                         methodName(cell.method));
     for (const TableColumn* column : shown) {
       text += fmt::format("<td>{}</td>", column->text(cell));

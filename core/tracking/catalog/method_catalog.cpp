@@ -115,7 +115,8 @@ constexpr Method kMethods[] = {
     {"dewpoint",
      kSpheres,
      {"Balls, hands, anything colored",
-      "The most accurate: decides by itself between a ball and any other shape."},
+      "The most accurate: decides by itself between a ball and any other shape.",
+      "method-dewpoint.md"},
      dewpointParameters,
      makeTogether<DewpointTracker>,
      true,
@@ -124,43 +125,44 @@ constexpr Method kMethods[] = {
     {"barrera",
      kSpheres,
      {"A plain particle filter on color", "For teaching: shows how a particle filter works.",
-      "Barrera et al. 2005"},
+      "method-dynamics.md", "Barrera et al. 2005"},
      barreraParameters,
      makeIndependent<BarreraTracker>},
     {"dynamics",
      kTriangulated,
      {"A particle filter on positions", "For teaching: shows how particles follow measurements.",
-      "Barrera et al. 2005, III-C"},
+      "method-dynamics.md", "Barrera et al. 2005, III-C"},
      dynamicsParameters,
      makeIndependent<DynamicsTracker>},
     {"histogram",
      kBoxes,
      {"Anything you draw a box around",
-      "Follows its colors and its size, and finds it again after it was hidden."},
+      "Follows its colors and its size, and finds it again after it was hidden.",
+      "method-sugandi.md"},
      histogramParameters,
      makeBoxes<HistogramTracker>},
     {"sugandi",
      kBoxes,
      {"A particle filter on color histograms", "For teaching: follows a box in one video.",
-      "Sugandi et al. 2009"},
+      "method-sugandi.md", "Sugandi et al. 2009"},
      sugandiParameters,
      makeBoxes<SugandiTracker>},
     {"people",
      kPeople,
      {"People who walk and meet",
-      "Positions on the floor of several people, also in similar clothes."},
+      "Positions on the floor of several people, also in similar clothes.", "method-people.md"},
      peopleParameters,
      makePeople<PeopleParticleTracker>},
     {"mohedano-msc",
      kPeople,
      {"People by motion and color", "For comparison: tells people apart by different clothes.",
-      "Mohedano et al. 2009, MS+C"},
+      "method-people.md", "Mohedano et al. 2009, MS+C"},
      mohedanoMscParameters,
      makeMohedano<true>},
     {"mohedano-ms",
      kPeople,
      {"People by motion alone", "For comparison: confuses people who come close.",
-      "Mohedano et al. 2009, MS"},
+      "method-people.md", "Mohedano et al. 2009, MS"},
      mohedanoMsParameters,
      makeMohedano<false>},
 };
@@ -199,6 +201,10 @@ std::string_view headingOf(const Method& method) {
                                    : "From papers, for teaching and comparison";
 }
 
+std::string_view defaultMethod() {
+  return kMethods[0].name;
+}
+
 const Method* findMethod(std::string_view name) {
   const auto found = std::ranges::find(kMethods, name, &Method::name);
   return found == std::end(kMethods) ? nullptr : found;
@@ -228,6 +234,21 @@ MethodText methodText(std::string_view method) {
 
 std::string_view methodSentence(std::string_view method) {
   return methodText(method).sentence;
+}
+
+std::string_view methodPage(std::string_view method) {
+  const Method* row = findMethod(method);
+  return (row != nullptr ? *row : kMethods[0]).text.page;
+}
+
+std::vector<std::string_view> methodPages() {
+  std::vector<std::string_view> pages;
+  for (const Method& method : kMethods) {
+    if (std::ranges::find(pages, method.text.page) == pages.end()) {
+      pages.push_back(method.text.page);
+    }
+  }
+  return pages;
 }
 
 std::span<const ParameterDeclaration> methodParameters(std::string_view method) {

@@ -81,9 +81,10 @@ struct MethodFamily {
 
 /// Description of a method for a user who chooses one.
 struct MethodText {
-  std::string_view title;      ///< named after its use: what it tracks
-  std::string_view sentence;   ///< its purpose or distinguishing feature, in one line
-  std::string_view paper = {}; ///< paper that the method implements exactly; empty: our own method
+  std::string_view title;      ///< by its use: what it follows
+  std::string_view sentence;   ///< what it is for, or what sets it apart, in one line
+  std::string_view page;       ///< of the manual, a file of docs/
+  std::string_view paper = {}; ///< the method is exactly the one of this paper; empty: our own
 };
 
 /// A tracking method: one row of the catalog.
@@ -107,7 +108,9 @@ struct Method {
 /// Returns all methods that a project may choose, the default first, and in each family its default
 /// first.
 std::span<const Method> methods();
-/// Returns the method of this name; null for an unknown name.
+/// The name of the first.
+std::string_view defaultMethod();
+/// Null for an unknown name.
 const Method* findMethod(std::string_view name);
 
 /// Returns methods() in the order of a list of choices. Methods of papers, which are intended for
@@ -128,7 +131,11 @@ MethodFamily methodFamily(std::string_view method);
 MethodText methodText(std::string_view method);
 /// Returns an empty text for an unknown method.
 std::string_view methodSentence(std::string_view method);
-/// Returns no declarations for an unknown method.
+/// The page of the manual about a method; of an unknown one that of the default one.
+std::string_view methodPage(std::string_view method);
+/// Each of these pages once, in the order of methods().
+std::vector<std::string_view> methodPages();
+/// Empty for an unknown method.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
 /// Returns the defaults of a method, with the values of equal keys that were changed from their
 /// defaults in `previous`, limited to their allowed ranges. A default that was given in `previous`

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -12,12 +13,15 @@ namespace dewpoint::tests {
 namespace {
 
 TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
+  const std::filesystem::path pages = std::filesystem::path(DEWPOINT_SOURCE_DIR) / "docs";
   std::set<std::string_view> names;
   for (const Method& method : methods()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name << " twice";
     EXPECT_EQ(findMethod(method.name), &method);
     EXPECT_FALSE(method.text.title.empty() || method.text.sentence.empty()) << method.name;
     EXPECT_EQ(methodSentence(method.name), method.text.sentence);
+    EXPECT_EQ(methodPage(method.name), method.text.page);
+    EXPECT_TRUE(std::filesystem::exists(pages / method.text.page)) << method.name;
     EXPECT_FALSE(headingOf(method).empty()) << method.name;
     EXPECT_FALSE(methodParameters(method.name).empty()) << method.name;
     ASSERT_NE(method.family.describe, nullptr) << method.name;
@@ -31,8 +35,20 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
 
 // Project files without a method, and unknown ones, get the first.
 TEST(MethodCatalog, TheDefaultComesFirst) {
-  EXPECT_EQ(methods().front().name, "dewpoint");
+  EXPECT_EQ(defaultMethod(), "dewpoint");
+  EXPECT_EQ(methods().front().name, defaultMethod());
+  EXPECT_EQ(methodPage("condensation"), methods().front().text.page);
   EXPECT_EQ(methodFamily("condensation").targets, methods().front().family.targets);
+}
+
+TEST(MethodCatalog, PagesOfSeveralMethodsAreListedOnce) {
+  const auto pages = methodPages();
+  EXPECT_EQ(pages.front(), methods().front().text.page);
+  EXPECT_EQ(std::set(pages.begin(), pages.end()).size(), pages.size());
+  EXPECT_LT(pages.size(), methods().size());
+  for (const Method& method : methods()) {
+    EXPECT_NE(std::ranges::find(pages, method.text.page), pages.end()) << method.name;
+  }
 }
 
 TEST(MethodCatalog, MethodsByUseStandUnderOneHeadingEach) {
