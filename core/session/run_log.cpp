@@ -33,10 +33,10 @@ void appendFrame(std::vector<Sample>& all, const std::vector<Sample>& samples) {
 }
 
 /// What `all` gained since `position`, which moves to where the last frame begins.
-template <class Piece, class Sample>
-void takeSince(const std::vector<Sample>& all, std::size_t& position, Piece& piece) {
+template <class Sample>
+void takeSince(const std::vector<Sample>& all, std::size_t& position, LogPiece<Sample>& piece) {
   piece.first = std::min(position, all.size());
-  piece.samples.assign(all.begin() + static_cast<std::ptrdiff_t>(piece.first), all.end());
+  piece.records.assign(all.begin() + static_cast<std::ptrdiff_t>(piece.first), all.end());
   position = all.size();
   while (position > 0 && all[position - 1].frame == all.back().frame) {
     --position;
@@ -198,33 +198,34 @@ void RunLog::append(const std::vector<BoxSample>& samples) {
   appendFrame(boxes_, samples);
 }
 
-RunLog::Piece RunLog::since(std::uint64_t& generation, std::size_t& position) const {
+LogPiece<IterationRecord> RunLog::since(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  Piece piece;
+  LogPiece<IterationRecord> piece;
   piece.restarted = restartsReader(generation_, generation, position);
   piece.records = records_.since(position);
   return piece;
 }
 
-RunLog::FramePiece RunLog::framesSince(std::uint64_t& generation, std::size_t& position) const {
+LogPiece<FrameRecord> RunLog::framesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  FramePiece piece;
+  LogPiece<FrameRecord> piece;
   piece.restarted = restartsReader(generation_, generation, position);
   piece.records = frames_.since(position);
   return piece;
 }
 
-RunLog::SamplesPiece RunLog::samplesSince(std::uint64_t& generation, std::size_t& position) const {
+LogPiece<TrajectorySample> RunLog::samplesSince(std::uint64_t& generation,
+                                                std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  SamplesPiece piece;
+  LogPiece<TrajectorySample> piece;
   piece.restarted = restartsReader(generation_, generation, position);
   takeSince(trajectory_.samples, position, piece);
   return piece;
 }
 
-RunLog::BoxesPiece RunLog::boxesSince(std::uint64_t& generation, std::size_t& position) const {
+LogPiece<BoxSample> RunLog::boxesSince(std::uint64_t& generation, std::size_t& position) const {
   const std::lock_guard lock(mutex_);
-  BoxesPiece piece;
+  LogPiece<BoxSample> piece;
   piece.restarted = restartsReader(generation_, generation, position);
   takeSince(boxes_, position, piece);
   return piece;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/log_piece.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"
@@ -20,11 +21,7 @@ namespace dewpoint::session {
 /// from it.
 class RunLog {
 public:
-  struct Piece {
-    std::vector<IterationRecord> records;
-    bool restarted = false; ///< all records are returned again: a new run, or one that went back
-  };
-  /// Largest number of records, about 40 MB with four cameras.
+  /// About 40 MB with four cameras.
   static constexpr std::size_t kMostRecords = 100000;
   RunLog();
   /// Clears the log. The following records belong to this project in its present state, filtered by
@@ -52,18 +49,13 @@ public:
   /// Renumbers the targets: the former target k becomes numbers[k] of `count` targets, or is
   /// removed if this is -1. Readers receive all records again.
   void renumber(const std::vector<int>& numbers, std::size_t count);
-  /// Returns records from `position` on and updates both arguments. Beyond kMostRecords, older
-  /// records are thinned out progressively.
-  Piece since(std::uint64_t& generation, std::size_t& position) const;
-  /// As since(), but for tracked frames. Beyond kMostFrames, older records are thinned out
-  /// progressively.
-  struct FramePiece {
-    std::vector<FrameRecord> records;
-    bool restarted = false;
-  };
+  /// Records from `position` on; both arguments move along. Beyond kMostRecords the older ones are
+  /// there in coarser and coarser steps.
+  LogPiece<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
+  /// As since(), of the frames tracked: beyond kMostFrames older ones in coarser steps.
   static constexpr std::size_t kMostFrames = 50000;
-  FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Appends one frame, or replaces the last one if it is the same frame.
+  LogPiece<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// Adds one frame, or replaces the same frame if it was the last one.
   void append(const FrameRecord& record);
   /// Appends the people of one frame, or replaces those of the last one if it is the same frame.
   /// Beyond kMostPeopleFrames (about 100 MB with two people), older frames are thinned out
@@ -74,25 +66,14 @@ public:
   /// Notes a change in this frame after which the run no longer matches the header.
   void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
-  /// Samples added to the trajectory. `position` is the beginning of the last frame known to the
-  /// reader. This frame may have been replaced and is returned again.
-  struct SamplesPiece {
-    /// Number of the first of `samples`; the reader's samples from here on are obsolete.
-    std::size_t first = 0;
-    std::vector<TrajectorySample> samples;
-    bool restarted = false; ///< all samples are returned again
-  };
-  SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns all boxes so far, with methods that track boxes.
+  /// What the trajectory gained. `position` is where the last frame known to the reader begins: it
+  /// may have been replaced, and comes again.
+  LogPiece<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// The boxes so far, where boxes are followed.
   BoxTrack boxTrack() const;
-  /// As samplesSince(), but for boxes.
-  struct BoxesPiece {
-    std::size_t first = 0;
-    std::vector<BoxSample> samples;
-    bool restarted = false;
-  };
-  BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Sets which results so far came from settings other than the current ones.
+  /// As samplesSince(), of the boxes.
+  LogPiece<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// The results so far that other settings gave than those of now.
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;

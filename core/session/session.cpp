@@ -29,22 +29,19 @@ void Session::onSnapshot(std::function<void()> wake) {
 TrackSnapshotPtr Session::newest() const {
   return impl_->loop.publisher().newest();
 }
-Session::LogPiece Session::logSince(std::uint64_t& generation, std::size_t& position) const {
-  auto piece = impl_->loop.log().since(generation, position);
-  return {std::move(piece.records), piece.restarted};
-}
-Session::FramePiece Session::framesSince(std::uint64_t& generation, std::size_t& position) const {
-  auto piece = impl_->loop.log().framesSince(generation, position);
-  return {std::move(piece.records), piece.restarted};
-}
-Session::SamplesPiece Session::samplesSince(std::uint64_t& generation,
+LogPiece<IterationRecord> Session::logSince(std::uint64_t& generation,
                                             std::size_t& position) const {
-  auto piece = impl_->loop.log().samplesSince(generation, position);
-  return {piece.first, std::move(piece.samples), piece.restarted};
+  return impl_->loop.log().since(generation, position);
 }
-Session::BoxesPiece Session::boxesSince(std::uint64_t& generation, std::size_t& position) const {
-  auto piece = impl_->loop.log().boxesSince(generation, position);
-  return {piece.first, std::move(piece.samples), piece.restarted};
+LogPiece<FrameRecord> Session::framesSince(std::uint64_t& generation, std::size_t& position) const {
+  return impl_->loop.log().framesSince(generation, position);
+}
+LogPiece<TrajectorySample> Session::samplesSince(std::uint64_t& generation,
+                                                 std::size_t& position) const {
+  return impl_->loop.log().samplesSince(generation, position);
+}
+LogPiece<BoxSample> Session::boxesSince(std::uint64_t& generation, std::size_t& position) const {
+  return impl_->loop.log().boxesSince(generation, position);
 }
 BoxTrack Session::boxTrack() const {
   return impl_->loop.log().boxTrack();

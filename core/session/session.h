@@ -3,6 +3,7 @@
 
 #include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
+#include "core/session/log_piece.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"
@@ -53,36 +54,17 @@ public:
   void onSnapshot(std::function<void()> wake);
   /// Returns the newest snapshot; never null.
   TrackSnapshotPtr newest() const;
-  /// Returns iterations logged at or after `position`, which is a running count since the restart.
-  /// `position` then moves past them. If the run was restarted meanwhile, `position` first returns
-  /// to 0 and `restarted` is true.
-  struct LogPiece {
-    std::vector<IterationRecord> records;
-    bool restarted = false;
-  };
-  LogPiece logSince(std::uint64_t& generation, std::size_t& position) const;
-  /// As logSince(), but for tracked frames: status, existence probability and missing cameras.
-  struct FramePiece {
-    std::vector<FrameRecord> records;
-    bool restarted = false;
-  };
-  FramePiece framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns the samples added to the trajectory since `position`, which replace the reader's
-  /// samples from number `first` on. `position` begins at 0 and advances as in logSince().
-  struct SamplesPiece {
-    std::size_t first = 0;
-    std::vector<TrajectorySample> samples;
-    bool restarted = false;
-  };
-  SamplesPiece samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// As samplesSince(), but for boxes, with methods that track boxes.
-  struct BoxesPiece {
-    std::size_t first = 0;
-    std::vector<BoxSample> samples;
-    bool restarted = false;
-  };
-  BoxesPiece boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns all boxes so far.
+  /// Iterations logged at or after `position` (a running count since the restart); `position` moves
+  /// past them, and back to 0 first if the run was restarted meanwhile (returned `restarted`).
+  LogPiece<IterationRecord> logSince(std::uint64_t& generation, std::size_t& position) const;
+  /// As logSince(), of the frames tracked: status, existence and missing cameras.
+  LogPiece<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// What the trajectory gained since `position`, which begins at 0 and moves along as in
+  /// logSince().
+  LogPiece<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// As samplesSince(), of the boxes that methods that follow boxes follow.
+  LogPiece<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
+  /// The boxes so far.
   BoxTrack boxTrack() const;
   /// Returns which results came from other settings than those of the newest snapshot.
   OldResults oldResults() const;

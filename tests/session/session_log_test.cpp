@@ -88,18 +88,18 @@ TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
   auto piece = session.samplesSince(generation, position);
   EXPECT_TRUE(piece.restarted);
   EXPECT_EQ(piece.first, 0U);
-  ASSERT_EQ(piece.samples.size(), 2U);
+  ASSERT_EQ(piece.records.size(), 2U);
   // One more iteration on the frame shown: its sample is another one.
-  const auto before = piece.samples.back().position;
+  const auto before = piece.records.back().position;
   session.stepIteration();
   ASSERT_TRUE(eventually([&] { return session.trajectory().samples.back().position != before; }));
   piece = session.samplesSince(generation, position);
   EXPECT_FALSE(piece.restarted);
   EXPECT_EQ(piece.first, 1U);
-  ASSERT_EQ(piece.samples.size(), 1U);
-  EXPECT_NE(piece.samples[0].position, before);
+  ASSERT_EQ(piece.records.size(), 1U);
+  EXPECT_NE(piece.records[0].position, before);
   // Existence is the one of the estimate.
-  EXPECT_EQ(piece.samples[0].existenceProbability,
+  EXPECT_EQ(piece.records[0].existenceProbability,
             std::get<SphereEstimate>(session.newest()->targets[0].estimate).existenceProbability);
   session.restart();
   session.stepFrame();
@@ -107,7 +107,7 @@ TEST(Session, SamplesAreReadInPiecesAndTheLastFrameComesAgain) {
   piece = session.samplesSince(generation, position);
   EXPECT_TRUE(piece.restarted);
   EXPECT_EQ(piece.first, 0U);
-  EXPECT_EQ(piece.samples.size(), 1U);
+  EXPECT_EQ(piece.records.size(), 1U);
 }
 
 } // namespace

@@ -95,10 +95,10 @@ void TrajectoryPanelTest::cleanup() {
 void TrajectoryPanelTest::follow(const std::vector<TrajectorySample>& samples) {
   samples_ = samples;
   panel_->follow([this](auto&, auto& position) {
-    Session::SamplesPiece piece;
+    LogPiece<TrajectorySample> piece;
     piece.restarted = std::exchange(restarted_, false);
     piece.first = piece.restarted ? 0 : std::min(position, samples_.size());
-    piece.samples.assign(samples_.begin() + static_cast<std::ptrdiff_t>(piece.first),
+    piece.records.assign(samples_.begin() + static_cast<std::ptrdiff_t>(piece.first),
                          samples_.end());
     position = samples_.size();
     return piece;

@@ -2,22 +2,16 @@
 #pragma once
 
 #include "core/session/frames/tracked_frame.h"
+#include "core/session/log_piece.h"
 #include "core/session/run/snapshot.h"
-
-#include <vector>
 
 namespace dewpoint::ui {
 
-/// Frames tracked since the last report; all frames of the run if it was `restarted`.
-struct LoggedFrames {
-  std::vector<FrameRecord> records;
-  bool restarted = false;
-};
+/// Frames that were tracked since the last time. A type of its own, so that signals can name it
+/// without the records.
+struct LoggedFrames : LogPiece<FrameRecord> {};
 
-/// Iterations of the filter since the last report; all of the run if it was `restarted`.
-struct LoggedIterations {
-  std::vector<IterationRecord> records;
-  bool restarted = false;
-};
+/// The same of the filter's iterations.
+struct LoggedIterations : LogPiece<IterationRecord> {};
 
 } // namespace dewpoint::ui

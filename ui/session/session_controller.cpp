@@ -213,12 +213,11 @@ TrackSnapshotPtr SessionController::withFilledFrames(const TrackSnapshotPtr& sna
 void SessionController::publish(const TrackSnapshotPtr& snapshot) {
   shown_ = snapshot;
   const Session& session = bridge_->session();
-  auto frames = session.framesSince(frames_.generation, frames_.position);
-  Q_EMIT framesLogged({std::move(frames.records), frames.restarted});
+  const LoggedFrames frames{session.framesSince(frames_.generation, frames_.position)};
+  Q_EMIT framesLogged(frames);
   Q_EMIT snapshotChanged(snapshot);
   results_->see(*snapshot, frames.restarted);
-  auto iterations = session.logSince(iterations_.generation, iterations_.position);
-  Q_EMIT iterationsLogged({std::move(iterations.records), iterations.restarted});
+  Q_EMIT iterationsLogged({session.logSince(iterations_.generation, iterations_.position)});
 }
 
 void SessionController::applyMethod() {

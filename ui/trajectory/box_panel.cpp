@@ -96,9 +96,9 @@ void BoxPanel::fetch() {
   if (!source_) {
     return;
   }
-  const Session::BoxesPiece piece = source_(generation_, position_);
-  if (piece.restarted || !piece.samples.empty()) {
-    model_->replaceFrom(piece.first, piece.samples);
+  const LogPiece<BoxSample> piece = source_(generation_, position_);
+  if (piece.restarted || !piece.records.empty()) {
+    model_->replaceFrom(piece.first, piece.records);
   }
   head_->refresh();
   updateSummary();

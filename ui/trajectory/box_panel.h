@@ -27,7 +27,7 @@ class BoxPanel : public QWidget {
 public:
   /// Session::boxesSince() of the session to follow.
   using Source =
-      std::function<Session::BoxesPiece(std::uint64_t& generation, std::size_t& position)>;
+      std::function<LogPiece<BoxSample>(std::uint64_t& generation, std::size_t& position)>;
 
   explicit BoxPanel(Selection& selection, QWidget* parent = nullptr);
 

@@ -210,17 +210,17 @@ void TrajectoryPanel::fetch() {
   }
   QElapsedTimer took;
   took.start();
-  const Session::SamplesPiece piece = source_(generation_, position_);
+  const LogPiece<TrajectorySample> piece = source_(generation_, position_);
   const bool choosing = std::exchange(choosing_, true); // rows that go take their selection along
-  if (piece.restarted && model_->rowCount() > 0 && piece.samples.empty()) {
+  if (piece.restarted && model_->rowCount() > 0 && piece.records.empty()) {
     model_->clear();
     updatePlots(0);
   }
-  if (!piece.samples.empty()) {
+  if (!piece.records.empty()) {
     if (motion_.target().empty()) {
-      motion_.setTarget(piece.samples.front().target, {});
+      motion_.setTarget(piece.records.front().target, {});
     }
-    updatePlots(model_->replaceFrom(piece.first, piece.samples));
+    updatePlots(model_->replaceFrom(piece.first, piece.records));
   }
   choosing_ = choosing;
   gaps_->setGaps(model_->log().gaps());

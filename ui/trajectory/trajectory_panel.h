@@ -41,7 +41,7 @@ class TrajectoryPanel : public QWidget {
 public:
   /// Session::samplesSince() of the session to follow.
   using Source =
-      std::function<Session::SamplesPiece(std::uint64_t& generation, std::size_t& position)>;
+      std::function<LogPiece<TrajectorySample>(std::uint64_t& generation, std::size_t& position)>;
 
   /// Connects the trajectory actions of the registry.
   TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
