@@ -16,11 +16,16 @@ std::string nameOrNumber(const Camera& camera, std::size_t index) {
 }
 
 std::string freeCameraName(const CameraRig& rig) {
-  std::size_t index = rig.size();
-  while (std::ranges::find(rig, defaultCameraName(index), &Camera::name) != rig.end()) {
+  return freeCameraName(rig, rig.size(), defaultCameraName);
+}
+
+std::string freeCameraName(const CameraRig& rig, std::size_t first,
+                           const std::function<std::string(std::size_t)>& nameOf) {
+  std::size_t index = first;
+  while (std::ranges::find(rig, nameOf(index), &Camera::name) != rig.end()) {
     ++index;
   }
-  return defaultCameraName(index);
+  return nameOf(index);
 }
 
 } // namespace dewpoint::geometry

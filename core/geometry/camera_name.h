@@ -4,6 +4,7 @@
 #include "core/geometry/camera.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace dewpoint::geometry {
@@ -17,5 +18,9 @@ std::string nameOrNumber(const Camera& camera, std::size_t index);
 
 /// The first default name from the rig's size on that no camera of it has.
 std::string freeCameraName(const CameraRig& rig);
+
+/// The same from number `first` on, with names as `nameOf` gives them to numbers.
+std::string freeCameraName(const CameraRig& rig, std::size_t first,
+                           const std::function<std::string(std::size_t)>& nameOf);
 
 } // namespace dewpoint::geometry

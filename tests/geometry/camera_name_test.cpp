@@ -6,18 +6,37 @@
 namespace dewpoint::tests {
 namespace {
 
-TEST(CameraName, IsTheNumberWhereThereIsNone) {
-  Camera camera;
-  EXPECT_EQ(geometry::nameOrNumber(camera, 2), "camera 3");
-  camera.name = "door";
-  EXPECT_EQ(geometry::nameOrNumber(camera, 2), "door");
+CameraRig named(const std::vector<std::string>& names) {
+  CameraRig rig;
+  for (const std::string& name : names) {
+    rig.emplace_back().name = name;
+  }
+  return rig;
 }
 
-TEST(CameraName, AFreeOneIsNoneOfTheRig) {
-  CameraRig rig(2);
-  EXPECT_EQ(geometry::freeCameraName(rig), "camera 3");
-  rig[0].name = "camera 3";
-  EXPECT_EQ(geometry::freeCameraName(rig), "camera 4");
+TEST(CameraName, NumbersCountFromOne) {
+  EXPECT_EQ(defaultCameraName(0), "camera 1");
+}
+
+TEST(CameraName, TheFreeOneIsTheFirstFromTheSizeOnThatNoneHas) {
+  EXPECT_EQ(freeCameraName({}), "camera 1");
+  EXPECT_EQ(freeCameraName(named({"left", "right"})), "camera 3");
+  EXPECT_EQ(freeCameraName(named({"left", "camera 3", "camera 4"})), "camera 5");
+}
+
+TEST(CameraName, TheFirstNumberAndTheWordsMayBeOthers) {
+  const auto german = [](std::size_t number) { return "Kamera " + std::to_string(number + 1); };
+  const CameraRig rig = named({"left", "right", "Kamera 3", "Kamera 5"});
+  EXPECT_EQ(freeCameraName(rig, 2, german), "Kamera 4");
+  EXPECT_EQ(freeCameraName(rig, 4, german), "Kamera 6");
+  EXPECT_EQ(freeCameraName(rig, 2, defaultCameraName), "camera 3");
+}
+
+TEST(CameraName, IsTheNumberWhereThereIsNone) {
+  Camera camera;
+  EXPECT_EQ(nameOrNumber(camera, 2), "camera 3");
+  camera.name = "door";
+  EXPECT_EQ(nameOrNumber(camera, 2), "door");
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene3d/scene_parts.h"
 
-#include <Eigen/Cholesky>
+#include "core/geometry/rig_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,78 +29,6 @@ std::vector<Eigen::Vector3d> corners(const Eigen::AlignedBox3d& box) {
     result.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
   }
   return result;
-}
-
-bool usablePose(const Camera& camera) {
-  return camera.cameraFromWorld.matrix().allFinite();
-}
-
-/// The point nearest to all optical axes: where a rig looks. For a single camera (or parallel axes)
-/// two meters before the cameras.
-Eigen::Vector3d lookedAt(const CameraRig& rig) {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const Camera& camera : rig) {
-    if (!usablePose(camera)) {
-      continue;
-    }
-    const Eigen::Vector3d axis = camera.opticalAxis();
-    const Eigen::Vector3d ahead = camera.center() + 2.0 * axis;
-    // The small part along the axis decides only where the axes leave it open.
-    const Eigen::Matrix3d part =
-        Eigen::Matrix3d::Identity() - (1.0 - 1e-3) * axis * axis.transpose();
-    sum += part;
-    right += part * ahead;
-  }
-  const Eigen::Vector3d point = sum.ldlt().solve(right);
-  return point.allFinite() ? point : Eigen::Vector3d::Zero();
-}
-
-/// Cameras and what they look at.
-Eigen::AlignedBox3d boxOf(const CameraRig& rig) {
-  Eigen::AlignedBox3d box;
-  for (const Camera& each : rig) {
-    if (usablePose(each)) {
-      box.extend(each.center());
-    }
-  }
-  if (!box.isEmpty()) {
-    box.extend(lookedAt(rig));
-  }
-  return box;
-}
-
-/// Whether a rig is the one before with one camera adjusted, about as large as it was and at about
-/// the same position. Of a rig that is calibrated as a whole, single cameras may keep their poses,
-/// too: without a floor, the first one does (setup::BoardCalibrationRequest::worldFrame).
-bool isAdjusted(const CameraRig& before, const CameraRig& now, const Eigen::AlignedBox3d& boxBefore,
-                const Eigen::AlignedBox3d& boxNow) {
-  if (before.empty() || !std::ranges::equal(before, now, {}, &Camera::name, &Camera::name) ||
-      boxBefore.isEmpty() || boxNow.isEmpty()) {
-    return false;
-  }
-  std::size_t unchanged = 0;
-  for (std::size_t k = 0; k < now.size(); ++k) {
-    unchanged += now[k].cameraFromWorld.isApprox(before[k].cameraFromWorld) ? 1 : 0;
-  }
-  const double sizeBefore = boxBefore.diagonal().norm();
-  const double sizeNow = boxNow.diagonal().norm();
-  return unchanged + 1 >= now.size() && sizeNow < 1.5 * sizeBefore && sizeBefore < 1.5 * sizeNow &&
-         (boxNow.center() - boxBefore.center()).norm() < 0.5 * sizeBefore;
-}
-
-/// Whether cameras stand in another room, or the same ones in a room of another size: what a person
-/// looks at in one is nothing in the other. A refined calibration is neither.
-bool isElsewhere(const CameraRig& before, const CameraRig& now,
-                 const Eigen::AlignedBox3d& boxBefore, const Eigen::AlignedBox3d& boxNow) {
-  if (!std::ranges::equal(before, now, {}, &Camera::name, &Camera::name) || boxBefore.isEmpty() ||
-      boxNow.isEmpty()) {
-    return true;
-  }
-  const double sizeBefore = boxBefore.diagonal().norm();
-  const double sizeNow = boxNow.diagonal().norm();
-  return sizeNow > 1.25 * sizeBefore || sizeBefore > 1.25 * sizeNow ||
-         (boxNow.center() - boxBefore.center()).norm() > 0.25 * sizeBefore;
 }
 
 } // namespace
@@ -137,17 +65,16 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const std::shared_ptr<const CameraRig> last = framedRig; // lives on while it is compared
   const CameraRig& before = last ? *last : none;
   const CameraRig& cameras = shown ? *shown : none;
-  rigBox = boxOf(cameras);
+  rigBox = boxAround(cameras);
   // While one camera is adjusted, the picture holds still unless that camera leaves it.
-  const Eigen::AlignedBox3d boxBefore = boxOf(before);
-  const bool adjusted = isAdjusted(before, cameras, boxBefore, rigBox);
-  const bool elsewhere = !adjusted && isElsewhere(before, cameras, boxBefore, rigBox);
+  const RigChange change = rigChange(before, cameras);
+  const bool adjusted = change == RigChange::OneCamera;
   content = adjusted ? content.merged(rigBox) : rigBox;
   rig = shown;
   if (!cameras.empty()) {
     framedRig = shown;
     if (!adjusted) {
-      moved = moved && !elsewhere;
+      moved = moved && change != RigChange::Elsewhere;
       frameWanted = frameWanted || !moved;
     }
   }

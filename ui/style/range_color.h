@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/color/color_range.h"
+#include "core/color/color_ranges.h"
 
 #include <QColor>
 

@@ -2,6 +2,7 @@
 #include "ui/calibration/planner/rig_planner.h"
 
 #include "core/calibration/manual/interactive_pose.h"
+#include "core/geometry/camera_name.h"
 #include "core/session/run/tracking_run.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
@@ -151,16 +152,10 @@ void RigPlanner::choose(int planned) {
 }
 
 QString RigPlanner::nextName() const {
-  const auto taken = [&](const QString& name) {
-    const auto all = rig();
-    return std::ranges::any_of(
-        all, [&](const Camera& one) { return QString::fromStdString(one.name) == name; });
-  };
-  std::size_t index = document_.project().cameras.size();
-  while (taken(cameraName(std::string(), index))) {
-    ++index;
-  }
-  return cameraName(std::string(), index);
+  return QString::fromStdString(
+      freeCameraName(rig(), document_.project().cameras.size(), [](std::size_t number) {
+        return cameraName(std::string(), number).toStdString();
+      }));
 }
 
 void RigPlanner::add() {
