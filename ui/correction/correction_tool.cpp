@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/correction/correction_tool.h"
 
-#include "core/geometry/projected_lines.h"
+#include "core/session/run/sight_lines.h"
+#include "core/session/run/snapshot_state.h"
 #include "core/session/session.h"
 #include "core/setup/clicked_correction.h"
 #include "ui/cameraview/camera_view.h"
@@ -15,32 +16,25 @@
 
 #include <QPolygonF>
 
-#include <algorithm>
-#include <cmath>
-
 namespace dewpoint::ui {
 
 namespace {
 
-// Chosen.
-
-constexpr double kGrabReachPx = 24.0; ///< of the widget: an estimate this near is meant
-constexpr double kBeyond = 1.25;      ///< a line of sight ends so many times as far as the position
+constexpr double kGrabReachPx = 24.0; ///< of the widget: an estimate this near is meant. Chosen
 
 PointClick clickAt(int camera, const QPointF& pixel) {
   return {camera, {pixel.x(), pixel.y()}};
 }
 
-/// The camera of a rig; null when it has none with this number.
-const Camera* cameraOf(const TrackSnapshotPtr& snapshot, int camera) {
-  const bool isThere = snapshot && snapshot->rig && camera >= 0 &&
-                       static_cast<std::size_t>(camera) < snapshot->rig->size();
-  return isThere ? &(*snapshot->rig)[static_cast<std::size_t>(camera)] : nullptr;
+/// Nothing without a snapshot, too.
+std::optional<QPointF> pixelIn(const TrackSnapshotPtr& snapshot, int camera,
+                               const Eigen::Vector3d& position) {
+  const auto pixel = snapshot ? pixelOf(*snapshot, camera, position) : std::nullopt;
+  return pixel ? std::optional(QPointF(pixel->x(), pixel->y())) : std::nullopt;
 }
 
-std::optional<QPointF> pixelOf(const Camera& camera, const Eigen::Vector3d& position) {
-  const auto pixel = Projector(camera).project(position);
-  return pixel ? std::optional(QPointF(pixel->x(), pixel->y())) : std::nullopt;
+bool hasCamera(const TrackSnapshotPtr& snapshot, int camera) {
+  return snapshot && cameraOf(*snapshot, camera) != nullptr;
 }
 
 } // namespace
@@ -114,31 +108,14 @@ CorrectionTool::Drag CorrectionTool::held() const {
 }
 
 std::optional<Gaussian3> CorrectionTool::estimateOf(const Drag& drag) const {
-  if (!drag.snapshot || drag.target < 0 ||
-      static_cast<std::size_t>(drag.target) >= drag.snapshot->targets.size()) {
-    return std::nullopt;
-  }
-  const TrackEstimate& estimate =
-      drag.snapshot->targets[static_cast<std::size_t>(drag.target)].estimate;
-  // Nothing is believed yet in a frame that was not tracked.
-  return particleCountOf(estimate) > 0 ? positionOf(estimate) : std::nullopt;
+  return drag.snapshot ? beliefOf(*drag.snapshot, drag.target) : std::nullopt;
 }
 
 int CorrectionTool::targetAt(const Layer& layer, const QPointF& pixel) const {
-  const Camera* camera = cameraOf(snapshot_, layer.camera);
   const int count = static_cast<int>(bench_.document.project().targets.size());
-  int nearest = -1;
-  double least = kGrabReachPx / layer.view->placement().scale;
-  for (int target = 0; camera != nullptr && target < count; ++target) {
-    const auto estimate = estimateOf({target, snapshot_});
-    const auto there = estimate ? pixelOf(*camera, estimate->mean) : std::nullopt;
-    const QPointF apart = there.value_or(QPointF()) - pixel;
-    if (const double distance = std::hypot(apart.x(), apart.y()); there && distance <= least) {
-      least = distance;
-      nearest = target;
-    }
-  }
-  return nearest;
+  const double reach = kGrabReachPx / layer.view->placement().scale;
+  return snapshot_ ? targetNear(*snapshot_, count, layer.camera, {pixel.x(), pixel.y()}, reach)
+                   : -1;
 }
 
 void CorrectionTool::grab(const Layer& layer, const QPointF& pixel) {
@@ -172,7 +149,7 @@ Result<PositionCorrection> CorrectionTool::correctionOf(const Drag& drag, int ca
 
 void CorrectionTool::point(int camera, const QPointF& pixel) {
   const Drag drag = held();
-  if (!active_ || drag.target < 0 || cameraOf(drag.snapshot, camera) == nullptr) {
+  if (!active_ || drag.target < 0 || !hasCamera(drag.snapshot, camera)) {
     return;
   }
   const PointClick click = clickAt(camera, pixel);
@@ -189,7 +166,7 @@ bool CorrectionTool::canCorrect() const {
 
 void CorrectionTool::correctAt(int camera, const QPointF& pixel) {
   const Drag drag{preferredTarget(), snapshot_};
-  if (!canCorrect() || cameraOf(drag.snapshot, camera) == nullptr) {
+  if (!canCorrect() || !hasCamera(drag.snapshot, camera)) {
     return;
   }
   if (bench_.session.isPlaying()) {
@@ -201,7 +178,7 @@ void CorrectionTool::correctAt(int camera, const QPointF& pixel) {
 
 void CorrectionTool::drop(int camera, const QPointF& pixel) {
   const Drag drag = held();
-  if (!active_ || drag.target < 0 || cameraOf(drag.snapshot, camera) == nullptr ||
+  if (!active_ || drag.target < 0 || !hasCamera(drag.snapshot, camera) ||
       drag.snapshot->frame < 0 || drag.snapshot->rerun) {
     return;
   }
@@ -228,9 +205,8 @@ void CorrectionTool::refresh() {
   const int target = preferredTarget();
   const auto estimate = estimateOf({target, snapshot_});
   for (const Layer& layer : layers_) {
-    const Camera* camera = cameraOf(snapshot_, layer.camera);
-    layer.overlay->setCrossStart(camera != nullptr && estimate ? pixelOf(*camera, estimate->mean)
-                                                               : std::nullopt);
+    layer.overlay->setCrossStart(estimate ? pixelIn(snapshot_, layer.camera, estimate->mean)
+                                          : std::nullopt);
   }
   const PositionCorrection* there =
       correctionAt(bench_.document.project(), snapshot_->frame, target);
@@ -242,19 +218,12 @@ void CorrectionTool::refresh() {
 void CorrectionTool::showGuides(const std::vector<PointClick>& clicks,
                                 const std::optional<Eigen::Vector3d>& position) {
   for (const Layer& layer : layers_) {
-    const Camera* camera = cameraOf(snapshot_, layer.camera);
-    if (camera == nullptr) {
+    if (!hasCamera(snapshot_, layer.camera)) {
       continue;
     }
     std::vector<QPolygonF> lines;
     for (const PointClick& click : clicks) {
-      const Camera* clicked = cameraOf(snapshot_, click.camera);
-      const auto ray =
-          clicked != nullptr ? Unprojector(*clicked).ray(click.pixel) : std::optional<Ray>();
-      if (click.camera == layer.camera || !ray) {
-        continue;
-      }
-      for (const ImageLine& line : projectedRay(Projector(*camera), *ray)) {
+      for (const ImageLine& line : clickedRay(*snapshot_, click, layer.camera)) {
         QPolygonF& drawn = lines.emplace_back();
         for (const Eigen::Vector2d& pixel : line) {
           drawn << QPointF(pixel.x(), pixel.y());
@@ -262,20 +231,14 @@ void CorrectionTool::showGuides(const std::vector<PointClick>& clicks,
       }
     }
     layer.overlay->setGuides(std::move(lines),
-                             position ? pixelOf(*camera, *position) : std::nullopt);
+                             position ? pixelIn(snapshot_, layer.camera, *position) : std::nullopt);
   }
 }
 
 void CorrectionTool::showSight(const PointClick& click,
                                const std::optional<Eigen::Vector3d>& position) {
-  const Camera* camera = cameraOf(snapshot_, click.camera);
-  const auto ray = camera != nullptr ? Unprojector(*camera).ray(click.pixel) : std::optional<Ray>();
-  if (!ray || !position) {
-    birdsEye_.showSight({});
-    return;
-  }
-  const double length = kBeyond * (*position - ray->origin).norm();
-  birdsEye_.showSight({ray->origin, ray->origin + length * ray->direction});
+  birdsEye_.showSight(snapshot_ && position ? clickedSight(*snapshot_, click, *position)
+                                            : std::vector<Eigen::Vector3d>());
 }
 
 void CorrectionTool::clearGuides() {

@@ -2,10 +2,21 @@
 #include "core/session/run/sight_lines.h"
 
 #include "core/geometry/projector.h"
+#include "core/session/run/snapshot_state.h"
+
+#include <optional>
 
 namespace dewpoint::session {
 
 namespace {
+
+/// A ray ends so many times as far away as the position on it. Chosen.
+constexpr double kBeyond = 1.25;
+
+std::optional<Ray> rayOf(const TrackSnapshot& snapshot, const PointClick& click) {
+  const Camera* camera = cameraOf(snapshot, click.camera);
+  return camera != nullptr ? Unprojector(*camera).ray(click.pixel) : std::nullopt;
+}
 
 bool estimateIsIn(const Camera& camera, const Eigen::Vector3d& point) {
   const auto pixel = Projector(camera).project(point);
@@ -47,6 +58,24 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
     lines.push_back({static_cast<int>(k), camera.center(), position->mean, sees});
   }
   return lines;
+}
+
+std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
+                                  int camera) {
+  const Camera* shown = cameraOf(snapshot, camera);
+  const auto ray = rayOf(snapshot, click);
+  return shown != nullptr && ray && click.camera != camera ? projectedRay(Projector(*shown), *ray)
+                                                           : std::vector<ImageLine>();
+}
+
+std::vector<Eigen::Vector3d> clickedSight(const TrackSnapshot& snapshot, const PointClick& click,
+                                          const Eigen::Vector3d& position) {
+  const auto ray = rayOf(snapshot, click);
+  if (!ray) {
+    return {};
+  }
+  const double length = kBeyond * (position - ray->origin).norm();
+  return {ray->origin, ray->origin + length * ray->direction};
 }
 
 std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/manual/measured_points.h"
+#include "core/geometry/projected_lines.h"
 #include "core/session/run/snapshot.h"
 
 #include <Eigen/Core>
@@ -23,7 +25,17 @@ struct SightLine {
 /// targets with unknown position have none.
 std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSnapshot& target);
 
-/// Returns a dashed line of `count` dashes between two points, with gaps as long as the dashes.
+/// What the image of a camera shows of the ray of a click; nothing in the image of the click
+/// itself, and of cameras that the snapshot has not.
+std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
+                                  int camera);
+
+/// The two ends of the ray of a click: its camera, and a quarter farther from it than the position
+/// that came of the click, so that the ray is seen to go through that. Empty without a camera.
+std::vector<Eigen::Vector3d> clickedSight(const TrackSnapshot& snapshot, const PointClick& click,
+                                          const Eigen::Vector3d& position);
+
+/// A broken line: `count` strokes from one point to another, with gaps as long as they are.
 std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to, int count);
 

@@ -185,6 +185,36 @@ std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot) {
   return people;
 }
 
+std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera,
+                                       const Eigen::Vector3d& position) {
+  const Camera* its = cameraOf(snapshot, camera);
+  return its != nullptr ? Projector(*its).project(position) : std::nullopt;
+}
+
+std::optional<Gaussian3> beliefOf(const TrackSnapshot& snapshot, int target) {
+  const auto index = static_cast<std::size_t>(target);
+  if (target < 0 || index >= snapshot.targets.size()) {
+    return std::nullopt;
+  }
+  const TrackEstimate& estimate = snapshot.targets[index].estimate;
+  return particleCountOf(estimate) > 0 ? positionOf(estimate) : std::nullopt;
+}
+
+int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
+               double reach) {
+  int nearest = -1;
+  double least = reach;
+  for (int target = 0; target < count; ++target) {
+    const auto belief = beliefOf(snapshot, target);
+    const auto there = belief ? pixelOf(snapshot, camera, belief->mean) : std::nullopt;
+    if (const double distance = there ? (*there - pixel).norm() : 0.0; there && distance <= least) {
+      least = distance;
+      nearest = target;
+    }
+  }
+  return nearest;
+}
+
 const Error* noticeOf(const TrackSnapshot& snapshot, int camera) {
   const Camera* its = cameraOf(snapshot, camera);
   if (its == nullptr) {

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace dewpoint::session {
@@ -32,7 +33,19 @@ const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferr
 /// lies within the image. Null if there is none.
 const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
 
-/// Returns the present notice about a camera; null if there is none.
+/// Where a camera shows a position, also beside its image; nothing behind it.
+std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera,
+                                       const Eigen::Vector3d& position);
+
+/// What is believed of a target's position; nothing yet in a frame that was not tracked.
+std::optional<Gaussian3> beliefOf(const TrackSnapshot& snapshot, int target);
+
+/// Of the first `count` targets the one whose estimate is nearest to a pixel of a camera and at
+/// most `reach` pixels away; -1: none.
+int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
+               double reach);
+
+/// What is wrong with a camera at present, by its notice; null: nothing that is known.
 const Error* noticeOf(const TrackSnapshot& snapshot, int camera);
 
 /// One person of a snapshot; valid as long as the snapshot exists.

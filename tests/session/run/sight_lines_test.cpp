@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace dewpoint::tests {
@@ -64,6 +65,40 @@ TEST(SightLines, NothingBesideTheImagesOrWithoutAPosition) {
   EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
   snapshot.targets[0].estimate = BoxEstimate{};
   EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
+}
+
+const PointClick kCenterOfLeft{0, {79.5, 59.5}}; // where both cameras look
+
+TEST(SightLines, TheRayOfAClickGoesThroughTheOtherImage) {
+  const TrackSnapshot snapshot = heldBall();
+  const auto lines = clickedRay(snapshot, kCenterOfLeft, 1);
+  ASSERT_EQ(lines.size(), 1U);
+  double low = 1e9;
+  double high = -1e9;
+  for (const Eigen::Vector2d& pixel : lines[0]) {
+    EXPECT_NEAR(pixel.y(), 59.5, 1e-6); // the cameras are equally high
+    low = std::min(low, pixel.x());
+    high = std::max(high, pixel.x());
+  }
+  EXPECT_LT(low, 79.5);
+  EXPECT_GT(high, 79.5);
+}
+
+TEST(SightLines, NoRayInTheImageOfTheClickOrWithoutACamera) {
+  EXPECT_TRUE(clickedRay(heldBall(), kCenterOfLeft, 0).empty());
+  EXPECT_TRUE(clickedRay(heldBall(), kCenterOfLeft, 2).empty());
+  EXPECT_TRUE(clickedRay(heldBall(), {2, {79.5, 59.5}}, 1).empty());
+  EXPECT_TRUE(clickedRay({}, kCenterOfLeft, 1).empty());
+  EXPECT_TRUE(clickedSight(heldBall(), {-1, {79.5, 59.5}}, test::kBall).empty());
+}
+
+TEST(SightLines, TheRayOfAClickEndsAQuarterBeyondThePosition) {
+  const TrackSnapshot snapshot = heldBall();
+  const auto line = clickedSight(snapshot, kCenterOfLeft, test::kBall);
+  ASSERT_EQ(line.size(), 2U);
+  EXPECT_EQ(line[0], (*snapshot.rig)[0].center());
+  // 0.6 m away along y: it goes on for 0.15 m.
+  EXPECT_LT((line[1] - test::kBall - Eigen::Vector3d(0.0, 0.15, 0.0)).norm(), 1e-9);
 }
 
 TEST(SightLines, DashesBeginAndEndWithAStroke) {

@@ -148,5 +148,47 @@ TEST(SnapshotState, ACameraIsOneOfTheRig) {
   EXPECT_EQ(cameraOf(TrackSnapshot(), 0), nullptr);
 }
 
+/// Two targets that are believed to be at the ball and 0.1 m to the right of it for the left
+/// camera, 25 pixels at 0.6 m.
+TrackSnapshot twoBelieved() {
+  TrackSnapshot snapshot = snapshotOf({TargetStatus::Held, TargetStatus::Held});
+  for (std::size_t k = 0; k < 2; ++k) {
+    auto& sphere = std::get<SphereEstimate>(snapshot.targets[k].estimate);
+    sphere.mean += Eigen::Vector3d(0.1 * static_cast<double>(k), 0.0, 0.0);
+    sphere.particleCount = 100;
+  }
+  return snapshot;
+}
+
+TEST(SnapshotState, APressIsAboutTheTargetNearestToIt) {
+  const TrackSnapshot snapshot = twoBelieved();
+  EXPECT_EQ(targetNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), 0);
+  EXPECT_EQ(targetNear(snapshot, 2, 0, {104.5, 59.5}, 10.0), 1);
+  EXPECT_EQ(targetNear(snapshot, 2, 0, {94.5, 59.5}, 20.0), 1); // 15 and 10 pixels away
+  EXPECT_EQ(targetNear(snapshot, 2, 0, {94.5, 59.5}, 9.0), -1);
+  EXPECT_EQ(targetNear(snapshot, 1, 0, {104.5, 59.5}, 10.0), -1); // the project has one
+  EXPECT_EQ(targetNear(snapshot, 5, 0, {104.5, 59.5}, 10.0), 1);
+  EXPECT_EQ(targetNear(snapshot, 2, 2, {79.5, 59.5}, 10.0), -1); // no such camera
+}
+
+TEST(SnapshotState, NothingIsBelievedBeforeTheFirstParticles) {
+  TrackSnapshot snapshot = twoBelieved();
+  ASSERT_TRUE(beliefOf(snapshot, 1));
+  EXPECT_EQ(beliefOf(snapshot, 0)->mean, test::kBall);
+  EXPECT_FALSE(beliefOf(snapshot, 2));
+  EXPECT_FALSE(beliefOf(snapshot, -1));
+  std::get<SphereEstimate>(snapshot.targets[0].estimate).particleCount = 0;
+  EXPECT_FALSE(beliefOf(snapshot, 0));
+  EXPECT_EQ(targetNear(snapshot, 2, 0, {79.5, 59.5}, 10.0), -1);
+}
+
+TEST(SnapshotState, PixelsAreThoseOfTheCameraWithTheNumber) {
+  const TrackSnapshot snapshot = snapshotOf({});
+  ASSERT_TRUE(pixelOf(snapshot, 1, test::kBall));
+  EXPECT_LT((*pixelOf(snapshot, 1, test::kBall) - Eigen::Vector2d(79.5, 59.5)).norm(), 1e-9);
+  EXPECT_FALSE(pixelOf(snapshot, 0, {0.0, -0.8, 0.1})); // behind it
+  EXPECT_FALSE(pixelOf(snapshot, 2, test::kBall));
+}
+
 } // namespace
 } // namespace dewpoint::tests
