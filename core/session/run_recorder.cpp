@@ -5,7 +5,6 @@
 #include "core/base/statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -82,7 +81,7 @@ std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const 
     record.held = isHeld(estimate);
     record.cameras = cameraEvidenceOf(estimate);
     if (const auto position = positionOf(estimate)) {
-      record.spread = std::sqrt(position->covariance.trace());
+      record.spread = spreadOf(position->covariance);
       record.spreadPerAxis = position->covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
       record.position = position->mean;
     }

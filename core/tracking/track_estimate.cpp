@@ -53,8 +53,12 @@ struct Position {
 
 } // namespace
 
-double SphereEstimate::spread() const {
+double spreadOf(const Eigen::Matrix3d& covariance) {
   return std::sqrt(covariance.trace());
+}
+
+double SphereEstimate::spread() const {
+  return spreadOf(covariance);
 }
 
 bool isAbsent(const TrackEstimate& estimate) {

@@ -14,8 +14,11 @@
 
 namespace dewpoint::tracking {
 
-/// Estimate of a colored target after one filter iteration: a sphere, or another object whose
-/// extent is described by an ellipsoid. World frame, meters.
+/// Root mean square distance to the mean, meters, of a position with this covariance (m²).
+double spreadOf(const Eigen::Matrix3d& covariance);
+
+/// The estimate of a colored target, a sphere or anything else of which an ellipsoid tells the
+/// extent, after one filter iteration. World frame, meters.
 struct SphereEstimate {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
   Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)

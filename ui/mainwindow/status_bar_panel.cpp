@@ -19,7 +19,6 @@
 #include <QToolButton>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -214,7 +213,7 @@ void StatusBarPanel::showPlace(const TargetSnapshot& target) {
     clearBelief();
     return;
   }
-  spread_->setText(tr("± %1").arg(lengthText(std::sqrt(position->covariance.trace()))));
+  spread_->setText(tr("± %1").arg(lengthText(spreadOf(position->covariance))));
   const double z = position->mean.z();
   position_->setText(tr("x %1  y %2  z %3")
                          .arg(placeNumber(position->mean.x()), placeNumber(position->mean.y()),

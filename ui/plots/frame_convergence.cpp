@@ -119,7 +119,7 @@ void FrameConvergence::showFrame(const PlotSeries& run, std::optional<std::int64
   series_.reset(1);
   for (std::size_t row = first; row < last; ++row) {
     const PlotSeries::Row& its = run.row(row);
-    const auto spread = static_cast<float>(spreadOf(run, row, boxes_));
+    const auto spread = static_cast<float>(spreadOf(run, row));
     series_.append({static_cast<std::int64_t>(row - first) + 1, its.frame, its.time},
                    std::span(&spread, 1));
   }

@@ -5,7 +5,6 @@
 
 #include <QCoreApplication>
 
-#include <cmath>
 #include <limits>
 
 namespace dewpoint::ui {
@@ -25,6 +24,7 @@ enum RunColumn : std::size_t {
   kSpreadX,
   kSpreadY,
   kSpreadZ,
+  kSpread,
   kSampleSize,
   kParticles,
   kError,
@@ -133,7 +133,7 @@ std::vector<PlotDeclaration> boxRunPlots() {
       {QStringLiteral("spread"),
        RunPlots::tr("Spread"),
        PlotQuantity::Pixels,
-       {{RunPlots::tr("particles"), QStringLiteral("spread_px"), kSpreadX, 0}}},
+       {{RunPlots::tr("particles"), QStringLiteral("spread_px"), kSpread, 0}}},
       sampleSizePlot(),
       {QStringLiteral("likelihood"),
        RunPlots::tr("Similarity"),
@@ -147,10 +147,8 @@ std::size_t runPlotColumns(int cameraCount) {
   return kFirstCamera + kPerCamera * static_cast<std::size_t>(cameraCount);
 }
 
-double spreadOf(const PlotSeries& series, std::size_t row, bool ofBoxes) {
-  return ofBoxes ? series.value(row, kSpreadX)
-                 : std::hypot(series.value(row, kSpreadX), series.value(row, kSpreadY),
-                              series.value(row, kSpreadZ));
+double spreadOf(const PlotSeries& series, std::size_t row) {
+  return series.value(row, kSpread);
 }
 
 void appendTo(PlotSeries& series, const IterationRecord& record) {
@@ -164,9 +162,10 @@ void appendTo(PlotSeries& series, const IterationRecord& record) {
   }
   put(kBoxWidth, record.boxWidth);
   put(kBoxHeight, record.boxHeight);
-  put(kSpreadX, record.similarity ? record.spread : record.spreadPerAxis.x());
+  put(kSpreadX, record.spreadPerAxis.x());
   put(kSpreadY, record.spreadPerAxis.y());
   put(kSpreadZ, record.spreadPerAxis.z());
+  put(kSpread, record.spread);
   put(kSampleSize, record.effectiveSampleSize);
   put(kParticles, record.particleCount);
   if (record.error >= 0.0) {

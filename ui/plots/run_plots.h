@@ -23,8 +23,8 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
 std::vector<PlotDeclaration> boxRunPlots();
 /// Number of values per row of the series that these plots are drawn from.
 std::size_t runPlotColumns(int cameraCount);
-/// Spread of a row of such a series, all axes combined: in meters, or in pixels for boxes.
-double spreadOf(const PlotSeries& series, std::size_t row, bool ofBoxes);
+/// Spread of a row of such a series, all axes together: meters, of boxes pixels.
+double spreadOf(const PlotSeries& series, std::size_t row);
 /// Adds one iteration to the series of its target.
 void appendTo(PlotSeries& series, const IterationRecord& record);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/metrics/overconfidence.h"
 
-#include <cmath>
+#include "core/tracking/track_estimate.h"
 
 namespace dewpoint::experiment {
 
 double statedRadius(const Eigen::Matrix3d& covariance) {
-  return std::sqrt(covariance.trace());
+  return spreadOf(covariance);
 }
 
 bool isWrong(const StatedBelief& belief, double gate) {

@@ -4,17 +4,14 @@
 #include "core/trajectory/trajectory.h"
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace dewpoint::session {
+
 struct TargetSnapshot;
 struct TrackSnapshot;
-} // namespace dewpoint::session
-
-namespace dewpoint::ui {
 
 /// Speed of the target shown, from the estimates in the frames around the one shown, as in the
 /// trajectory (`trajectory::velocityAt`).
@@ -33,4 +30,4 @@ private:
   std::uint64_t seed_ = 0;
 };
 
-} // namespace dewpoint::ui
+} // namespace dewpoint::session

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/mainwindow/target_speed.h"
+#include "core/session/run/target_speed.h"
 
 #include "core/session/run/snapshot.h"
 #include "core/trajectory/motion.h"
 
 #include <algorithm>
-#include <span>
 
-namespace dewpoint::ui {
+namespace dewpoint::session {
 
 namespace {
 /// Frames that are kept: more than a line is fitted to, so that one can step back a little.
@@ -61,4 +60,4 @@ std::optional<double> TargetSpeed::now() const {
   return velocity ? std::optional(velocity->norm()) : std::nullopt;
 }
 
-} // namespace dewpoint::ui
+} // namespace dewpoint::session
