@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/color/follow_all_button.h"
 
-#include "core/color/color_learning.h"
-#include "core/project/project.h"
+#include "core/setup/follow_all.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace dewpoint::ui {
 
@@ -20,15 +17,12 @@ FollowAllButton::FollowAllButton(Document& document, QWidget* parent)
 }
 
 void FollowAllButton::offer(const ColorAssessment* assessment, int target) {
-  const auto& targets = document_.project().targets;
   target_ = target;
-  missing_ = 0;
-  if (assessment != nullptr && assessment->suggestion == Suggestion::FollowAll && target >= 0 &&
-      target < static_cast<int>(targets.size())) {
-    const ColorRanges colors = targets[static_cast<std::size_t>(target)].colors();
-    const auto same = std::ranges::count_if(
-        targets, [&](const Target& other) { return other.colors() == colors; });
-    missing_ = std::max(0, assessment->alike - static_cast<int>(same));
+  missing_ = assessment != nullptr && target >= 0
+                 ? setup::missingTargets(document_.project(), static_cast<std::size_t>(target),
+                                         *assessment)
+                 : 0;
+  if (missing_ > 0) {
     setText(tr("Follow all %n of them", nullptr, assessment->alike));
     setToolTip(tr("Add a target of the same color and size for each of the others"));
   }
@@ -38,12 +32,7 @@ void FollowAllButton::offer(const ColorAssessment* assessment, int target) {
 void FollowAllButton::follow() {
   const int count = missing_;
   (void)document_.edit(tr("Follow all of one color"), [&](Project& project) {
-    for (int k = 0; k < count; ++k) {
-      Target another = project.targets.at(static_cast<std::size_t>(target_));
-      another.name = freshTargetName(project);
-      another.samples.clear();
-      project.targets.push_back(std::move(another));
-    }
+    setup::addTargetsLike(project, static_cast<std::size_t>(target_), count, freshTargetName);
   });
 }
 

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/color/fresh_target.h"
 
-#include "core/project/project.h"
+#include "core/setup/follow_all.h"
 #include "ui/color/color_learner.h"
 
-#include <algorithm>
+#include <cstddef>
 
 namespace dewpoint::ui {
 
 std::string freshTargetName(const Project& project) {
-  for (std::size_t number = project.targets.size() + 1;; ++number) {
-    const std::string name = ColorLearner::tr("target %1").arg(number).toStdString();
-    const auto taken = [&](const Target& target) { return target.name == name; };
-    if (std::ranges::none_of(project.targets, taken)) {
-      return name;
-    }
-  }
+  return setup::freeTargetName(project, [](std::size_t number) {
+    return ColorLearner::tr("target %1").arg(number).toStdString();
+  });
 }
 
 } // namespace dewpoint::ui

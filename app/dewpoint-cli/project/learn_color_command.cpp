@@ -9,6 +9,7 @@
 #include "core/color/match_image.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_save.h"
+#include "core/setup/follow_all.h"
 #include "core/setup/footage_lesson.h"
 #include "core/tracking/target_shape_name.h"
 
@@ -32,6 +33,7 @@ struct LearnColorOptions {
   std::optional<double> radius;
   std::optional<std::string> shape;
   std::string mask, out;
+  bool followAll = false;
 };
 
 /// The first place is the click itself. Their colors are not taken yet.
@@ -108,9 +110,24 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
   }
 }
 
+/// Makes a target of each of the other things that have the color and size of the one that was
+/// taught, and says how many.
+void addAllAlike(setup::FootageLesson& taught) {
+  const int missing =
+      setup::missingTargets(taught.project, taught.target, taught.lesson.color.assessment);
+  setup::addTargetsLike(taught.project, taught.target, missing, [](const Project& project) {
+    return setup::freeTargetName(
+        project, [](std::size_t number) { return fmt::format("target {}", number); });
+  });
+  fmt::print("Targets added for others of this color and size: {}.\n", missing);
+}
+
 /// Says what was learned, and writes its mask and the project.
-Status keep(const LearnColorOptions& options, const setup::FootageLesson& taught) {
+Status keep(const LearnColorOptions& options, setup::FootageLesson& taught) {
   printLearned(taught.project.targets[taught.target], taught.lesson, taught.project);
+  if (options.followAll) {
+    addAllAlike(taught);
+  }
   const auto drawn = options.mask.empty()
                          ? Status()
                          : writeMask(options.mask, taught.image, taught.lesson.color.ranges());
@@ -162,8 +179,8 @@ int learn(const LearnColorOptions& options) {
   if (options.shape) {
     clicks.shape = targetShapeNamed(*options.shape);
   }
-  const auto taught = setup::learnFromFootage(std::move(inputs->project), *inputs->source,
-                                              inputs->backgroundImages, std::move(clicks));
+  auto taught = setup::learnFromFootage(std::move(inputs->project), *inputs->source,
+                                        inputs->backgroundImages, std::move(clicks));
   if (!taught) {
     return report(asTyped(taught.error(), options));
   }
@@ -198,6 +215,8 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
       ->add_option("--shape", options->shape,
                    "What the target is taken for: auto (the images decide), ball or any")
       ->check(CLI::IsMember(targetShapeNames()));
+  command->add_flag("--follow-all", options->followAll,
+                    "Make a target of each other thing of this color and size, if they are few");
   command->add_option("--mask", options->mask, "PNG to write: white where the image matches");
   command->add_option("--out", options->out, "Project file to write, with the learned color");
   command->callback([options, &exitCode] { exitCode = learn(*options); });
