@@ -37,3 +37,32 @@ expectExit $kBadInput track office.toml --out tracked
 expectSentence method "dewpoint-cli people"
 expectExit 0 people office.toml --out named --frames 0:3
 expectText named/trajectory.csv mohedano-ms "particles: 50"
+
+# As track does, it says when cameras cannot agree: lengths of a thousand times are no meters...
+awk '/^translation = / { gsub(/[][,]/, "")
+       printf "translation = [%.9g, %.9g, %.9g]\n", 1000 * $3, 1000 * $4, 1000 * $5; next } 1' \
+  office/project.toml >office/far.toml
+expectExit 0 people office/far.toml --out far --frames 0:2
+[[ $(grep -c 'note: the positions of the cameras seem to be in units of 0.001 m' err.txt) == 1 ]] ||
+  fail "it is to be said once: $(cat err.txt)"
+expectExit 0 people office/project.toml --out near --frames 0:2
+[[ ! -s err.txt ]] || fail "nothing was to be said: $(cat err.txt)"
+
+# ... and when one was moved: from frame 30 on camera 1 looks 6 cm beside where it did, at 2.24 m.
+scene() {
+  printf 'frames_per_second = 10\nframe_count = 30\nclutter = true\n'
+  printf '[[camera]]\nwidth = 320\nheight = 240\nfocal = [250, 250]\nposition = [%s]\ntarget = [%s]\n' \
+    '0.0, -2.0, 1.0' "$1" '-2.0, 0.0, 1.0' '0.0, 0.0, 0.0'
+}
+scene '0.0, 0.0, 0.0' >before.toml
+scene '0.06, 0.0, 0.0' >after.toml
+expectExit 0 simulate before.toml --images --out moved
+expectExit 0 simulate after.toml --images --out after
+for camera in camera-1 camera-2; do
+  for frame in {0..29}; do
+    cp "after/$camera/$(printf %06d "$frame").png" "moved/$camera/$(printf %06d $((frame + 30))).png"
+  done
+done
+expectExit 0 people moved/project.toml --method people --out still
+[[ $(grep -c 'note: camera 1: .* was turned by' err.txt) == 1 ]] ||
+  fail "it is to be said once: $(cat err.txt)"

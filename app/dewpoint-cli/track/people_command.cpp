@@ -6,11 +6,13 @@
 #include "app/dewpoint-cli/common/parameter_settings.h"
 #include "app/dewpoint-cli/common/progress.h"
 #include "app/dewpoint-cli/common/repeated_job.h"
+#include "app/dewpoint-cli/track/run_notes.h"
 #include "app/wiring/open_project.h"
 #include "core/base/units.h"
 #include "core/session/people/people_overlay.h"
 #include "core/session/people/people_writer.h"
 #include "core/session/run/frame_loop.h"
+#include "core/session/run/tracking_clock.h"
 #include "core/session/run/tracking_run.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people/people_parameters.h"
@@ -23,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <chrono>
 #include <map>
 #include <memory>
 
@@ -118,10 +119,6 @@ public:
   PeopleObserver(PeopleWriter& writer, Progress& progress, int overlayEvery)
       : writer_(writer), progress_(progress), overlayEvery_(overlayEvery) {}
 
-  void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
-  void iterated(const TrackingRun& /*run*/, double /*microseconds*/) override {
-    seconds_ += std::chrono::duration<double>(Clock::now() - taken_).count();
-  }
   Status tracked(const TrackingRun& run) override {
     const auto* const finding = run.capability<PeopleFinding>();
     assert(finding != nullptr); // as the methods that may be chosen are
@@ -143,8 +140,7 @@ public:
   }
 
   std::int64_t frames() const { return frames_; }
-  double seconds() const { return seconds_; } ///< in the tracker
-  int most() const { return most_; }          ///< people at once
+  int most() const { return most_; } ///< people at once
   const std::vector<cv::Mat>& rows() const { return rows_; }
   /// In how many frames each person was found.
   std::vector<JobTarget> targets() const {
@@ -156,16 +152,12 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   PeopleWriter& writer_;
   Progress& progress_;
   int overlayEvery_;
-  Clock::time_point taken_;
   std::vector<cv::Mat> rows_;
   std::map<std::string, std::int64_t> found_;
   std::int64_t frames_ = 0;
-  double seconds_ = 0.0;
   int most_ = 0;
 };
 
@@ -225,9 +217,14 @@ int runPeople(const PeopleOptions& options) {
   Progress progress("people", frames->count(source).value_or(0));
   PeopleObserver observer(*writer, progress,
                           overlayEvery(options, *frames, source.frameCount().value_or(0)));
-  const std::array<FrameObserver*, 1> observers{&observer};
-  auto tracked =
-      trackFrames(source, *frames, *run, observers, [] { return !interruptionRequested(); });
+  TrackingClock clock;
+  RunNotes notes(source, run->rig());
+  const std::array<FrameObserver*, 3> observers{&notes, &clock, &observer};
+  auto tracked = trackFrames(source, *frames, *run, observers, [&] {
+    notes.takeNotices();
+    return !interruptionRequested();
+  });
+  notes.takeNotices();
   progress.finish();
   tracked = tracked ? writer->finish() : tracked;
   if (!observer.rows().empty()) {
@@ -240,7 +237,7 @@ int runPeople(const PeopleOptions& options) {
   fmt::print("frames                  {:>10}\n", observer.frames());
   fmt::print("most people at once     {:>10}\n", observer.most());
   fmt::print("ms per frame            {:>10.2f}\n",
-             inMilliseconds(observer.seconds()) /
+             inMilliseconds(clock.seconds()) /
                  static_cast<double>(std::max<std::int64_t>(1, observer.frames())));
   if (!tracked) {
     const int code = report(tracked.error());
@@ -250,7 +247,7 @@ int runPeople(const PeopleOptions& options) {
     return kExitInterrupted;
   }
   job.frames = observer.frames();
-  job.seconds = observer.seconds();
+  job.seconds = clock.seconds();
   job.threads = options.threads;
   job.targets = observer.targets();
   const auto finished = begun->finish(std::move(job), kPeopleFiles);

@@ -4,12 +4,9 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/dewpoint-cli/common/progress.h"
+#include "app/dewpoint-cli/track/run_notes.h"
 #include "core/base/text_file.h"
 #include "core/base/units.h"
-#include "core/camera_motion/agreement/disagreement_sentence.h"
-#include "core/session/run/camera_agreement_watch.h"
-#include "core/session/run/camera_motion_observer.h"
-#include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/reason_log.h"
 #include "core/session/run/run_report.h"
 #include "core/session/run/tracking_run.h"
@@ -31,42 +28,6 @@
 
 namespace dewpoint::app {
 namespace {
-
-/// Says each new notice of the source once.
-void noteNotices(const FrameSetSource& source, RunFigures& figures) {
-  for (const auto& notice : source.notices()) {
-    const std::string text = sentence(notice);
-    if (std::find(figures.notices.begin(), figures.notices.end(), text) == figures.notices.end()) {
-      fmt::print(stderr, "dewpoint-cli: note: {}.\n", text);
-      figures.notices.push_back(text);
-    }
-  }
-}
-
-/// Says each new motion of a camera once.
-void noteCameraMotions(const CameraMotionWatch& motionWatch, std::size_t& said,
-                       RunFigures& figures) {
-  if (said == motionWatch.reports().size()) {
-    return;
-  }
-  const auto notices = motionWatch.notices();
-  for (; said < notices.size(); ++said) {
-    figures.notices.push_back(sentence(notices[said]));
-    fmt::print(stderr, "dewpoint-cli: note: {}.\n", figures.notices.back());
-  }
-}
-
-/// Says each new reason why cameras cannot agree once.
-void noteDisagreements(const CameraAgreementWatch& watch, const TrackingRun& run,
-                       std::vector<CameraDisagreement>& said, RunFigures& figures) {
-  for (CameraDisagreement& found : watch.found(run.definition()->family())) {
-    if (std::ranges::none_of(said, [&](const auto& one) { return one.isSameAs(found); })) {
-      figures.notices.push_back(disagreementSentence(found, run.rig()));
-      fmt::print(stderr, "dewpoint-cli: note: {}.\n", figures.notices.back());
-      said.push_back(std::move(found));
-    }
-  }
-}
 
 /// Where the results of a run go: a file that grows with it, or boxes that are written at its end.
 struct TrackOutput {
@@ -138,16 +99,10 @@ std::vector<std::string> resultFiles(const TrackJob& job, const TrackingRun& run
 /// Writes and says what becomes of the frames of a job.
 class TrackObserver final : public FrameObserver {
 public:
-  TrackObserver(const FrameSetSource& source, const CameraMotionWatch& motionWatch,
-                const CameraAgreementWatch& agreementWatch, Progress& progress, TrackOutput& output,
-                RunFigures& figures)
-      : source_(source), motionWatch_(motionWatch), agreementWatch_(agreementWatch),
-        progress_(progress), output_(output), figures_(figures) {}
+  TrackObserver(Progress& progress, TrackOutput& output, RunFigures& figures)
+      : progress_(progress), output_(output), figures_(figures) {}
 
-  void taken(const FrameSet& /*frames*/) override {
-    noteNotices(source_, figures_);
-    taken_ = Clock::now();
-  }
+  void taken(const FrameSet& /*frames*/) override { taken_ = Clock::now(); }
   void iterated(const TrackingRun& /*run*/, double microseconds) override {
     figures_.iterations.add(1e-6 * microseconds);
     iterated_ = Clock::now();
@@ -155,8 +110,6 @@ public:
   Status tracked(const TrackingRun& run) override {
     const std::chrono::duration<double> took = std::max(taken_, iterated_) - taken_;
     figures_.latency.add(took.count());
-    noteCameraMotions(motionWatch_, motionsNoted_, figures_);
-    noteDisagreements(agreementWatch_, run, disagreementsNoted_, figures_);
     if (const auto written = output_.take(run); !written) {
       return written;
     }
@@ -167,34 +120,28 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  const FrameSetSource& source_;
-  const CameraMotionWatch& motionWatch_;
-  const CameraAgreementWatch& agreementWatch_;
   Progress& progress_;
   TrackOutput& output_;
   RunFigures& figures_;
   Clock::time_point taken_;
   Clock::time_point iterated_; ///< the last time
-  std::size_t motionsNoted_ = 0;
-  std::vector<CameraDisagreement> disagreementsNoted_;
 };
 
 /// Tracks the frames of a job; what stopped it, if it was not the end.
 Status trackJob(const TrackJob& job, FrameSetSource& source, TrackingRun& run, TrackOutput& output,
                 RunFigures& figures) {
-  CameraMotionWatch motionWatch(run.rig());
-  CameraMotionObserver motionObserver(motionWatch);
   Progress progress("tracking", job.frames.count(source).value_or(0));
-  CameraAgreementWatch agreementWatch(run.rig(), motionWatch);
-  TrackObserver observer(source, motionWatch, agreementWatch, progress, output, figures);
+  RunNotes notes(source, run.rig());
+  TrackObserver observer(progress, output, figures);
   const auto goOn = [&] {
-    noteNotices(source, figures); // also while nothing comes
+    notes.takeNotices();
     return !interruptionRequested();
   };
-  const std::array<FrameObserver*, 3> observers{&motionObserver, &agreementWatch, &observer};
+  const std::array<FrameObserver*, 2> observers{&notes, &observer};
   const Status tracked = trackFrames(source, job.frames, run, observers, goOn);
-  noteNotices(source, figures);
+  notes.takeNotices();
   progress.finish();
+  figures.notices = notes.said();
   return tracked;
 }
 

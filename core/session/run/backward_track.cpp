@@ -2,6 +2,7 @@
 #include "core/session/run/backward_track.h"
 
 #include "core/session/run/frame_loop.h"
+#include "core/session/run/reversed_frames.h"
 #include "core/session/run/tracking_run.h"
 
 #include <Eigen/Cholesky>
@@ -32,84 +33,8 @@ constexpr double kSamePosition = 4.0;
 /// Seconds between the corrections that are made of it: a target that is lost again on the way is
 /// found again half a second later.
 constexpr double kSpacingSeconds = 0.5;
-/// Bytes of the images that are held to be gone over from the last to the first.
-constexpr std::size_t kBlockBytes = std::size_t{256} << 20;
-constexpr std::int64_t kMostInBlock = 64; ///< frames
-constexpr std::int64_t kFewestInBlock = 4;
 /// Added along each axis, m²: a tenth of a millimeter, so that a covariance can be inverted.
 constexpr double kLeastVariance = 1e-8;
-
-/// Frames of a source from a last one down to the first, read in blocks: videos are made to be read
-/// forward.
-class ReversedFrames {
-public:
-  ReversedFrames(FrameSetSource& source, std::int64_t last) : source_(source), next_(last) {}
-
-  /// Null before the first.
-  Result<FrameSetPtr> next() {
-    if (next_ < 0) {
-      return FrameSetPtr();
-    }
-    if (block_.empty() || next_ < first_) {
-      if (const auto read = readBlock(); !read) {
-        return tl::make_unexpected(read.error());
-      }
-    }
-    return std::move(block_.at(static_cast<std::size_t>(next_-- - first_)));
-  }
-
-private:
-  Status readBlock() {
-    first_ = std::max<std::int64_t>(0, next_ - length_ + 1);
-    block_.clear();
-    if (const auto sought = source_.seek(first_); !sought) {
-      return sought;
-    }
-    std::size_t bytes = 0;
-    while (first_ + static_cast<std::int64_t>(block_.size()) <= next_) {
-      auto frames = source_.next();
-      if (!frames) {
-        return tl::make_unexpected(frames.error());
-      }
-      if (!*frames) {
-        return failure(ErrorCode::EndedEarly, "", "frame",
-                       "the recording ends before a frame that was there");
-      }
-      for (const FramePtr& frame : (*frames)->frames) {
-        bytes += frame ? frame->image.total() * frame->image.elemSize() : 0;
-      }
-      block_.push_back(std::move(*frames));
-    }
-    const std::size_t each = std::max<std::size_t>(1, bytes / block_.size());
-    length_ =
-        std::clamp(static_cast<std::int64_t>(kBlockBytes / each), kFewestInBlock, kMostInBlock);
-    return {};
-  }
-
-  FrameSetSource& source_;
-  std::int64_t next_;
-  std::int64_t first_ = 0; ///< of the block
-  std::int64_t length_ = kFewestInBlock;
-  std::vector<FrameSetPtr> block_;
-};
-
-/// The same images as if time ran the other way from a frame on.
-FrameSetPtr mirrored(const FrameSet& frames, std::int64_t at, TimeStamp time) {
-  auto result = std::make_shared<FrameSet>();
-  result->index = 2 * at - frames.index;
-  result->time = time + (time - frames.time);
-  for (const FramePtr& frame : frames.frames) {
-    if (!frame) {
-      result->frames.emplace_back();
-      continue;
-    }
-    auto other = std::make_shared<Frame>(*frame);
-    other->index = result->index;
-    other->captureTime = time + (time - frame->captureTime);
-    result->frames.push_back(std::move(other));
-  }
-  return result;
-}
 
 /// What was believed, by frame.
 class BelievedPositions {
@@ -180,68 +105,94 @@ struct BackwardPositions {
   double frameSeconds = 0.0; ///< from one to the next, on average
 };
 
+/// Follows the target from the correction back.
+class BackwardFollower final : public FrameObserver {
+public:
+  explicit BackwardFollower(const BackwardOrder& order)
+      : at_(order.from.frame), target_(static_cast<std::size_t>(order.from.target)),
+        believed_(order.believed, order.definition.targets[target_].name),
+        common_(order.from.position) {}
+
+  Status tracked(const TrackingRun& run) override {
+    begin_ = begin_.value_or(run.frames()->time);
+    const double before = seconds(run.frames()->time - *begin_); // the correction
+    const std::int64_t frame = 2 * at_ - run.frames()->index;
+    const TrackEstimate estimate = run.estimate(target_);
+    const auto position = positionOf(estimate);
+    const bool isHeldThere = isHeld(estimate) && position.has_value();
+    lastHeld_ = isHeldThere ? before : lastHeld_;
+    hasEnded_ = before - lastHeld_ > kLostSeconds;
+    if (!hasEnded_ && isHeldThere && frame != at_) { // at that frame it was said where it is
+      compare(frame, before, *position);
+    }
+    return {};
+  }
+
+  /// Whether the frames before tell no more.
+  bool hasEnded() const { return hasEnded_; }
+  BackwardPositions take() && { return std::move(found_); }
+
+private:
+  void compare(std::int64_t frame, double before, const Gaussian3& position) {
+    const bool agrees = believed_.agrees(frame, position);
+    const Gaussian3* const there = believed_.at(frame);
+    if (!agrees && hasCommon_ && there != nullptr &&
+        (there->mean - common_).norm() < (position.mean - common_).norm()) {
+      hasEnded_ = true;
+      return;
+    }
+    common_ = position.mean;
+    hasCommon_ = agrees;
+    found_.held.push_back({frame, position, agrees});
+    found_.frameSeconds = before / static_cast<double>(at_ - frame);
+    lastWrong_ = agrees ? lastWrong_ : before;
+    hasEnded_ = before - lastWrong_ > kRightSeconds;
+  }
+
+  std::int64_t at_;
+  std::size_t target_;
+  BelievedPositions believed_;
+  BackwardPositions found_;
+  std::optional<TimeStamp> begin_;
+  double lastHeld_ = 0.0;  ///< seconds before the correction
+  double lastWrong_ = 0.0; ///< the same
+  /// Where both have it: where they part, the one that stays nearer to this has not jumped.
+  Eigen::Vector3d common_;
+  bool hasCommon_ = true;
+  bool hasEnded_ = false;
+};
+
 Result<BackwardPositions> positionsBefore(FrameSetSource& source, const BackwardOrder& order,
                                           int threads, const BackwardProgress& progress) {
   auto run = TrackingRun::create(definitionFrom(order), threads);
   if (!run) {
     return tl::make_unexpected(run.error());
   }
-  const std::int64_t at = order.from.frame;
   const auto target = static_cast<std::size_t>(order.from.target);
-  BackwardPositions found;
   if (!run->takesCorrections() || target >= order.definition.targets.size()) {
-    return found;
+    return BackwardPositions();
   }
-  const BelievedPositions believed(order.believed, order.definition.targets[target].name);
+  const std::int64_t at = order.from.frame;
+  BackwardFollower follower(order);
   ReversedFrames reversed(source, at);
-  std::optional<TimeStamp> begin;
-  double lastHeld = 0.0;  // seconds before the correction
-  double lastWrong = 0.0; // the same
-  // Where both have it: where they part, the one that stays nearer to this has not jumped.
-  Eigen::Vector3d common = order.from.position;
-  bool hasCommon = true;
-  for (std::int64_t frame = at; frame >= 0; --frame) {
-    if (!progress(static_cast<double>(at - frame) / static_cast<double>(at + 1))) {
-      return failure(ErrorCode::Canceled, "", "", "");
+  const std::array<FrameObserver*, 1> observers{&follower};
+  bool wanted = true;
+  const auto goOn = [&] {
+    const std::int64_t frame = reversed.nextFrame();
+    if (follower.hasEnded() || frame < 0 || (frame < at && isSaidAt(order, frame))) {
+      return false;
     }
-    const auto frames = reversed.next();
-    if (!frames) {
-      return tl::make_unexpected(frames.error());
-    }
-    begin = begin.value_or((*frames)->time);
-    const double before = seconds(*begin - (*frames)->time);
-    if (frame < at && isSaidAt(order, frame)) {
-      break;
-    }
-    if (const auto tracked = trackOneFrame(*run, mirrored(**frames, at, *begin), {}); !tracked) {
-      return tl::make_unexpected(tracked.error());
-    }
-    const TrackEstimate estimate = run->estimate(target);
-    const auto position = positionOf(estimate);
-    const bool isHeldThere = isHeld(estimate) && position.has_value();
-    lastHeld = isHeldThere ? before : lastHeld;
-    if (before - lastHeld > kLostSeconds) {
-      break;
-    }
-    if (!isHeldThere || frame == at) { // at that frame it was said where it is
-      continue;
-    }
-    const bool agrees = believed.agrees(frame, *position);
-    const Gaussian3* const there = believed.at(frame);
-    if (!agrees && hasCommon && there != nullptr &&
-        (there->mean - common).norm() < (position->mean - common).norm()) {
-      break;
-    }
-    common = position->mean;
-    hasCommon = agrees;
-    found.held.push_back({frame, *position, agrees});
-    found.frameSeconds = before / static_cast<double>(at - frame);
-    lastWrong = found.held.back().wasBelieved ? lastWrong : before;
-    if (before - lastWrong > kRightSeconds) {
-      break;
-    }
+    wanted = progress(static_cast<double>(at - frame) / static_cast<double>(at + 1));
+    return wanted;
+  };
+  const auto tracked = trackFrames(reversed, {}, *run, observers, goOn);
+  if (!tracked) {
+    return tl::make_unexpected(tracked.error());
   }
-  return found;
+  if (!wanted) {
+    return failure(ErrorCode::Canceled, "", "", "");
+  }
+  return std::move(follower).take();
 }
 
 /// Makes of single frames what those around them are; not of those at the beginning of the track.

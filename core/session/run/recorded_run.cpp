@@ -8,7 +8,6 @@
 #include "core/session/run/camera_motion_watch.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 namespace dewpoint::session {
@@ -69,7 +68,8 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   CameraMotionObserver motionObserver(motion);
   CameraAgreementWatch agreement(run->rig(), motion);
   RunKeeper keeper(kept, order.particleLimit);
-  const std::array<FrameObserver*, 3> observers{&motionObserver, &agreement, &keeper};
+  std::vector<FrameObserver*> observers(order.observers.begin(), order.observers.end());
+  observers.insert(observers.end(), {&motionObserver, &agreement, &keeper});
   const auto total = order.frames.count(source);
   bool isWanted = true;
   const Status tracked = trackFrames(source, order.frames, *run, observers, [&] {

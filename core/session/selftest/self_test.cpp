@@ -4,8 +4,8 @@
 #include "core/base/thread_count.h"
 #include "core/base/units.h"
 #include "core/capture/codec_check.h"
-#include "core/session/run/frame_loop.h"
-#include "core/session/run/tracking_run.h"
+#include "core/session/run/recorded_run.h"
+#include "core/session/run/tracking_clock.h"
 #include "core/trajectory/evaluation.h"
 
 #include <Eigen/Core>
@@ -15,8 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <ceres/version.h>
-#include <chrono>
-#include <cmath>
 #include <thread>
 #include <unistd.h>
 
@@ -95,38 +93,27 @@ void addCodecs(const SelfTestParts& parts, SelfTestLines& lines) {
   }
 }
 
-/// Tracks, and keeps what was tracked and how long that took, without making the images.
-class SceneRun {
-public:
-  Status track(SessionInputs& inputs, const std::function<bool()>& goOn) {
-    auto run = TrackingRun::create(inputs.project, filterThreads(0), inputs.backgroundImages);
-    if (!run) {
-      return tl::make_unexpected(run.error());
-    }
-    const auto frames =
-        static_cast<std::int64_t>(kSelfTestSeconds * inputs.source->framesPerSecond());
-    for (; frames_ < frames && goOn(); ++frames_) {
-      auto set = inputs.source->next();
-      if (!set || !*set) {
-        return set ? Status() : tl::make_unexpected(set.error());
-      }
-      const auto begin = std::chrono::steady_clock::now();
-      if (auto tracked = trackOneFrame(*run, std::move(*set), {}); !tracked) {
-        return tracked;
-      }
-      seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      std::ranges::move(run->samples(), std::back_inserter(trajectory_.samples));
-    }
-    return {};
-  }
-  double rate() const { return seconds_ > 0.0 ? static_cast<double>(frames_) / seconds_ : 0.0; }
-  const Trajectory& trajectory() const { return trajectory_; }
-
-private:
-  std::int64_t frames_ = 0;
-  double seconds_ = 0.0;
-  Trajectory trajectory_;
+/// What was tracked of a scene, and how fast without making its images.
+struct SceneRun {
+  RecordedRun run;
+  double rate = 0.0; ///< frames per second
 };
+
+Result<SceneRun> trackScene(SessionInputs& inputs, const std::function<bool()>& goOn) {
+  TrackingClock clock;
+  const std::array<FrameObserver*, 1> observers{&clock};
+  const auto frames =
+      static_cast<std::int64_t>(kSelfTestSeconds * inputs.source->framesPerSecond());
+  const RunOrder order{.frames = {0, frames}, .threads = filterThreads(0), .observers = observers};
+  auto run = recordRun(inputs.project, *inputs.source, inputs.emptyRooms, order,
+                       [&](auto /*done*/, auto /*total*/) { return goOn(); });
+  if (!run || run->broken) {
+    return tl::make_unexpected(run ? *run->broken : run.error());
+  }
+  const double seconds = clock.seconds();
+  const double rate = seconds > 0.0 ? static_cast<double>(run->frames) / seconds : 0.0;
+  return SceneRun{std::move(*run), rate};
+}
 
 SelfTestLine outcomeOf(const SceneRun& run, const std::vector<Evaluation>& targets) {
   double error = 0.0;
@@ -136,14 +123,14 @@ SelfTestLine outcomeOf(const SceneRun& run, const std::vector<Evaluation>& targe
     lost += target.lostFrames;
   }
   const bool isRight = error <= kLargestError && lost == 0;
-  const bool isFast = run.rate() >= kUsualRate;
+  const bool isFast = run.rate >= kUsualRate;
   return {
       !isRight ? Problem
       : isFast ? Ok
                : Note,
       "tracking",
       fmt::format("{:.0f} s of a simulated scene at {:.0f} frames per second, RMSE {:.2f} mm{}{}",
-                  kSelfTestSeconds, run.rate(), inMillimeters(error),
+                  kSelfTestSeconds, run.rate, inMillimeters(error),
                   isRight ? "" : "; the result is not what it should be",
                   isFast ? "" : "; slower than ordinary cameras")};
 }
@@ -152,12 +139,13 @@ void addTracking(const SelfTestParts& parts, SelfTestLines& lines) {
   if (!parts.openScene) {
     return;
   }
-  auto inputs = parts.openScene();
-  SceneRun run;
-  auto tracked = inputs ? run.track(*inputs, parts.goOn) : tl::make_unexpected(inputs.error());
-  const auto targets = tracked.and_then([&] { return evaluate(run.trajectory(), inputs->truth); });
-  lines.push_back(targets ? outcomeOf(run, *targets)
-                          : SelfTestLine{Problem, "tracking", sentence(targets.error())});
+  const auto line = parts.openScene().and_then([&](SessionInputs inputs) {
+    return trackScene(inputs, parts.goOn).and_then([&](const SceneRun& scene) {
+      return evaluate(scene.run.trajectory, inputs.truth)
+          .map([&](const std::vector<Evaluation>& targets) { return outcomeOf(scene, targets); });
+    });
+  });
+  lines.push_back(line ? *line : SelfTestLine{Problem, "tracking", sentence(line.error())});
 }
 
 constexpr std::array kSelfTests{&addVersions, &addMachine, &addDisk,

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/run/recorded_run.h"
+#include "core/session/run/tracking_clock.h"
 #include "tests/session/drawn_recording.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
 
 namespace dewpoint::tests {
 namespace {
@@ -65,6 +69,21 @@ TEST(RecordedRun, KeepsTheFramesBeforeARecordingBreaksOff) {
   EXPECT_EQ(run->broken->code, ErrorCode::EndedEarly);
   test::FakeRecording broken({.frames = 12, .failsAt = 0, .delivering = {}});
   EXPECT_FALSE(recordRun(project, broken, {}, {}, always()));
+}
+
+TEST(RecordedRun, ObserversAreToldOfTheFrames) {
+  const Project project = test::twoCameraProject();
+  test::FakeRecording source({.frames = 3, .failsAt = {}, .delivering = {}});
+  TrackingClock clock;
+  const std::array<FrameObserver*, 1> observers{&clock};
+  RunOrder order;
+  order.observers = observers;
+  EXPECT_EQ(clock.seconds(), 0.0);
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_TRUE(recordRun(project, source, {}, order, always()));
+  const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
+  EXPECT_GT(clock.seconds(), 0.0);
+  EXPECT_LT(clock.seconds(), all.count()); // images and watches take time, too
 }
 
 TEST(RecordedRun, NeedsSomethingToFollow) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/camera_motion/agreement/camera_disagreement.h"
+#include "core/capture/frame_source.h"
+#include "core/session/run/camera_agreement_watch.h"
+#include "core/session/run/camera_motion_observer.h"
+#include "core/session/run/camera_motion_watch.h"
+#include "core/session/run/frame_loop.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dewpoint::app {
+
+/// Says on stderr what is worth saying of a run that goes on, each thing once: notices of the
+/// source, cameras that are moved, and cameras that cannot agree.
+class RunNotes final : public FrameObserver {
+public:
+  /// `source` must outlive it.
+  RunNotes(const FrameSetSource& source, const CameraRig& rig)
+      : source_(source), motionWatch_(rig), motionObserver_(motionWatch_),
+        agreementWatch_(rig, motionWatch_) {}
+  RunNotes(const RunNotes&) = delete;
+  RunNotes& operator=(const RunNotes&) = delete;
+
+  /// The notices of the source, also while no frame comes.
+  void takeNotices();
+  void taken(const FrameSet& /*frames*/) override { takeNotices(); }
+  Status tracked(const TrackingRun& run) override;
+
+  /// All that was said.
+  const std::vector<std::string>& said() const { return said_; }
+
+private:
+  void say(std::string text);
+
+  const FrameSetSource& source_;
+  CameraMotionWatch motionWatch_;
+  CameraMotionObserver motionObserver_;
+  CameraAgreementWatch agreementWatch_;
+  std::size_t motionsSaid_ = 0;
+  std::vector<CameraDisagreement> disagreementsSaid_;
+  std::vector<std::string> said_;
+};
+
+} // namespace dewpoint::app
