@@ -64,11 +64,11 @@ expectExit 0 track meant.toml --out meant
 awk -F, '/^[0-9]/ { d = sqrt(($4 - 0.5) ^ 2 + ($5 - 0.5) ^ 2 + ($6 - 0.15) ^ 2); n++; if (d > 0.02) exit 1 }
          END { if (n != 5) exit 1 }' meant/trajectory.csv || fail "it is not the ball that was clicked"
 
-# Each of the others can be a target, too: there are three more.
+# Each of the others can be a target, too: one image shows two more about as large as this one.
 expectExit 0 learn-color alike.toml --pixel 157,117 --radius 0.035 --follow-all --out all.toml
-expectText out.txt 'Targets added for others of this color and size: 3.'
-expectText all.toml 'name = "target 2"' 'name = "target 3"' 'name = "target 4"'
-[[ $(grep -c '^\[\[target\]\]' all.toml) == 4 ]] || fail "not every ball is a target"
+expectText out.txt 'Targets added for others of this color and size: 2.'
+expectText all.toml 'name = "target 2"' 'name = "target 3"'
+[[ $(grep -c '^\[\[target\]\]' all.toml) == 3 ]] || fail "not every ball is a target"
 expectExit 0 learn-color fresh.toml --frame 2 --pixel 157,117 --radius 0.035 --follow-all --out one.toml
 expectText out.txt 'Targets added for others of this color and size: 0.'
 [[ $(grep -c '^\[\[target\]\]' one.toml) == 1 ]] || fail "there is one ball"
