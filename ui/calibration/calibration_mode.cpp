@@ -17,7 +17,7 @@ constexpr QLatin1String kBoard("boardPage");
 
 CalibrationMode::CalibrationMode(const Workbench& bench)
     : QObject(&bench.window), bench_(bench),
-      hand_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
+      manual_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
       place_(new CalibrationDock(&bench.window)) {
   dock_ = bench_.docks.make({.name = QStringLiteral("calibrationDock"),
                              .title = [] { return tr("Calibration"); },
@@ -63,7 +63,7 @@ void CalibrationMode::show(bool shown) {
     dock_->raise();
   }
   // The grid would lie over the board that is shown to the cameras.
-  hand_->setActive(shown && place_->shownPage() != kBoard);
+  manual_->setActive(shown && place_->shownPage() != kBoard);
 }
 
 } // namespace dewpoint::ui

@@ -20,9 +20,8 @@ class CalibrationMode : public QObject {
 public:
   explicit CalibrationMode(const Workbench& bench);
 
-  ManualCalibration& hand() const { return *hand_; }
-  /// Adds a page. `title` is called again when the language changes. The objectName of the page
-  /// identifies it.
+  ManualCalibration& manual() const { return *manual_; }
+  /// `title` is called again when the language changes; the page's objectName tells it from others.
   void addPage(QWidget* page, const std::function<QString()>& title);
   /// Starts the mode with the page that has this objectName.
   void open(const QString& page);
@@ -35,7 +34,7 @@ private:
   void show(bool shown);
 
   Workbench bench_;
-  ManualCalibration* hand_;
+  ManualCalibration* manual_;
   CalibrationDock* place_;
   ViewDock* dock_;
 };

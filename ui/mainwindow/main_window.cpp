@@ -135,7 +135,7 @@ void MainWindow::installFeatures() {
   installCalibrationExchange(bench);
   installExport(bench, *timeline);
   installExperiments(bench);
-  new RunAlerts(bench, calibration->hand());
+  new RunAlerts(bench, calibration->manual());
   new OldResultsOffer(bench);
   installRunActions(bench);
   history_ = new HistoryDock(bench);

@@ -22,8 +22,8 @@
 
 namespace dewpoint::ui {
 
-RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& hand)
-    : QObject(&bench.window), bench_(bench), hand_(hand) {
+RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& manual)
+    : QObject(&bench.window), bench_(bench), manual_(manual) {
   auto* alerts = new CameraMotionAlerts(bench_.messages, this);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &RunAlerts::showNotices);
   bench_.connectView(alerts);
@@ -37,7 +37,7 @@ RunAlerts::RunAlerts(const Workbench& bench, ManualCalibration& hand)
 
 void RunAlerts::connectAgreement() {
   auto* alerts = new CameraAgreementAlerts(bench_.messages, this);
-  connect(&hand_, &ManualCalibration::activeChanged, alerts, &CameraAgreementAlerts::setResting);
+  connect(&manual_, &ManualCalibration::activeChanged, alerts, &CameraAgreementAlerts::setResting);
   bench_.connectView(alerts);
   connect(alerts, &CameraAgreementAlerts::mendingWanted, this, &RunAlerts::mend);
   connect(alerts, &CameraAgreementAlerts::calibrateWanted, this, &RunAlerts::calibrate);
@@ -45,7 +45,7 @@ void RunAlerts::connectAgreement() {
 
 void RunAlerts::calibrate(int camera) {
   bench_.action("actionCalibrateByHand")->setChecked(true);
-  hand_.selectCamera(camera);
+  manual_.selectCamera(camera);
 }
 
 void RunAlerts::mend(const CameraDisagreement& found, std::size_t choice) {
@@ -79,7 +79,7 @@ void RunAlerts::showNotices(const TrackSnapshotPtr& snapshot) {
 
 void RunAlerts::applyFirstNewPose() {
   const TrackSnapshotPtr& shown = bench_.session.shown();
-  for (int k = 0; k < hand_.cameraCount(); ++k) {
+  for (int k = 0; k < manual_.cameraCount(); ++k) {
     if (shown && cameraMotionOf(*shown, k) != nullptr) {
       applyNewPose(k);
       return;
@@ -91,15 +91,15 @@ void RunAlerts::applyFirstNewPose() {
 void RunAlerts::applyNewPose(int camera) {
   const TrackSnapshotPtr& shown = bench_.session.shown();
   const CameraMotionReport* report = shown ? cameraMotionOf(*shown, camera) : nullptr;
-  const QString name = hand_.nameOf(camera);
+  const QString name = manual_.nameOf(camera);
   if (report == nullptr || !report->newPose) {
     bench_.messages.showNotice(tr("%1 cannot be solved again now.").arg(name));
     return;
   }
   const MovedCameraPose solved = *report->newPose; // the report goes with the next snapshot
-  Camera now = hand_.cameraAt(camera);
+  Camera now = manual_.cameraAt(camera);
   now.cameraFromWorld = solved.camera.cameraFromWorld;
-  hand_.change(camera, tr("Re-solve %1").arg(name), now);
+  manual_.change(camera, tr("Re-solve %1").arg(name), now);
   QString sentence = tr("%1 is calibrated as it stands now. Undo takes it back.").arg(name);
   if (solved.used > 0) {
     sentence +=

@@ -16,7 +16,7 @@ class ManualCalibration;
 class RunAlerts : public QObject {
   Q_OBJECT
 public:
-  RunAlerts(const Workbench& bench, ManualCalibration& hand);
+  RunAlerts(const Workbench& bench, ManualCalibration& manual);
 
 private:
   void showNotices(const TrackSnapshotPtr& snapshot);
@@ -30,7 +30,7 @@ private:
   void mend(const CameraDisagreement& found, std::size_t choice);
 
   Workbench bench_;
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   std::size_t noticesShown_ = 0;
 };
 

@@ -16,7 +16,8 @@
 #include <QLabel>
 
 namespace dewpoint::ui {
-CameraForm::CameraForm(ManualCalibration& hand, QWidget* parent) : QWidget(parent), hand_(hand) {
+CameraForm::CameraForm(ManualCalibration& manual, QWidget* parent)
+    : QWidget(parent), manual_(manual) {
   setObjectName(QStringLiteral("cameraFields"));
   build();
   connectFields();
@@ -26,7 +27,7 @@ CameraForm::CameraForm(ManualCalibration& hand, QWidget* parent) : QWidget(paren
 void CameraForm::build() {
   cameraLabel_ = new QLabel(this);
   camera_ = makeChoice("handCamera", this);
-  camera_->setModel(&hand_.cameras());
+  camera_->setModel(&manual_.cameras());
   positionLabel_ = new QLabel(this);
   unit_ = makeChoice("handUnit", this);
   aimLabel_ = new QLabel(this);
@@ -81,9 +82,9 @@ void CameraForm::build() {
 }
 
 void CameraForm::connectFields() {
-  connect(&hand_, &ManualCalibration::changed, this, &CameraForm::refresh);
-  connect(&hand_, &ManualCalibration::cameraSelected, this, &CameraForm::refresh);
-  connect(camera_, &QComboBox::activated, &hand_, &ManualCalibration::selectCamera);
+  connect(&manual_, &ManualCalibration::changed, this, &CameraForm::refresh);
+  connect(&manual_, &ManualCalibration::cameraSelected, this, &CameraForm::refresh);
+  connect(camera_, &QComboBox::activated, &manual_, &ManualCalibration::selectCamera);
   for (QComboBox* mode : {unit_, aimMode_, lensMode_}) {
     connect(mode, &QComboBox::currentIndexChanged, this, [this] {
       showUnits();
@@ -100,18 +101,18 @@ void CameraForm::connectFields() {
   }
   connect(lens_, &QDoubleSpinBox::valueChanged, this, &CameraForm::editLens);
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
-    connect(field, &QDoubleSpinBox::editingFinished, &hand_, &ManualCalibration::endMerging);
+    connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endMerging);
   }
   const auto drag = [this] {
-    hand_.setDragSettings({dragMode_->currentIndex() == 1 ? DragMode::Slide : DragMode::Turn,
-                           focalMay_->isChecked()});
+    manual_.setDragSettings({dragMode_->currentIndex() == 1 ? DragMode::Slide : DragMode::Turn,
+                             focalMay_->isChecked()});
   };
   connect(dragMode_, &QComboBox::currentIndexChanged, this, drag);
   connect(focalMay_, &QCheckBox::toggled, this, drag);
   connect(keyMode_, &QComboBox::currentIndexChanged, this,
-          [this](int index) { hand_.setKeyMode(index == 1 ? KeyMode::Turn : KeyMode::Move); });
+          [this](int index) { manual_.setKeyMode(index == 1 ? KeyMode::Turn : KeyMode::Move); });
   connect(keyFrame_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    hand_.setNudgeFrame(index == 1 ? NudgeFrame::World : NudgeFrame::Camera);
+    manual_.setNudgeFrame(index == 1 ? NudgeFrame::World : NudgeFrame::Camera);
   });
 }
 
@@ -205,14 +206,14 @@ void CameraForm::showUnits() {
 }
 
 void CameraForm::refresh() {
-  camera_->setCurrentIndex(hand_.camera());
-  setEnabled(hand_.cameraCount() > 0);
-  if (hand_.cameraCount() == 0) {
+  camera_->setCurrentIndex(manual_.camera());
+  setEnabled(manual_.cameraCount() > 0);
+  if (manual_.cameraCount() == 0) {
     return;
   }
-  const Camera camera = hand_.cameraAt(hand_.camera());
+  const Camera camera = manual_.cameraAt(manual_.camera());
   const Heading heading = headingOf(camera);
-  const Eigen::Vector3d target = lookedAt(camera, hand_.grid().origin.z());
+  const Eigen::Vector3d target = lookedAt(camera, manual_.grid().origin.z());
   const double angles[] = {heading.yaw / base::kDegree, heading.pitch / base::kDegree, 0.0};
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
@@ -226,14 +227,14 @@ void CameraForm::refresh() {
 
 void CameraForm::change(const QString& what, const QString& value, const Camera& camera,
                         const char* key) {
-  hand_.change(hand_.camera(),
-               tr("%1: %2 %3").arg(hand_.nameOf(hand_.camera()), what, value).simplified(), camera,
-               key);
+  manual_.change(manual_.camera(),
+                 tr("%1: %2 %3").arg(manual_.nameOf(manual_.camera()), what, value).simplified(),
+                 camera, key);
   refresh(); // also when it was refused
 }
 
 void CameraForm::editPosition(int axis, double value) {
-  const Camera camera = hand_.cameraAt(hand_.camera());
+  const Camera camera = manual_.cameraAt(manual_.camera());
   Eigen::Vector3d position = camera.center();
   position[axis] = value * metersPerUnit();
   const auto* field = position_[static_cast<std::size_t>(axis)];
@@ -241,11 +242,11 @@ void CameraForm::editPosition(int axis, double value) {
 }
 
 void CameraForm::editAim(int index, double value) {
-  const Camera camera = hand_.cameraAt(hand_.camera());
+  const Camera camera = manual_.cameraAt(manual_.camera());
   const auto* field = aim_[static_cast<std::size_t>(index)];
   const char* const keys[] = {"aim x", "aim y", "aim z", "roll"};
   if (index < 3 && looksAtPoint()) {
-    Eigen::Vector3d target = lookedAt(camera, hand_.grid().origin.z());
+    Eigen::Vector3d target = lookedAt(camera, manual_.grid().origin.z());
     target[index] = value * metersPerUnit();
     change(tr("looks at"), field->text(), lookingAt(camera, target), keys[index]);
     return;
@@ -259,7 +260,7 @@ void CameraForm::editAim(int index, double value) {
 }
 
 void CameraForm::editLens(double value) {
-  const Camera camera = hand_.cameraAt(hand_.camera());
+  const Camera camera = manual_.cameraAt(manual_.camera());
   const double focal = showsFieldOfView() ? focalLengthOf(camera, value * base::kDegree) : value;
   change(showsFieldOfView() ? tr("field of view") : tr("focal length"), lens_->text(),
          withFocalLength(camera, focal), "lens");

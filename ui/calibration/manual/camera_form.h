@@ -22,7 +22,7 @@ class ManualCalibration;
 class CameraForm : public QWidget {
   Q_OBJECT
 public:
-  explicit CameraForm(ManualCalibration& hand, QWidget* parent = nullptr);
+  explicit CameraForm(ManualCalibration& manual, QWidget* parent = nullptr);
 
 private:
   void build();
@@ -38,7 +38,7 @@ private:
   bool showsFieldOfView() const;
   void change(const QString& what, const QString& value, const Camera& camera, const char* key);
 
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   QLabel* cameraLabel_;
   QComboBox* camera_;
   QLabel* positionLabel_;

@@ -19,7 +19,7 @@
 namespace dewpoint::ui {
 namespace {} // namespace
 
-GridForm::GridForm(ManualCalibration& hand, QWidget* parent) : QWidget(parent), hand_(hand) {
+GridForm::GridForm(ManualCalibration& manual, QWidget* parent) : QWidget(parent), manual_(manual) {
   setObjectName(QStringLiteral("gridFields"));
   build();
   connectFields();
@@ -77,7 +77,7 @@ void GridForm::build() {
 }
 
 void GridForm::connectFields() {
-  connect(&hand_, &ManualCalibration::changed, this, &GridForm::refresh);
+  connect(&manual_, &ManualCalibration::changed, this, &GridForm::refresh);
   connect(kind_, &QComboBox::activated, this, [this](int index) {
     edit([index](ReferenceGrid& grid) { grid.kind = static_cast<GridKind>(index); }, "grid kind");
   });
@@ -101,19 +101,19 @@ void GridForm::connectFields() {
     edit([value](ReferenceGrid& grid) { grid.turn = value * base::kDegree; }, "grid turn");
   });
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
-    connect(field, &QDoubleSpinBox::editingFinished, &hand_, &ManualCalibration::endMerging);
+    connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endMerging);
   }
   connect(opacity_, &QSlider::valueChanged, this,
-          [this](int percent) { hand_.setOpacity(percent / 100.0); });
-  connect(edges_, &QCheckBox::toggled, &hand_, &ManualCalibration::setEdgesShown);
-  connect(flip_, &QPushButton::pressed, this, [this] { hand_.setFlipped(true); });
-  connect(flip_, &QPushButton::released, this, [this] { hand_.setFlipped(false); });
+          [this](int percent) { manual_.setOpacity(percent / 100.0); });
+  connect(edges_, &QCheckBox::toggled, &manual_, &ManualCalibration::setEdgesShown);
+  connect(flip_, &QPushButton::pressed, this, [this] { manual_.setFlipped(true); });
+  connect(flip_, &QPushButton::released, this, [this] { manual_.setFlipped(false); });
 }
 
 void GridForm::edit(const std::function<void(ReferenceGrid&)>& change, const char* key) {
-  ReferenceGrid grid = hand_.grid();
+  ReferenceGrid grid = manual_.grid();
   change(grid);
-  hand_.setGrid(tr("Change the reference grid"), grid, key);
+  manual_.setGrid(tr("Change the reference grid"), grid, key);
   refresh(); // also when it was refused
 }
 
@@ -155,7 +155,7 @@ void GridForm::retranslateUi() {
 }
 
 void GridForm::refresh() {
-  const ReferenceGrid grid = hand_.grid();
+  const ReferenceGrid grid = manual_.grid();
   kind_->setCurrentIndex(static_cast<int>(grid.kind));
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);

@@ -23,7 +23,7 @@ class ManualCalibration;
 class GridForm : public QWidget {
   Q_OBJECT
 public:
-  explicit GridForm(ManualCalibration& hand, QWidget* parent = nullptr);
+  explicit GridForm(ManualCalibration& manual, QWidget* parent = nullptr);
 
 private:
   void build();
@@ -32,7 +32,7 @@ private:
   void refresh();
   void edit(const std::function<void(ReferenceGrid&)>& change, const char* key);
 
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   QLabel* kindLabel_;
   QComboBox* kind_;
   QLabel* sizeLabel_;

@@ -27,31 +27,32 @@ constexpr double kSnapPx = 7.0; ///< of the image
 
 } // namespace
 
-GridLayer::GridLayer(int camera, CameraView* view, ManualCalibration& hand, PointCalibrator& points)
-    : QWidget(view), camera_(camera), view_(view), hand_(hand), points_(points) {
+GridLayer::GridLayer(int camera, CameraView* view, ManualCalibration& manual,
+                     PointCalibrator& points)
+    : QWidget(view), camera_(camera), view_(view), manual_(manual), points_(points) {
   setObjectName(QStringLiteral("gridLayer%1").arg(camera));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setGeometry(view->rect());
   view->installEventFilter(this);
-  connect(&hand_, &ManualCalibration::changed, this, &GridLayer::follow);
+  connect(&manual_, &ManualCalibration::changed, this, &GridLayer::follow);
   connect(&points_, &PointCalibrator::changed, this, &GridLayer::follow);
   onRetranslate(this, [this] { retranslateUi(); });
   follow();
 }
 
 void GridLayer::retranslateUi() {
-  setAccessibleName(tr("Grid over the image of %1").arg(hand_.nameOf(camera_)));
+  setAccessibleName(tr("Grid over the image of %1").arg(manual_.nameOf(camera_)));
   setAccessibleDescription(tr("Drag the grid onto the real thing; click to hold a point; arrows, "
                               "W A S D, Q and E move or turn the camera"));
 }
 
 void GridLayer::follow() {
-  if (isHidden() == hand_.isActive()) {
-    setVisible(hand_.isActive());
+  if (isHidden() == manual_.isActive()) {
+    setVisible(manual_.isActive());
     raise();
   }
-  if (hand_.isActive()) {
+  if (manual_.isActive()) {
     setCursor(points_.isClicking() ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
   }
@@ -101,7 +102,7 @@ Eigen::Vector2d GridLayer::clicked(QPointF position, Qt::KeyboardModifiers modif
 
 void GridLayer::placeClick(QMouseEvent* event) {
   const Eigen::Vector2d pixel = clicked(event->position(), event->modifiers());
-  hand_.selectCamera(camera_);
+  manual_.selectCamera(camera_);
   points_.setClick(camera_, pixel);
 }
 
@@ -110,7 +111,7 @@ void GridLayer::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !isInside(pixel)) {
     return;
   }
-  hand_.selectCamera(camera_);
+  manual_.selectCamera(camera_);
   if (points_.isClicking()) {
     placeClick(event);
     return;
@@ -129,11 +130,11 @@ void GridLayer::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   const QPointF way = event->position() - *pressed_;
-  if (!hand_.isDragging() && std::hypot(way.x(), way.y()) >= kDragPx) {
-    hand_.beginDrag(camera_, pixelAt(*pressed_), inImage(kReachPx));
+  if (!manual_.isDragging() && std::hypot(way.x(), way.y()) >= kDragPx) {
+    manual_.beginDrag(camera_, pixelAt(*pressed_), inImage(kReachPx));
   }
-  if (hand_.isDragging()) {
-    hand_.dragTo(pixelAt(event->position()));
+  if (manual_.isDragging()) {
+    manual_.dragTo(pixelAt(event->position()));
   }
 }
 
@@ -142,16 +143,16 @@ void GridLayer::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   const QPointF from = *std::exchange(pressed_, std::nullopt);
-  if (hand_.isDragging()) {
-    hand_.endDrag();
+  if (manual_.isDragging()) {
+    manual_.endDrag();
   } else {
-    hand_.togglePin(camera_, pixelAt(from), inImage(kReachPx));
+    manual_.togglePin(camera_, pixelAt(from), inImage(kReachPx));
   }
 }
 
 void GridLayer::focusOutEvent(QFocusEvent* event) {
-  if (hand_.isFlipped()) {
-    hand_.setFlipped(false); // the release of the key will not come
+  if (manual_.isFlipped()) {
+    manual_.setFlipped(false); // the release of the key will not come
   }
   QWidget::focusOutEvent(event);
 }
@@ -175,7 +176,7 @@ bool GridLayer::event(QEvent* event) {
     auto* key = static_cast<QKeyEvent*>(event);
     const bool isOwn = key->key() == Qt::Key_Escape || key->key() == Qt::Key_Delete ||
                        (key->key() == Qt::Key_B && key->modifiers() == Qt::NoModifier);
-    if (isOwn || nudgeOf(*key, hand_.keyMode())) {
+    if (isOwn || nudgeOf(*key, manual_.keyMode())) {
       event->accept();
       return true;
     }
@@ -185,28 +186,28 @@ bool GridLayer::event(QEvent* event) {
 
 void GridLayer::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
-    if (hand_.isDragging()) {
+    if (manual_.isDragging()) {
       pressed_.reset();
-      hand_.cancelDrag();
+      manual_.cancelDrag();
     } else if (points_.isClicking()) {
       points_.setClicking(false);
     } else {
-      hand_.clearPins(camera_);
+      manual_.clearPins(camera_);
     }
     return;
   }
   if (event->key() == Qt::Key_B) {
-    hand_.setFlipped(true);
+    manual_.setFlipped(true);
     return;
   }
   if (event->key() == Qt::Key_Delete) {
     points_.removeClick(camera_);
     return;
   }
-  if (const auto nudge = nudgeOf(*event, hand_.keyMode()); nudge && !hand_.isDragging()) {
-    hand_.selectCamera(camera_);
-    nudge->axis < 0 ? hand_.nudgeFocal(nudge->factor, event->isAutoRepeat())
-                    : hand_.nudge(nudge->axis, nudge->factor, event->isAutoRepeat());
+  if (const auto nudge = nudgeOf(*event, manual_.keyMode()); nudge && !manual_.isDragging()) {
+    manual_.selectCamera(camera_);
+    nudge->axis < 0 ? manual_.nudgeFocal(nudge->factor, event->isAutoRepeat())
+                    : manual_.nudge(nudge->axis, nudge->factor, event->isAutoRepeat());
     return;
   }
   QWidget::keyPressEvent(event);
@@ -214,9 +215,9 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
 
 void GridLayer::keyReleaseEvent(QKeyEvent* event) {
   if (!event->isAutoRepeat()) {
-    hand_.endMerging();
+    manual_.endMerging();
     if (event->key() == Qt::Key_B) {
-      hand_.setFlipped(false);
+      manual_.setFlipped(false);
     }
   }
   QWidget::keyReleaseEvent(event);
@@ -224,7 +225,7 @@ void GridLayer::keyReleaseEvent(QKeyEvent* event) {
 
 GridLayer::EdgeSource GridLayer::edgeSource() const {
   const FramePtr image = frame();
-  if (!hand_.edgesShown() || !image || image->image.empty()) {
+  if (!manual_.edgesShown() || !image || image->image.empty()) {
     return {};
   }
   const QSizeF area = QSizeF(view_->imageSize()) * view_->placement().scale;
@@ -270,7 +271,7 @@ void GridLayer::drawEdges(QPainter& painter) {
 }
 
 void GridLayer::drawPoints(QPainter& painter) {
-  const Projector projector(hand_.shownCamera(camera_));
+  const Projector projector(manual_.shownCamera(camera_));
   const ImagePlacement& placement = view_->placement();
   const auto& all = points_.points();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -306,7 +307,7 @@ void GridLayer::drawMagnifier(QPainter& painter) {
 }
 
 void GridLayer::drawLabel(QPainter& painter) {
-  if (!hand_.isFlipped()) {
+  if (!manual_.isFlipped()) {
     return;
   }
   const QString text = tr("before");
@@ -325,15 +326,15 @@ void GridLayer::paintEvent(QPaintEvent*) {
   const ImagePlacement& placement = view_->placement();
   painter.setClipRect(view_->shownArea());
   drawEdges(painter);
-  const Camera camera = hand_.shownCamera(camera_);
-  paintGrid(painter, projectGrid(camera, hand_.grid()), placement, hand_.opacity());
+  const Camera camera = manual_.shownCamera(camera_);
+  paintGrid(painter, projectGrid(camera, manual_.grid()), placement, manual_.opacity());
   const Projector projector(camera);
-  for (const Eigen::Vector3d& pin : hand_.pins(camera_)) {
+  for (const Eigen::Vector3d& pin : manual_.pins(camera_)) {
     if (const auto at = projector.project(pin)) {
       paintPin(painter, placeOf(*at, placement));
     }
   }
-  if (const auto grip = hand_.draggedPoint(); grip && hand_.camera() == camera_) {
+  if (const auto grip = manual_.draggedPoint(); grip && manual_.camera() == camera_) {
     if (const auto at = projector.project(*grip)) {
       paintGrip(painter, placeOf(*at, placement));
     }
@@ -341,7 +342,7 @@ void GridLayer::paintEvent(QPaintEvent*) {
   drawPoints(painter);
   drawMagnifier(painter);
   drawLabel(painter);
-  if (hand_.camera() == camera_) {
+  if (manual_.camera() == camera_) {
     painter.setClipping(false);
     painter.setPen(QPen(palette().color(QPalette::Highlight), hasFocus() ? 3 : 1));
     painter.drawRect(rect().adjusted(1, 1, -2, -2));

@@ -23,7 +23,7 @@ class PointCalibrator;
 class GridLayer : public QWidget {
   Q_OBJECT
 public:
-  GridLayer(int camera, CameraView* view, ManualCalibration& hand, PointCalibrator& points);
+  GridLayer(int camera, CameraView* view, ManualCalibration& manual, PointCalibrator& points);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
@@ -70,7 +70,7 @@ private:
 
   int camera_;
   CameraView* view_;
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   PointCalibrator& points_;
   TrackSnapshotPtr snapshot_;
   std::optional<QPointF> pressed_; ///< widget coordinates; may still become a click or a drag

@@ -14,7 +14,7 @@
 
 namespace dewpoint::ui {
 
-ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& hand, PointCalibrator& points,
+ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& manual, PointCalibrator& points,
                                              QWidget* parent)
     : QWidget(parent), guide_(new QLabel(this)), remark_(new QLabel(this)),
       cameraTitle_(makePageTitle(this)), gridTitle_(makePageTitle(this)),
@@ -29,14 +29,14 @@ ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& hand, PointCalib
   column->addWidget(guide_);
   column->addWidget(remark_);
   column->addWidget(cameraTitle_);
-  column->addWidget(new CameraForm(hand, this));
+  column->addWidget(new CameraForm(manual, this));
   column->addWidget(gridTitle_);
-  column->addWidget(new GridForm(hand, this));
+  column->addWidget(new GridForm(manual, this));
   column->addWidget(pointsTitle_);
-  column->addWidget(new PointsTable(points, hand, this));
+  column->addWidget(new PointsTable(points, manual, this));
   column->addStretch(1);
   remark_->hide();
-  connect(&hand, &ManualCalibration::remark, this, [this](const QString& sentence) {
+  connect(&manual, &ManualCalibration::remark, this, [this](const QString& sentence) {
     remark_->setText(QStringLiteral("⚠ ") + sentence);
     remark_->setVisible(!sentence.isEmpty());
   });

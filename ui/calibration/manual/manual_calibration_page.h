@@ -16,7 +16,7 @@ class PointCalibrator;
 class ManualCalibrationPage : public QWidget {
   Q_OBJECT
 public:
-  ManualCalibrationPage(ManualCalibration& hand, PointCalibrator& points,
+  ManualCalibrationPage(ManualCalibration& manual, PointCalibrator& points,
                         QWidget* parent = nullptr);
 
 private:

@@ -13,16 +13,16 @@ namespace dewpoint::ui {
 
 void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
                               const CameraDocks& cameras) {
-  ManualCalibration* hand = &mode.hand();
-  auto* points = new PointCalibrator(bench.document, *hand, &mode);
-  mode.addPage(new ManualCalibrationPage(*hand, *points),
+  ManualCalibration* manual = &mode.manual();
+  auto* points = new PointCalibrator(bench.document, *manual, &mode);
+  mode.addPage(new ManualCalibrationPage(*manual, *points),
                [] { return ManualCalibrationPage::tr("By hand"); });
   QObject::connect(&mode, &CalibrationMode::pageChanged, points, [points] {
     points->setClicking(false); // its magnifier belongs to the page that was left
   });
   QObject::connect(&cameras, &CameraDocks::viewMade, points,
-                   [bench, hand, points](int camera, CameraView* view) {
-                     bench.connectImageView(new GridLayer(camera, view, *hand, *points));
+                   [bench, manual, points](int camera, CameraView* view) {
+                     bench.connectImageView(new GridLayer(camera, view, *manual, *points));
                    });
 }
 

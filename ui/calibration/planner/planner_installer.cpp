@@ -20,55 +20,56 @@ namespace dewpoint::ui {
 
 PlannerInstaller::PlannerInstaller(const Workbench& bench, CalibrationMode& mode,
                                    BirdsEyeView& birdsEye)
-    : QObject(&bench.window), bench_(bench), mode_(mode), birdsEye_(birdsEye), hand_(mode.hand()),
-      plan_(new RigPlanner(bench.document, mode.hand(), bench.selection, this)) {
+    : QObject(&bench.window), bench_(bench), mode_(mode), birdsEye_(birdsEye),
+      manual_(mode.manual()),
+      plan_(new RigPlanner(bench.document, mode.manual(), bench.selection, this)) {
   mode_.addPage(new PlanPage(*plan_), [] { return PlanPage::tr("Plan"); });
   connect(plan_, &RigPlanner::mapChanged, this, [this] {
-    const bool shown = plan_->isMapShown() && hand_.isActive();
+    const bool shown = plan_->isMapShown() && manual_.isActive();
     birdsEye_.showMap(shown ? plan_->map() : nullptr, plan_->look());
   });
   connect(plan_, &RigPlanner::changed, this, [this] {
-    birdsEye_.showPlanned(hand_.isActive() ? plan_->planned() : CameraRig());
+    birdsEye_.showPlanned(manual_.isActive() ? plan_->planned() : CameraRig());
     bench_.action("actionShowMap")->setChecked(plan_->isMapShown());
     showHandles();
   });
-  connect(&hand_, &ManualCalibration::changed, this, &PlannerInstaller::showHandles);
+  connect(&manual_, &ManualCalibration::changed, this, &PlannerInstaller::showHandles);
   connectBirdsEye();
   connectActions();
 }
 
 int PlannerInstaller::planned(int handle) const {
-  return handle - hand_.cameraCount();
+  return handle - manual_.cameraCount();
 }
 
 void PlannerInstaller::connectBirdsEye() {
   connect(&birdsEye_, &BirdsEyeView::cameraChosen, this, [this](int camera) {
     plan_->choose(planned(camera));
-    hand_.selectCamera(camera);
+    manual_.selectCamera(camera);
   });
   connect(&birdsEye_, &BirdsEyeView::cameraDragged, this,
           [this](int camera, const Eigen::Vector3d& center) {
             if (const int k = planned(camera); k >= 0) {
               plan_->change(k, withPosition(plan_->planned()[std::size_t(k)], center));
             }
-            hand_.change(camera, tr("Move %1 in the bird's-eye view").arg(hand_.nameOf(camera)),
-                         withPosition(hand_.cameraAt(camera), center), "drag center");
+            manual_.change(camera, tr("Move %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
+                           withPosition(manual_.cameraAt(camera), center), "drag center");
           });
   connect(&birdsEye_, &BirdsEyeView::cameraAimed, this,
           [this](int camera, const Eigen::Vector3d& target) {
             if (const int k = planned(camera); k >= 0) {
               plan_->change(k, lookingAt(plan_->planned()[std::size_t(k)], target));
             }
-            hand_.change(camera, tr("Turn %1 in the bird's-eye view").arg(hand_.nameOf(camera)),
-                         lookingAt(hand_.cameraAt(camera), target), "drag target");
+            manual_.change(camera, tr("Turn %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
+                           lookingAt(manual_.cameraAt(camera), target), "drag target");
           });
-  connect(&birdsEye_, &BirdsEyeView::cameraDropped, &hand_, &ManualCalibration::endMerging);
+  connect(&birdsEye_, &BirdsEyeView::cameraDropped, &manual_, &ManualCalibration::endMerging);
 }
 
 void PlannerInstaller::connectActions() {
   bench_.onTriggered("actionPlanRig", this, [this] { open(); });
   bench_.onToggled("actionShowMap", this, [this](bool shown) {
-    if (shown && !hand_.isActive()) {
+    if (shown && !manual_.isActive()) {
       open();
     }
     plan_->setMapShown(shown);
@@ -88,15 +89,15 @@ void PlannerInstaller::showHandles() {
   std::vector<CameraHandle> handles;
   CameraRig rig = rigOf(bench_.document.project());
   rig.insert(rig.end(), plan_->planned().begin(), plan_->planned().end());
-  for (std::size_t k = 0; hand_.isActive() && k < rig.size(); ++k) {
+  for (std::size_t k = 0; manual_.isActive() && k < rig.size(); ++k) {
     const Camera& camera = rig[k];
     // As far away as what they look at: mostly within the picture.
-    const double distance = (hand_.grid().center() - camera.center()).norm();
+    const double distance = (manual_.grid().center() - camera.center()).norm();
     handles.push_back({camera.center(), camera.center() + distance * camera.opticalAxis()});
   }
   const int chosen = plan_->chosen();
   birdsEye_.setCameraHandles(std::move(handles),
-                             chosen < 0 ? hand_.camera() : hand_.cameraCount() + chosen);
+                             chosen < 0 ? manual_.camera() : manual_.cameraCount() + chosen);
 }
 
 void PlannerInstaller::open() {

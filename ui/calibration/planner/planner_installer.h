@@ -29,7 +29,7 @@ private:
   Workbench bench_;
   CalibrationMode& mode_;
   BirdsEyeView& birdsEye_;
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   RigPlanner* plan_;
 };
 

@@ -25,9 +25,9 @@ Camera withLens(const Camera& camera, const PlannedLens& lens) {
 
 } // namespace
 
-RigPlanner::RigPlanner(Document& document, ManualCalibration& hand, Selection& selection,
+RigPlanner::RigPlanner(Document& document, ManualCalibration& manual, Selection& selection,
                        QObject* parent)
-    : QObject(parent), document_(document), hand_(hand), selection_(selection),
+    : QObject(parent), document_(document), manual_(manual), selection_(selection),
       mapper_(std::make_shared<RigMapper>()) {
   connect(&document_, &Document::replaced, this, [this] {
     search_.cancel();
@@ -44,12 +44,12 @@ RigPlanner::RigPlanner(Document& document, ManualCalibration& hand, Selection& s
       takeRoom();
     }
   });
-  connect(&hand_, &ManualCalibration::activeChanged, this, [this] {
+  connect(&manual_, &ManualCalibration::activeChanged, this, [this] {
     takeRoom();
     Q_EMIT mapChanged();
     Q_EMIT changed();
   });
-  connect(&hand_, &ManualCalibration::changed, this, &RigPlanner::ask);
+  connect(&manual_, &ManualCalibration::changed, this, &RigPlanner::ask);
   connect(&selection_, &Selection::plannedCameraSelected, this, &RigPlanner::changed);
 }
 
@@ -62,7 +62,7 @@ CameraRig RigPlanner::rig() const {
 }
 
 void RigPlanner::ask() {
-  if (!mapShown_ || !hand_.isActive()) {
+  if (!mapShown_ || !manual_.isActive()) {
     return;
   }
   const MapOrder order{gridOver(volume_, kMapCells), pixelSigma_, rig()};
@@ -124,7 +124,7 @@ void RigPlanner::followRoom() {
 }
 
 void RigPlanner::takeRoom() {
-  const Eigen::AlignedBox3d room = roomOf(rigOf(document_.project()), hand_.grid());
+  const Eigen::AlignedBox3d room = roomOf(rigOf(document_.project()), manual_.grid());
   if (followsRoom_ && !room.isEmpty() && room.sizes().minCoeff() > 0.0) {
     volume_ = room;
     keepHeight();

@@ -34,7 +34,7 @@ struct PlannedLens {
 class RigPlanner : public QObject {
   Q_OBJECT
 public:
-  RigPlanner(Document& document, ManualCalibration& hand, Selection& selection,
+  RigPlanner(Document& document, ManualCalibration& manual, Selection& selection,
              QObject* parent = nullptr);
   ~RigPlanner() override;
 
@@ -96,7 +96,7 @@ private:
   void takePlacement(const Result<Placement>& found);
 
   Document& document_;
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   Selection& selection_;
   /// Input of a map. A request equal to the previous one is skipped.
   struct MapOrder {

@@ -28,8 +28,8 @@ QString symmetryText(const QString& camera, const ImageSymmetry& symmetry) {
                    .arg(symmetry.rotateDegrees);
 }
 
-PointCalibrator::PointCalibrator(Document& document, ManualCalibration& hand, QObject* parent)
-    : QObject(parent), document_(document), hand_(hand) {
+PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, QObject* parent)
+    : QObject(parent), document_(document), manual_(manual) {
   connect(&document_, &Document::changed, this, [this](const ProjectChanges& changes) {
     if (changes.points || changes.calibration || changes.sources) {
       if (!applying_ && (changes.points || changes.sources)) {
@@ -81,7 +81,7 @@ void PointCalibrator::add() {
   while (isUsed(name.toStdString())) {
     name = tr("point %1").arg(++next);
   }
-  const ReferenceGrid grid = hand_.grid();
+  const ReferenceGrid grid = manual_.grid();
   edit(tr("Add measured point"), [&](Project& project) {
     MeasuredPoint& point = project.points.emplace_back();
     point.name = name.toStdString();
@@ -122,7 +122,8 @@ void PointCalibrator::setClick(int camera, const Eigen::Vector2d& pixel) {
     return;
   }
   const auto point = static_cast<std::size_t>(chosen_);
-  edit(tr("Click %1 in %2").arg(QString::fromStdString(points()[point].name), hand_.nameOf(camera)),
+  edit(tr("Click %1 in %2")
+           .arg(QString::fromStdString(points()[point].name), manual_.nameOf(camera)),
        [&](Project& project) { setClickIn(project.points[point], camera, pixel); });
 }
 
@@ -131,12 +132,12 @@ void PointCalibrator::removeClick(int camera) {
     return;
   }
   const auto point = static_cast<std::size_t>(chosen_);
-  edit(
-      tr("Forget %1 in %2").arg(QString::fromStdString(points()[point].name), hand_.nameOf(camera)),
-      [&](Project& project) {
-        std::erase_if(project.points[point].clicks,
-                      [&](const PointClick& click) { return click.camera == camera; });
-      });
+  edit(tr("Forget %1 in %2")
+           .arg(QString::fromStdString(points()[point].name), manual_.nameOf(camera)),
+       [&](Project& project) {
+         std::erase_if(project.points[point].clicks,
+                       [&](const PointClick& click) { return click.camera == camera; });
+       });
 }
 
 std::vector<ClickResidual> PointCalibrator::residuals() const {
@@ -188,7 +189,7 @@ void PointCalibrator::applyResult(const PointSolution& solution) {
 }
 
 QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
-  const QString name = hand_.nameOf(camera.camera);
+  const QString name = manual_.nameOf(camera.camera);
   QString line;
   switch (camera.status) {
   case PoseStatus::None:
@@ -248,7 +249,8 @@ std::optional<int> PointCalibrator::proposedCamera() const {
 }
 
 QString PointCalibrator::proposalText() const {
-  return proposal_ ? symmetryText(hand_.nameOf(proposal_->camera), proposal_->symmetry) : QString();
+  return proposal_ ? symmetryText(manual_.nameOf(proposal_->camera), proposal_->symmetry)
+                   : QString();
 }
 
 void PointCalibrator::acceptProposal() {
@@ -256,7 +258,7 @@ void PointCalibrator::acceptProposal() {
     return;
   }
   const Proposal proposal = *proposal_;
-  edit(tr("Set how %1 lies").arg(hand_.nameOf(proposal.camera)), [&](Project& project) {
+  edit(tr("Set how %1 lies").arg(manual_.nameOf(proposal.camera)), [&](Project& project) {
     project = withImageSymmetry(std::move(project), proposal.camera, proposal.symmetry);
   });
   solve(false);

@@ -27,7 +27,7 @@ class ManualCalibration;
 class PointCalibrator : public QObject {
   Q_OBJECT
 public:
-  PointCalibrator(Document& document, ManualCalibration& hand, QObject* parent = nullptr);
+  PointCalibrator(Document& document, ManualCalibration& manual, QObject* parent = nullptr);
   ~PointCalibrator() override;
 
   const std::vector<MeasuredPoint>& points() const;
@@ -76,7 +76,7 @@ private:
   void forgetSolution();
 
   Document& document_;
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   int chosen_ = -1;
   bool clicking_ = false;
   bool applying_ = false; ///< the next change of the document is the solution itself

@@ -21,12 +21,12 @@
 #include <cmath>
 
 namespace dewpoint::ui {
-PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidget* parent)
-    : QWidget(parent), points_(points), hand_(hand) {
+PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& manual, QWidget* parent)
+    : QWidget(parent), points_(points), manual_(manual) {
   setObjectName(QStringLiteral("pointsTable"));
   build();
   connect(&points_, &PointCalibrator::changed, this, &PointsTable::refresh);
-  connect(&hand_, &ManualCalibration::cameraSelected, this, &PointsTable::refresh);
+  connect(&manual_, &ManualCalibration::cameraSelected, this, &PointsTable::refresh);
   connect(table_, &QTableWidget::cellChanged, this, &PointsTable::edited);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (!filling_) {
@@ -36,7 +36,7 @@ PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidg
   connect(add_, &QPushButton::clicked, &points_, &PointCalibrator::add);
   connect(remove_, &QPushButton::clicked, &points_, &PointCalibrator::remove);
   connect(click_, &QPushButton::clicked, &points_, &PointCalibrator::setClicking);
-  connect(forget_, &QPushButton::clicked, this, [this] { points_.removeClick(hand_.camera()); });
+  connect(forget_, &QPushButton::clicked, this, [this] { points_.removeClick(manual_.camera()); });
   connect(solve_, &QPushButton::clicked, this, [this] { points_.solve(focal_->isChecked()); });
   connect(accept_, &QPushButton::clicked, &points_, &PointCalibrator::acceptProposal);
   onRetranslate(this, [this] { retranslateUi(); });
@@ -132,7 +132,7 @@ void PointsTable::fillRow(int row) {
   for (int axis = 0; axis < 3; ++axis) {
     setCell(row, X + axis, lengthNumber(point.world[axis], LengthScale::Meters, 3), true);
   }
-  setCell(row, Clicks, QStringLiteral("%1/%2").arg(point.clicks.size()).arg(hand_.cameraCount()),
+  setCell(row, Clicks, QStringLiteral("%1/%2").arg(point.clicks.size()).arg(manual_.cameraCount()),
           false);
   for (int column = 0; column < ColumnCount; ++column) {
     if (QTableWidgetItem* item = table_->item(row, column)) {
@@ -154,7 +154,7 @@ void PointsTable::showResiduals() {
         pixels = std::max(pixels, residual.pixels);
         meters = std::max(meters, residual.meters);
         each << tr("%1: %2, %3")
-                    .arg(hand_.nameOf(residual.camera), pixelText(residual.pixels, 2),
+                    .arg(manual_.nameOf(residual.camera), pixelText(residual.pixels, 2),
                          lengthText(residual.meters, LengthScale::Millimeters, 1));
       }
     }
@@ -188,7 +188,7 @@ void PointsTable::refresh() {
   click_->setText((points_.isClicking() ? QStringLiteral("● ") : QString()) +
                   tr("Click in images"));
   forget_->setEnabled(any && clickIn(points_.points()[static_cast<std::size_t>(points_.chosen())],
-                                     hand_.camera()) != nullptr);
+                                     manual_.camera()) != nullptr);
   solve_->setEnabled(count > 0 && !points_.isSolving());
   resultText_->setText(points_.resultText());
   resultText_->setVisible(!points_.resultText().isEmpty());

@@ -20,7 +20,7 @@ class PointCalibrator;
 class PointsTable : public QWidget {
   Q_OBJECT
 public:
-  PointsTable(PointCalibrator& points, ManualCalibration& hand, QWidget* parent = nullptr);
+  PointsTable(PointCalibrator& points, ManualCalibration& manual, QWidget* parent = nullptr);
 
 private:
   enum Column { Name, X, Y, Z, Clicks, Pixels, Millimeters, ColumnCount };
@@ -34,7 +34,7 @@ private:
   void showResiduals();
 
   PointCalibrator& points_;
-  ManualCalibration& hand_;
+  ManualCalibration& manual_;
   QTableWidget* table_;
   QPushButton* add_;
   QPushButton* remove_;

@@ -219,7 +219,7 @@ void WandCalibrator::apply() {
   if (!refinement_ || applied_ || refinement_->before.size() != project().cameras.size()) {
     return;
   }
-  around_.hand.takeAsBefore();
+  around_.manual.takeAsBefore();
   const auto edited =
       around_.document.edit(settings_.stick ? tr("Refine cameras with a waved stick")
                                             : tr("Refine cameras with a waved ball"),
@@ -236,7 +236,7 @@ void WandCalibrator::apply() {
 }
 
 void WandCalibrator::setFlipped(bool flipped) {
-  around_.hand.setFlipped(flipped);
+  around_.manual.setFlipped(flipped);
 }
 
 void WandCalibrator::saveReport(const QString& file) {

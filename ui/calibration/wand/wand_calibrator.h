@@ -28,7 +28,7 @@ public:
   /// Objects that the calibrator uses.
   struct Surroundings {
     Document& document;
-    ManualCalibration& hand;
+    ManualCalibration& manual;
     Selection& selection;
     TargetListModel& targets;
     std::function<Result<SessionInputs>(const SessionRequest&)> open; ///< called in another thread

@@ -11,7 +11,7 @@
 namespace dewpoint::ui {
 
 void installWandCalibration(const Workbench& bench, CalibrationMode& mode) {
-  auto* wand = new WandCalibrator({bench.document, mode.hand(), bench.selection, bench.targets,
+  auto* wand = new WandCalibrator({bench.document, mode.manual(), bench.selection, bench.targets,
                                    bench.session.opener(),
                                    [run = &bench.session] { return run->session(); }},
                                   &mode);
