@@ -180,7 +180,7 @@ void ActionRegistry::drawIcons(const QPalette& palette) {
   }
 }
 
-void ActionRegistry::retranslate() {
+void ActionRegistry::retranslateUi() {
   std::ranges::for_each(entries_, [this](const Entry& entry) { setTexts(entry); });
 }
 

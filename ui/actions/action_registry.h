@@ -61,8 +61,8 @@ public:
 
   /// Redraws all icons in the colors of a palette.
   void drawIcons(const QPalette& palette);
-  /// Translates all texts again after a change of language.
-  void retranslate();
+  /// Says everything again after a change of language.
+  void retranslateUi();
 
 protected:
   /// Keeps input fields from taking keys that X11 uses to move the cursor (Ctrl+E: end of line), so

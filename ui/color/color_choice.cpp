@@ -84,7 +84,7 @@ void ColorChoice::updateButtons() {
   setVisible(count > 0);
 }
 
-void ColorChoice::retranslate() {
+void ColorChoice::retranslateUi() {
   setAccessibleName(tr("Colors of the target"));
   remove_->setText(tr("Remove"));
   remove_->setToolTip(tr("Remove this color from the target, and the samples that show it"));

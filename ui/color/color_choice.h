@@ -25,7 +25,7 @@ public:
   void setColors(const ColorRanges& colors);
   /// Index of the selected color.
   int chosen() const { return chosen_; }
-  void retranslate();
+  void retranslateUi();
 
 Q_SIGNALS:
   /// The user selected another color.

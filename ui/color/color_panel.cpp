@@ -121,8 +121,8 @@ void ColorPanel::connectLearner() {
 
 void ColorPanel::retranslateUi() {
   modes_->setTakesBoxes(takesBoxes());
-  samples_->retranslate();
-  choice_->retranslate();
+  samples_->retranslateUi();
+  choice_->retranslateUi();
   refresh();
 }
 

@@ -40,7 +40,7 @@ ColorSampleList::ColorSampleList(QWidget* parent)
   connect(del, &QShortcut::activated, this, &ColorSampleList::removeChosen);
 }
 
-void ColorSampleList::retranslate() {
+void ColorSampleList::retranslateUi() {
   title_->setText(tr("Learned from"));
   list_->setAccessibleName(tr("Samples the color was learned from"));
   list_->setToolTip(

@@ -23,7 +23,7 @@ public:
 
   /// Lists the samples of a target of the project; none if there is no such target.
   void setSamples(const Project& project, int target);
-  void retranslate();
+  void retranslateUi();
 
 Q_SIGNALS:
   void removeRequested(int sample);

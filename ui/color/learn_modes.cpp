@@ -57,10 +57,10 @@ bool LearnModes::offers(ColorLearner::SampleAction mode) const {
 
 void LearnModes::setTakesBoxes(bool takesBoxes) {
   takesBoxes_ = takesBoxes;
-  retranslate();
+  retranslateUi();
 }
 
-void LearnModes::retranslate() {
+void LearnModes::retranslateUi() {
   setAccessibleName(tr("What a click in an image does"));
   buttons_[0]->setText(takesBoxes_ ? tr("Box") : tr("Learn"));
   buttons_[1]->setText(tr("Add sample"));

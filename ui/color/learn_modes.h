@@ -29,7 +29,7 @@ public:
   bool offers(ColorLearner::SampleAction mode) const;
   /// Sets whether a click sets the box of a target. Adding and excluding are not offered then.
   void setTakesBoxes(bool takesBoxes);
-  void retranslate();
+  void retranslateUi();
 
   /// Returns the hint for a mode, shown over the images.
   static QString hintOf(ColorLearner::SampleAction mode);

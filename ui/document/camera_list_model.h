@@ -16,8 +16,8 @@ public:
 
   /// Returns the name of a camera, or "camera 2" if it has none.
   QString nameOf(int camera) const;
-  /// Updates the names after a change of language.
-  void retranslate() { refresh(); }
+  /// In another language.
+  void retranslateUi() { refresh(); }
 
 private:
   void refresh();

@@ -44,7 +44,7 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
   long_->setInterval(kSoonDoneMs);
   makeFields();
   arrangeFields();
-  onRetranslate(this, [this] { retranslate(); });
+  onRetranslate(this, [this] { retranslateUi(); });
   connectFields();
   setRunning(false);
   proposeIn(QDir::homePath());
@@ -120,15 +120,15 @@ void ExportDialog::arrangeFields() {
   layout->addLayout(buttons);
 }
 
-void ExportDialog::retranslate() {
+void ExportDialog::retranslateUi() {
   setWindowTitle(tr("Export trajectory"));
-  form_->retranslate();
+  form_->retranslateUi();
   preview_->setAccessibleName(tr("First lines of the file"));
   preview_->setToolTip(tr("First lines of the file"));
   units_->setAccessibleName(tr("Units and axes"));
   size_->setAccessibleName(tr("Size"));
   old_->setText(tr("Some of these results are of earlier settings."));
-  outcome_->retranslate();
+  outcome_->retranslateUi();
   file_->setAccessibleName(tr("File"));
   file_->setToolTip(tr("File to write"));
   browse_->setText(tr("Browse…"));

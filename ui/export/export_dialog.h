@@ -55,7 +55,7 @@ private:
   void makeFields();
   void arrangeFields();
   void connectFields();
-  void retranslate();
+  void retranslateUi();
   void changed();
   void formatChanged();
   void askFile();

@@ -91,7 +91,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   longestGap_->setEnabled(false);
 }
 
-void ExportForm::retranslate() {
+void ExportForm::retranslateUi() {
   fillChoices();
   const auto setTexts = [this](QWidget* field, const QString& label, const QString& hint) {
     qobject_cast<QLabel*>(form_->labelForField(field))->setText(label);

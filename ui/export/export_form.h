@@ -34,7 +34,7 @@ public:
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Resets all choices for another project.
   void startAnew();
-  void retranslate();
+  void retranslateUi();
 
 Q_SIGNALS:
   void changed();

@@ -39,7 +39,7 @@ void ExportOutcome::clear() {
   sentence_->clear();
 }
 
-void ExportOutcome::retranslate() {
+void ExportOutcome::retranslateUi() {
   folder_->setText(tr("Show in folder"));
   folder_->setToolTip(tr("Open the folder of the file that was written"));
   clear(); // in the language of then

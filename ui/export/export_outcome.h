@@ -20,7 +20,7 @@ public:
   /// `file`: the file that was written; empty: none.
   void show(const QString& sentence, const QString& file = {});
   void clear();
-  void retranslate();
+  void retranslateUi();
 
 private:
   void openFolder();

@@ -276,7 +276,7 @@ void MainWindow::updateTitle() {
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() == QEvent::LanguageChange) {
-    actions_->retranslate();
+    actions_->retranslateUi();
     history_->nameSteps();
     updateTitle();
     menus_->make();

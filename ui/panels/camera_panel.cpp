@@ -168,7 +168,7 @@ void CameraPanel::connectFields() {
 }
 
 void CameraPanel::retranslateUi() {
-  cameras_.retranslate();
+  cameras_.retranslateUi();
   list_->setAccessibleName(tr("Cameras"));
   nameLabel_->setText(tr("Name"));
   name_->setToolTip(tr("Name of the camera, in views and files"));

@@ -17,7 +17,7 @@ MarkerEditor::MarkerEditor(QWidget& timeline, Document& document)
   name_->hide();
 }
 
-void MarkerEditor::retranslate() {
+void MarkerEditor::retranslateUi() {
   name_->setAccessibleName(tr("Name of the mark"));
 }
 

@@ -26,7 +26,7 @@ public:
   bool remove(qint64 frame);
   /// Edits the name of a marker in place, at its flag in the timeline (widget coordinates).
   void editName(const ProjectMarker& marker, const QRectF& flag);
-  void retranslate();
+  void retranslateUi();
 
 private:
   void rename(qint64 frame, const QString& from, const QString& name);

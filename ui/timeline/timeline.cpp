@@ -34,7 +34,7 @@ Timeline::Timeline(Selection& selection, Document& document, QWidget* parent)
   setMouseTracking(true);
   onRetranslate(this, [this] {
     setAccessibleName(tr("Timeline"));
-    markers_->retranslate();
+    markers_->retranslateUi();
     update();
   });
   connect(&selection_, &Selection::currentFrameChanged, this, [this] {

@@ -52,18 +52,18 @@ BirdsEyeView::BirdsEyeView(QWidget* parent)
   connect(handles_, &CameraHandles::dragged, this, &BirdsEyeView::cameraDragged);
   connect(handles_, &CameraHandles::aimed, this, &BirdsEyeView::cameraAimed);
   connect(handles_, &CameraHandles::dropped, this, &BirdsEyeView::cameraDropped);
-  retranslate();
+  retranslateUi();
   applyTheme();
 }
 
 BirdsEyeView::~BirdsEyeView() = default;
 
-void BirdsEyeView::retranslate() {
+void BirdsEyeView::retranslateUi() {
   scene_.setDecimalPoint(locale().decimalPoint().toStdString());
   requestPicture();
   setAccessibleName(tr("Bird's-eye view"));
   setAccessibleDescription(tr("The room in 3D: cameras, particles, estimates and their tracks"));
-  buttons_->retranslate();
+  buttons_->retranslateUi();
 }
 
 void BirdsEyeView::startVtk() {
@@ -229,7 +229,7 @@ void BirdsEyeView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) {
     applyTheme();
   } else if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) {
-    retranslate();
+    retranslateUi();
   } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
     buttons_->place();
   }

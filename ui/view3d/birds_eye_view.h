@@ -155,7 +155,7 @@ private:
   /// Paints the parts of the picture that lie over the rendered image.
   void paintOver(QPainter& painter) const;
   void applyTheme();
-  void retranslate();
+  void retranslateUi();
   void clickTail(QPointF position, bool extend);
   void clickFloor(QPointF position);
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);

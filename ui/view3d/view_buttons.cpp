@@ -61,7 +61,7 @@ void ViewButtons::place() {
   put(fit_);
 }
 
-void ViewButtons::retranslate() {
+void ViewButtons::retranslateUi() {
   const std::array<QString, 3> texts{tr("3D"), tr("Top"), tr("Front")};
   const std::array<QString, 3> tips{
       tr("Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to "

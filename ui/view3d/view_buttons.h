@@ -24,7 +24,7 @@ public:
   void setShown(bool shown);
   /// Places the buttons in the lower left corner of the view.
   void place();
-  void retranslate();
+  void retranslateUi();
 
 Q_SIGNALS:
   void chosen(dewpoint::ui::Scene3d::View view);
