@@ -15,7 +15,7 @@ constexpr double kFast = 0.001;
 constexpr double kSlow = 1.0;
 
 /// Results of frames 0 to 99, of which these are old.
-OldResults old(std::vector<FrameSpan> frames, double secondsPerFrame) {
+OldResults old(std::vector<ResultRange> frames, double secondsPerFrame) {
   return {std::move(frames), 99, secondsPerFrame};
 }
 

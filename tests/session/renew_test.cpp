@@ -72,7 +72,7 @@ TEST_P(RenewTest, AChangedRunIsThatOfAFreshOne) {
     change.make(fresh.project);
     change.tell(session, fresh.project);
     ASSERT_TRUE(eventually([&] { return !session.oldResults().frames.empty(); })) << change.name;
-    EXPECT_EQ(session.oldResults().frames, (std::vector<FrameSpan>{{0, kFrames - 1}}));
+    EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, kFrames - 1}}));
     EXPECT_EQ(session.oldResults().newest, kFrames - 1);
     EXPECT_GT(session.oldResults().secondsPerFrame, 0.0);
 
@@ -127,10 +127,10 @@ TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
     session.stepFrame();
   }
   ASSERT_TRUE(eventually([&] { return session.oldResults().newest == 19; }));
-  EXPECT_EQ(session.oldResults().frames, (std::vector<FrameSpan>{{0, 9}}));
+  EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, 9}}));
   session.setParameters(before.parameters); // undone
   ASSERT_TRUE(eventually([&] {
-    return session.oldResults().frames == std::vector<FrameSpan>{{10, 19}};
+    return session.oldResults().frames == std::vector<ResultRange>{{10, 19}};
   }));
   session.renewFrom(10);
   ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));

@@ -45,7 +45,7 @@ private:
   /// Tracks the first frames, and pauses.
   void trackSome(Again again = Again::Quick);
   ResultKeeper& results() { return window_->workbench().session.results(); }
-  bool areOld(const std::vector<FrameSpan>& frames) {
+  bool areOld(const std::vector<ResultRange>& frames) {
     return waitFor([&] { return results().old().frames == frames; });
   }
   /// All results are of these settings: with this value of a parameter.
@@ -152,16 +152,16 @@ void SettingsChangeTest::aChangeWhilePlayingHoldsFromThereOn() {
   const double before = window_->document().project().parameters.at("particles");
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
   QVERIFY(waitFor([this] { return !results().old().frames.empty(); }));
-  const FrameSpan old = results().old().frames.front();
+  const ResultRange old = results().old().frames.front();
   QCOMPARE(old.first, 0);
   QVERIFY(waitFor([&] { return shown().history.head > old.last + 2; })); // it goes on
-  QCOMPARE(results().old().frames, std::vector<FrameSpan>{old});
+  QCOMPARE(results().old().frames, std::vector<ResultRange>{old});
   QCOMPARE(messageText(), QString());
   action("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return shown().state == PlayState::Paused; }));
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("Settings changed")); }));
   letTimePass(500);
-  QCOMPARE(results().old().frames, std::vector<FrameSpan>{old}); // nobody asked to track it again
+  QCOMPARE(results().old().frames, std::vector<ResultRange>{old}); // nobody asked to track it again
 }
 
 void SettingsChangeTest::severalChangesAreOne() {

@@ -27,8 +27,8 @@ public:
   /// Sets the snapshot, which describes the run; null: no run, and the timeline is empty.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void append(const std::vector<FrameRecord>& records, bool restarted);
-  /// Sets the frames whose results are from earlier settings.
-  void setOldResults(const std::vector<FrameSpan>& frames) {
+  /// The frames whose results are of earlier settings.
+  void setOldResults(const std::vector<ResultRange>& frames) {
     model_.oldResults = frames;
     update();
   }

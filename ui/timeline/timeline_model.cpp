@@ -75,7 +75,7 @@ bool TimelineModel::isCorrected(std::size_t target, qint64 frame) const {
 }
 
 bool TimelineModel::isOld(qint64 frame) const {
-  return std::ranges::any_of(oldResults, [frame](const FrameSpan& range) {
+  return std::ranges::any_of(oldResults, [frame](const ResultRange& range) {
     return range.first <= frame && frame <= range.last;
   });
 }

@@ -18,9 +18,8 @@ struct TimelineModel {
   QStringList targets;
   QStringList cameras;
   std::vector<ProjectMarker> markers;
-  std::vector<PositionCorrection> corrections; ///< by increasing frame
-  /// frames with results of earlier settings, by increasing frame
-  std::vector<FrameSpan> oldResults;
+  std::vector<PositionCorrection> corrections; ///< by rising frame
+  std::vector<ResultRange> oldResults;         ///< those of earlier settings, by rising frame
   bool isOld(qint64 frame) const;
   HistoryState history;
   std::optional<RerunState> rerun;

@@ -49,7 +49,7 @@ void paintForgotten(QPainter& painter, const TimelineModel& model, const Timelin
 void paintOldResults(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                      const TimelineRows& rows, const QPalette& palette) {
   painter.setPen(QPen(withAlpha(palette.color(QPalette::Text), kHatching), 1.0));
-  for (const FrameSpan& range : model.oldResults) {
+  for (const ResultRange& range : model.oldResults) {
     const double begin = std::max(rows.ribbons.left(), scale.x(static_cast<double>(range.first)));
     const double end =
         std::min(rows.ribbons.right(), scale.x(static_cast<double>(range.last) + 1.0));

@@ -55,8 +55,8 @@ void ResultSettings::track(std::int64_t frame, const RunDefinitionPtr& definitio
   }
 }
 
-std::vector<FrameSpan> ResultSettings::differentFrom(const RunDefinition& now) const {
-  std::vector<FrameSpan> different;
+std::vector<ResultRange> ResultSettings::differentFrom(const RunDefinition& now) const {
+  std::vector<ResultRange> different;
   for (const Stretch& stretch : stretches_) {
     if (giveSameResults(*stretch.definition, now)) {
       continue;

@@ -9,19 +9,18 @@
 namespace dewpoint::session {
 
 /// Frames from `first` to `last`, both included.
-struct FrameSpan {
+struct ResultRange {
   std::int64_t first = 0;
   std::int64_t last = 0;
-  bool operator==(const FrameSpan&) const = default;
+  bool operator==(const ResultRange&) const = default;
 };
 
 /// Results of a run that came from settings other than the current ones.
 struct OldResults {
-  /// In ascending order; empty: all results match the current settings.
-  std::vector<FrameSpan> frames;
-  std::int64_t newest = -1; ///< last frame with results, old or not; -1: none
-  /// Time to track a frame again (median of the last ones); 0: unknown.
-  double secondsPerFrame = 0.0;
+  std::vector<ResultRange>
+      frames;                   ///< by rising frame; empty: all results are of the settings of now
+  std::int64_t newest = -1;     ///< the last frame with results, old or not; -1: there is none
+  double secondsPerFrame = 0.0; ///< to track a frame again (median of the last ones); 0: unknown
 };
 
 /// Returns whether results obtained with `a` remain valid with `b`. Names of targets and their
@@ -37,15 +36,15 @@ public:
   void goBack(std::int64_t frame);
   /// Adds a tracked frame; earlier data of this frame and later ones are replaced.
   void track(std::int64_t frame, const RunDefinitionPtr& definition);
-  /// Returns the frames whose results came from other settings than these.
-  std::vector<FrameSpan> differentFrom(const RunDefinition& now) const;
-  /// Returns the last frame with results; -1 if there is none.
+  /// Frames whose results other settings gave than these.
+  std::vector<ResultRange> differentFrom(const RunDefinition& now) const;
+  /// The last frame with results; -1: there is none.
   std::int64_t newest() const { return stretches_.empty() ? -1 : stretches_.back().frames.last; }
 
 private:
   /// Consecutive frames that were tracked with the same settings.
   struct Stretch {
-    FrameSpan frames;
+    ResultRange frames;
     RunDefinitionPtr definition;
   };
   std::vector<Stretch> stretches_; ///< ascending frames

@@ -29,7 +29,7 @@ RunDefinitionPtr particles(double count) {
   });
 }
 
-using Ranges = std::vector<FrameSpan>;
+using Ranges = std::vector<ResultRange>;
 
 TEST(ResultSettings, WhatDecidesResults) {
   const auto now = with([](RunDefinition&) {});
