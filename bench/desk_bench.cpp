@@ -106,28 +106,28 @@ void wait(int milliseconds) {
 class Bench {
 public:
   int run() {
-    say("window shown", [this] {
+    measure("window shown", [this] {
       window_.setTheme(Theme::Light);
       window_.resize(1600, 1000);
       window_.show();
       wait(1000);
     });
-    say("demo opened and played, 3 s", [this] {
+    measure("demo opened and played, 3 s", [this] {
       window_.findChild<QToolButton*>("startDemo")->click();
       wait(kSettleMs);
     });
-    say("mask shown, paused, stepped, undone", [this] {
+    measure("mask shown, paused, stepped, undone", [this] {
       for (const char* id : {"actionShowMask", "actionPlay", "actionNextFrame", "actionNextFrame",
                              "actionRestart", "actionShowMask", "actionPlay"}) {
         window_.findChild<QAction*>(QLatin1String(id))->trigger();
         wait(300);
       }
     });
-    say("other theme", [this] {
+    measure("other theme", [this] {
       window_.setTheme(Theme::Dark);
       wait(500);
     });
-    say("project closed", [this] {
+    measure("project closed", [this] {
       window_.findChild<QAction*>("actionCloseProject")->trigger();
       wait(500);
     });
@@ -135,7 +135,7 @@ public:
     const auto file = recordFour(folder.path().toStdString());
     wait(100); // recording was no work of the window
     probe_.takeLongest();
-    say("four 640x480 recordings opened", [&] {
+    measure("four 640x480 recordings opened", [&] {
       window_.openProject(file);
       waitUntil([this] { return window_.shown() && window_.shown()->frame > 5; }, kPatienceMs);
       wait(1000);
@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  void say(const char* what, const std::function<void()>& act) {
+  void measure(const char* what, const std::function<void()>& act) {
     act();
     fmt::print("{:<44} longest stall {:6.0f} ms\n", what, probe_.takeLongest());
   }
