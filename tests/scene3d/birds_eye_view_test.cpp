@@ -329,7 +329,7 @@ private Q_SLOTS:
     QVERIFY(qRed(colorAt(1.45, -1.45)) > qBlue(colorAt(1.45, -1.45)) + 40);
     const QRgb blank = colorAt(-1.45, 1.45);
     QVERIFY(std::abs(qBlue(blank) - qRed(blank)) < 30);
-    const auto west = scene.placeInLayer(scene.placeInPicture({-1.45, -1.45, 0.0}));
+    const auto west = scene.positionInLayer(scene.placeInPicture({-1.45, -1.45, 0.0}));
     QVERIFY(west.has_value());
     QCOMPARE(cellAt(map->grid, *west), std::optional<std::size_t>(0));
     look.volume = true;
@@ -337,7 +337,7 @@ private Q_SLOTS:
     QVERIFY(differentPixels(view_->currentPicture(), picture) > 1000);
     view_->showMap(nullptr, look);
     (void)view_->currentPicture();
-    QVERIFY(!scene.placeInLayer({0.0, 0.0}));
+    QVERIFY(!scene.positionInLayer({0.0, 0.0}));
   }
 
   void withoutOpenGlTheWidgetStillWorks() {

@@ -91,7 +91,7 @@ void ImagePickOverlay::mousePressEvent(QMouseEvent* event) {
     if (pointing_) {
       update();
       Q_EMIT grabbed(*pixel);
-      Q_EMIT pointed(*pixel);
+      Q_EMIT pointMoved(*pixel);
     }
   } else {
     panned_ = event->position();
@@ -108,7 +108,7 @@ void ImagePickOverlay::mouseMoveEvent(QMouseEvent* event) {
     now_ = event->position();
     update();
     if (pointing_) {
-      Q_EMIT pointed(nearestPixel(now_));
+      Q_EMIT pointMoved(nearestPixel(now_));
     }
   } else if (panned_ && event->buttons().testFlag(Qt::LeftButton)) {
     view_->panBy(event->position() - *std::exchange(panned_, event->position()));
@@ -224,7 +224,7 @@ void ImagePickOverlay::moveCross(int key, bool fine) {
   view_->reveal(*cross_);
   update();
   if (pointing_ && moves) {
-    Q_EMIT pointed(*cross_);
+    Q_EMIT pointMoved(*cross_);
   }
 }
 

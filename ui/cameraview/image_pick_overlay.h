@@ -53,7 +53,7 @@ Q_SIGNALS:
   /// also by keys; `pointingEnded()`: the drag is over, after `picked()` if a pixel was picked.
   /// Positions are in image pixels.
   void grabbed(const QPointF& pixel);
-  void pointed(const QPointF& pixel);
+  void pointMoved(const QPointF& pixel);
   void pointingEnded();
   /// Esc was pressed: picking ends.
   void cancelled();

@@ -65,7 +65,7 @@ void CorrectionTool::attach(int camera, CameraView* view) {
           [this, camera] { bench_.selection.selectCamera(camera); });
   connect(overlay, &ImagePickOverlay::grabbed, this,
           [this, layer](const QPointF& pixel) { grab(layer, pixel); });
-  connect(overlay, &ImagePickOverlay::pointed, this,
+  connect(overlay, &ImagePickOverlay::pointMoved, this,
           [this, camera](const QPointF& pixel) { point(camera, pixel); });
   connect(overlay, &ImagePickOverlay::picked, this,
           [this, camera](const QRectF& region) { drop(camera, region.topLeft()); });

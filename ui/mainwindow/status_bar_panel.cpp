@@ -179,9 +179,9 @@ void StatusBarPanel::refresh() {
   rate_->setText(tr("%1 /s").arg(numberText(snapshot.framesPerSecond, 1)));
   const TargetSnapshot* target = targetToExplain(snapshot, target_);
   if (target != nullptr) {
-    std::visit(Overloaded{[&](const SphereEstimate&) { showPlace(*target); },
+    std::visit(Overloaded{[&](const SphereEstimate&) { showPosition(*target); },
                           [&](const BoxEstimate& box) { showBox(box); },
-                          [&](const PersonEstimate&) { showPlace(*target); },
+                          [&](const PersonEstimate&) { showPosition(*target); },
                           [&](const AbsentEstimate&) { clearBelief(); }},
                target->estimate);
   } else {
@@ -206,7 +206,7 @@ void StatusBarPanel::refresh() {
   applyPalette(); // which makes them fit
 }
 
-void StatusBarPanel::showPlace(const TargetSnapshot& target) {
+void StatusBarPanel::showPosition(const TargetSnapshot& target) {
   const auto position = positionOf(target.estimate);
   const int particles = particleCountOf(target.estimate);
   if (!position || particles <= 0) {

@@ -55,7 +55,7 @@ private:
   void retranslateUi();
   void clear();
   void refresh();
-  void showPlace(const TargetSnapshot& target);
+  void showPosition(const TargetSnapshot& target);
   void showBox(const BoxEstimate& estimate);
   void clearBelief(); ///< clears values of an earlier frame that are not known now
   void applyPalette();

@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras,
                              QObject* parent)
     : QObject(parent), birdsEye_(birdsEye), cameras_(cameras) {
-  connect(birdsEye_, &BirdsEyeView::placeClicked, this, &AddPersonTool::placed);
+  connect(birdsEye_, &BirdsEyeView::floorClicked, this, &AddPersonTool::placed);
 }
 
 void AddPersonTool::attach(int camera, CameraView* view) {

@@ -117,21 +117,21 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
   }
 }
 
-std::optional<Eigen::Vector3d> Scene3d::placeInLayer(const Eigen::Vector2d& place) const {
+std::optional<Eigen::Vector3d> Scene3d::positionInLayer(const Eigen::Vector2d& place) const {
   const Eigen::AlignedBox3d volume = parts_->map.volume();
   const MapLook& look = parts_->map.look();
   if (volume.isEmpty() || !look.slice) {
     return std::nullopt;
   }
-  auto there = placeAtHeight(place, look.height);
+  auto there = positionAtHeight(place, look.height);
   if (!there || !volume.contains(*there)) {
     return std::nullopt;
   }
   return there;
 }
 
-std::optional<Eigen::Vector3d> Scene3d::placeAtHeight(const Eigen::Vector2d& place,
-                                                      double height) const {
+std::optional<Eigen::Vector3d> Scene3d::positionAtHeight(const Eigen::Vector2d& place,
+                                                         double height) const {
   const ScreenScale& scale = parts_->scale;
   const Eigen::Vector3d near = scale.world(place, scale.eye + scale.direction);
   const Eigen::Vector3d far = scale.world(place, scale.eye + 2.0 * scale.direction);

@@ -61,14 +61,14 @@ public:
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// Shows the map of expected errors; null: none. Stays until the next call.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
-  /// Returns the position on the layer of the map at a position in the picture, as of the last
-  /// `prepareFrame`; nothing without a layer or outside it. `place`: device pixels as in
-  /// `placeInPicture()`.
-  std::optional<Eigen::Vector3d> placeInLayer(const Eigen::Vector2d& place) const;
-  /// Returns the point at this height (world z, meters) at a position in the picture; nothing if
-  /// that plane is seen edge-on.
-  std::optional<Eigen::Vector3d> placeAtHeight(const Eigen::Vector2d& place, double height) const;
-  /// Shows the volume of interest as a wire box; nothing: none. Stays until the next call.
+  /// The position on the map's layer that is seen here in the picture, as of the last
+  /// `prepareFrame`; nothing without a layer, or beside it. Device pixels as in placeInPicture().
+  std::optional<Eigen::Vector3d> positionInLayer(const Eigen::Vector2d& place) const;
+  /// The point of this height (world z, meters) at a position in the picture; nothing when that is
+  /// seen edge on.
+  std::optional<Eigen::Vector3d> positionAtHeight(const Eigen::Vector2d& place,
+                                                  double height) const;
+  /// The volume of interest as a wire box; nothing: none. Stays until called again.
   void showVolume(const std::optional<WorldBox>& volume);
   /// Shows a line of sight through the room (points in meters); empty: none. Stays until the next
   /// call. The view is never fitted to it.

@@ -356,7 +356,7 @@ void TrajectoryPanel::showCurrentFrame() {
                                : std::nullopt);
 }
 
-void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool extend) {
+void TrajectoryPanel::choosePosition(int target, const Eigen::Vector3d& position, bool extend) {
   fetch();
   if (target < 0 || static_cast<std::size_t>(target) >= names_.size()) {
     return;
@@ -364,7 +364,7 @@ void TrajectoryPanel::choosePlace(int target, const Eigen::Vector3d& place, bool
   const std::string& name = names_[static_cast<std::size_t>(target)];
   const auto& rows = model_->log().rows();
   const auto found = std::find_if(rows.rbegin(), rows.rend(), [&](const MotionLog::Row& row) {
-    return row.sample.target == name && row.sample.position == place;
+    return row.sample.target == name && row.sample.position == position;
   });
   if (found == rows.rend()) {
     return;

@@ -53,10 +53,10 @@ public:
   void refresh();
   /// Sets the newest snapshot, which provides the targets.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Handles a click on a position (meters) in the trajectory of a target: requests that frame or,
-  /// with `extend`, selects the range from the current frame to it.
-  void choosePlace(int target, const Eigen::Vector3d& place, bool extend);
-  /// Panel of the boxes, for methods that track bounding boxes.
+  /// The user points at a position of a target's trajectory: requests that frame, or, to `extend`,
+  /// selects the range from the current frame to it.
+  void choosePosition(int target, const Eigen::Vector3d& position, bool extend);
+  /// The boxes of a run whose method follows those.
   BoxPanel& boxes() { return *boxes_; }
   PlotStack& plots() { return *plots_; }
   /// Copies the selected rows, or all rows, to the clipboard; they are prepared in another thread.

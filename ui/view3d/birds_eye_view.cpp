@@ -291,7 +291,7 @@ void BirdsEyeView::clickTail(QPointF position, bool extend) {
       nearestInTails(*snapshot_, scene_, ViewProjection(*this, scene_).inPicture(position),
                      kTailReachPx * devicePixelRatioF());
   if (found) {
-    Q_EMIT tailClicked(found->target, found->place, extend);
+    Q_EMIT tailClicked(found->target, found->position, extend);
   }
 }
 
@@ -384,8 +384,8 @@ void BirdsEyeView::clickFloor(QPointF position) {
     return;
   }
   const ViewProjection projection(*this, scene_);
-  if (const auto place = scene_.placeAtHeight(projection.inPicture(position), floor_)) {
-    Q_EMIT placeClicked(place->head<2>());
+  if (const auto clicked = scene_.positionAtHeight(projection.inPicture(position), floor_)) {
+    Q_EMIT floorClicked(clicked->head<2>());
   }
 }
 

@@ -119,12 +119,11 @@ public Q_SLOTS:
 
 Q_SIGNALS:
   void viewChanged(dewpoint::ui::Scene3d::View view);
-  /// A click on the tail of a target. `place`: the nearest position in it, meters. `extend`: Shift
-  /// was held down.
-  void tailClicked(int target, const Eigen::Vector3d& place, bool extend);
-  /// A click on the floor in placing mode: world x and y in meters.
-  void placeClicked(const Eigen::Vector2d& place);
-  /// A click on a person: index among the targets.
+  /// A click on a target's tail: the nearest position in it, meters. `extend`: with Shift.
+  void tailClicked(int target, const Eigen::Vector3d& position, bool extend);
+  /// While placing: a click on the floor here, world x and y in meters.
+  void floorClicked(const Eigen::Vector2d& position);
+  /// A click on a person: its index among the targets.
   void personClicked(int target);
   /// A handle was pressed.
   void cameraChosen(int camera);

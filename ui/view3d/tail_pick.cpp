@@ -3,16 +3,16 @@
 
 namespace dewpoint::ui {
 
-std::optional<TailPlace> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
-                                        const Eigen::Vector2d& position, double reach) {
+std::optional<TailPosition> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
+                                           const Eigen::Vector2d& position, double reach) {
   double nearest = reach;
-  std::optional<TailPlace> found;
+  std::optional<TailPosition> found;
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) {
     for (const Eigen::Vector3d& point : snapshot.targets[k].tail) {
       const double away = (scene.placeInPicture(point) - position).norm();
       if (away < nearest) {
         nearest = away;
-        found = TailPlace{static_cast<int>(k), point};
+        found = TailPosition{static_cast<int>(k), point};
       }
     }
   }

@@ -8,15 +8,15 @@
 
 namespace dewpoint::ui {
 
-/// Position in the tail of a target, world coordinates in meters.
-struct TailPlace {
+/// A position in the tail of a target, meters.
+struct TailPosition {
   int target = -1;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Returns the position in any tail that appears nearest to `position` in the picture, within
-/// `reach`. Both are in device pixels; `position` is counted to the right of and above the center.
-std::optional<TailPlace> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
-                                        const Eigen::Vector2d& position, double reach);
+/// The position in any tail that is seen nearest to a position of the picture, within `reach`; all
+/// in device pixels right of and above the center.
+std::optional<TailPosition> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
+                                           const Eigen::Vector2d& position, double reach);
 
 } // namespace dewpoint::ui
