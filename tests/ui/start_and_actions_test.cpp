@@ -273,7 +273,7 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   // 35 mm: the ball's radius; the path of eight frames is shorter.
   const Eigen::Vector3d mean = std::get<SphereEstimate>(window_->shown()->targets[0].estimate).mean;
   QVERIFY((mean - Eigen::Vector3d(0.5, 0.5, 0.15)).norm() < 0.035);
-  QVERIFY(find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
+  QVERIFY(find<QLabel>("colorAssessment")->text().contains(QStringLiteral("of 100")));
   // The other camera was found to show the same.
   QCOMPARE(find<QListWidget>("colorSamples")->count(), 2);
   const auto samples = [this] { return window_->document().project().targets[0].samples; };
@@ -310,7 +310,7 @@ void StartAndActionsTest::oneClickLearnsAColorAndTracksIt() {
   // The assessment was of that target.
   const auto* learner = window_->findChild<ColorLearner*>();
   QVERIFY(waitFor([&] { return !learner->isBusy(); })); // another may be under way
-  QVERIFY(!find<QLabel>("colorVerdict")->text().contains(QStringLiteral("of 100")));
+  QVERIFY(!find<QLabel>("colorAssessment")->text().contains(QStringLiteral("of 100")));
 
   // The same place by keys: the cross begins in the middle, Ctrl and an arrow move it by a pixel.
   layer->setFocus();

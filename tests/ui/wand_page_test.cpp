@@ -114,7 +114,7 @@ void WandPageTest::refinesInOneStepAsTheCommandLineDoes() {
   QVERIFY(cameras() != before);
   QCOMPARE(history().count(), 2);
   QVERIFY(history().undoText().contains(QStringLiteral("waved")));
-  const QString verdict = find<QLabel>("wandVerdict")->text();
+  const QString verdict = find<QLabel>("wandAssessment")->text();
   QVERIFY2(verdict.contains(QStringLiteral("In this volume ±")), qPrintable(verdict));
   auto* table = find<QTableWidget>("wandCameras");
   QCOMPARE(table->rowCount(), 2);
@@ -139,7 +139,7 @@ void WandPageTest::cancelKeepsTheCameras() {
   QVERIFY(waitFor([&] { return isIdle(); }));
   QVERIFY(cameras() == before);
   QCOMPARE(history().count(), 0);
-  QVERIFY(!find<QLabel>("wandVerdict")->isVisible());
+  QVERIFY(!find<QLabel>("wandAssessment")->isVisible());
   QVERIFY(find<QPushButton>("wandRefine")->isEnabled());
 }
 
@@ -147,8 +147,8 @@ void WandPageTest::aBadResultIsOneSentence() {
   const CameraRig before = cameras();
   refine({0, 29}); // the ball is at rest there
   QVERIFY(waitFor([&] { return isIdle(); }));
-  QVERIFY(find<QLabel>("wandVerdict")->isVisible());
-  QVERIFY(find<QLabel>("wandVerdict")->text().startsWith(QStringLiteral("⚠")));
+  QVERIFY(find<QLabel>("wandAssessment")->isVisible());
+  QVERIFY(find<QLabel>("wandAssessment")->text().startsWith(QStringLiteral("⚠")));
   QVERIFY(find<QLabel>("wandNotes")->text().contains(QStringLiteral("as they were")));
   QVERIFY(!find<QTableWidget>("wandCameras")->isVisible());
   QVERIFY(cameras() == before);
@@ -231,7 +231,7 @@ void WandPageTest::liveCamerasAreCollected() {
   find<QComboBox>("wandSize")->activated(0);
   press("wandRefine");
   QVERIFY(waitFor([&] { return isIdle(); }));
-  const QString verdict = find<QLabel>("wandVerdict")->text();
+  const QString verdict = find<QLabel>("wandAssessment")->text();
   QVERIFY2(verdict.contains(QStringLiteral("In this volume ±")), qPrintable(verdict));
   if (find<QPushButton>("wandApply")->isVisible()) {
     press("wandApply");

@@ -49,7 +49,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
       assessmentText_(new QLabel(this)), followAll_(new FollowAllButton(document, this)),
       samples_(new ColorSampleList(this)), assessSoon_(new QTimer(this)) {
   setObjectName(QStringLiteral("colorPanel"));
-  assessmentText_->setObjectName(QStringLiteral("colorVerdict"));
+  assessmentText_->setObjectName(QStringLiteral("colorAssessment"));
   assessmentText_->setWordWrap(true);
   assessmentText_->setTextFormat(Qt::PlainText);
   assessmentText_->setAlignment(Qt::AlignTop);

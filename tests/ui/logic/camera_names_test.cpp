@@ -47,7 +47,7 @@ TEST(CameraNames, WhereSomethingElseMatchesIsNamedToo) {
   region.color = ColorWord::Red;
   assessment.distractors.push_back(region);
   Q_EMIT learner->assessed(assessment);
-  const QString text = panel.findChild<QLabel*>(QStringLiteral("colorVerdict"))->text();
+  const QString text = panel.findChild<QLabel*>(QStringLiteral("colorAssessment"))->text();
   EXPECT_TRUE(text.contains(QStringLiteral("of camera 2 matches too."))) << qPrintable(text);
 }
 

@@ -62,7 +62,7 @@ void PointsTable::build() {
   focal_->setObjectName(QStringLiteral("pointFocal"));
   solve_ = makeButton("pointSolve", this);
   resultText_ = new QLabel(this);
-  resultText_->setObjectName(QStringLiteral("pointVerdict"));
+  resultText_->setObjectName(QStringLiteral("pointAssessment"));
   resultText_->setWordWrap(true);
   resultText_->setProperty(kRevealed, true);
   resultText_->setTextInteractionFlags(Qt::TextSelectableByMouse);

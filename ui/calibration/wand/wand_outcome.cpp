@@ -50,7 +50,7 @@ void WandOutcome::build() {
   progress_ = new QProgressBar(this);
   progress_->setObjectName(QStringLiteral("wandProgress"));
   cancel_ = makeButton("wandCancel", this);
-  accuracy_ = makeText("wandVerdict", this);
+  accuracy_ = makeText("wandAssessment", this);
   QFont bold = accuracy_->font();
   bold.setBold(true);
   accuracy_->setFont(bold);
