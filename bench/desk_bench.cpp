@@ -36,7 +36,7 @@ constexpr int kCameras = 4;
 constexpr int kFrames = 300;
 constexpr int kSettleMs = 3000;
 constexpr int kMeasureMs = 10000;
-constexpr int kPatienceMs = 60000;
+constexpr int kTimeoutMs = 60000;
 constexpr int kMoves = 100;
 constexpr int kBetweenMovesMs = 20;
 
@@ -137,7 +137,7 @@ public:
     probe_.takeLongest();
     measure("four 640x480 recordings opened", [&] {
       window_.openProject(file);
-      waitUntil([this] { return window_.shown() && window_.shown()->frame > 5; }, kPatienceMs);
+      waitUntil([this] { return window_.shown() && window_.shown()->frame > 5; }, kTimeoutMs);
       wait(1000);
     });
     fourViews();
@@ -188,7 +188,7 @@ private:
           [&] {
             return window_.shown() != before && std::ranges::all_of(views, &CameraView::isDrawn);
           },
-          kPatienceMs);
+          kTimeoutMs);
       for (CameraView* view : views) {
         view->repaint();
       }

@@ -20,10 +20,10 @@ using test::Gate;
 
 namespace {
 
-constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS;
 
 bool allEnded() {
-  return QTest::qWaitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }, kPatienceMs);
+  return QTest::qWaitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }, kTimeoutMs);
 }
 
 } // namespace
@@ -101,7 +101,7 @@ void BackgroundJobTest::whoeverDropsItDoesNotWait() {
     gate->pass();
     return [heard] { *heard = true; };
   }));
-  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
   job.reset();
   QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
   gate->open();
@@ -131,9 +131,9 @@ void BackgroundJobTest::whoeverDropsWhatWaitsDoesNotWait() {
   const auto copy = std::make_unique<std::shared_ptr<SlowToGo>>(other);
   one.reset();
   other.reset();
-  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
   copy->reset(); // the last owner
-  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 2; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 2; }, kTimeoutMs));
   QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
   gate->open();
   QVERIFY(allEnded());
@@ -155,7 +155,7 @@ void BackgroundJobTest::abandonedItMakesRoom() {
   QVERIFY(job.start([&second](const BackgroundJob::Progress&) -> std::function<void()> {
     return [&second] { ++second; };
   }));
-  QVERIFY(QTest::qWaitFor([&] { return second == 1; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return second == 1; }, kTimeoutMs));
   gate->open();
   QVERIFY(allEnded());
   QCoreApplication::processEvents();
@@ -176,7 +176,7 @@ void BackgroundJobTest::ofThoseThatWaitOnlyTheNewestIsBegun() {
   }
   QVERIFY(job.isRunning());
   gate->open();
-  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kTimeoutMs));
   QCOMPARE(done, (std::vector<int>{1, 3}));
   QVERIFY(!job.isRunning());
 }
@@ -195,11 +195,11 @@ void BackgroundJobTest::whatIsOvertakenIsDroppedOrKept() {
   order(1);
   order(2);
   gate->open();
-  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kTimeoutMs));
   QCOMPARE(done, (std::vector<int>{2}));
   order(3);
   job.cancel();
-  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 2; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 2; }, kTimeoutMs));
   QCOMPARE(done, (std::vector<int>{2}));
 }
 
@@ -212,7 +212,7 @@ void BackgroundJobTest::whatDoesNotNoticeIsLeftBehind() {
     return nullptr;
   });
   job.start([&done](const BackgroundJob::Progress&) { return [&done] { done = true; }; });
-  QVERIFY(QTest::qWaitFor([&] { return done; }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return done; }, kTimeoutMs));
   gate->open();
   QVERIFY(allEnded());
 }
@@ -231,7 +231,7 @@ void BackgroundJobTest::theQueueWorksInOrderAndToTheEnd() {
       return [told, number] { told->push_back(number); };
     });
   }
-  QVERIFY(QTest::qWaitFor([&] { return !told->empty(); }, kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return !told->empty(); }, kTimeoutMs));
   queue.reset(); // nobody listens any more, and all is done all the same
   gate->open();
   QVERIFY(allEnded());

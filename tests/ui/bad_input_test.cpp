@@ -110,7 +110,7 @@ void BadInputTest::expectSentence(const QStringList& words) {
 void BadInputTest::expectRefused(const std::filesystem::path& file, const QStringList& words) {
   QSignalSpy failed(window_.get(), &MainWindow::openFailed);
   window_->openProject(file);
-  QVERIFY(failed.wait(kPatienceMs));
+  QVERIFY(failed.wait(kTimeoutMs));
   expectSentence(words);
   QCOMPARE(window_->document().project().file, path("good.toml")); // what was open stays open
   QVERIFY(window_->findChild<QAction*>("actionPlay")->isEnabled());

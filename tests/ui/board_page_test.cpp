@@ -110,7 +110,7 @@ void BoardPageTest::openLive(const BoardGoal& goal) {
 bool BoardPageTest::calibrate() {
   QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
-  return over.wait(kPatienceMs);
+  return over.wait(kTimeoutMs);
 }
 
 void BoardPageTest::keep(const QString& name) {
@@ -177,7 +177,7 @@ void BoardPageTest::cancelKeepsWhatWas() {
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
   QVERIFY(find<QPushButton>(QStringLiteral("boardCancel"))->isVisible());
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCancel")), Qt::LeftButton);
-  QVERIFY(over.wait(kPatienceMs));
+  QVERIFY(over.wait(kTimeoutMs));
   QVERIFY(project().cameras == before);
   QCOMPARE(history().count(), 0);
   QVERIFY2(result().contains(QStringLiteral("kept")), qPrintable(result()));
@@ -202,13 +202,13 @@ void BoardPageTest::printsAndReports() {
   openRecording();
   QSignalSpy saved(&calibrator(), &BoardCalibrator::saved);
   calibrator().printBoard(QStringLiteral("A4"), file("board.pdf"));
-  QVERIFY(saved.wait(kPatienceMs));
+  QVERIFY(saved.wait(kTimeoutMs));
   QFile pdf(file("board.pdf"));
   QVERIFY(pdf.open(QIODevice::ReadOnly));
   QVERIFY(pdf.read(5) == "%PDF-");
   QVERIFY(calibrate());
   calibrator().saveReport(file("report.html"));
-  QVERIFY(saved.wait(kPatienceMs));
+  QVERIFY(saved.wait(kTimeoutMs));
   QFile html(file("report.html"));
   QVERIFY(html.open(QIODevice::ReadOnly));
   const QByteArray text = html.readAll();
@@ -216,7 +216,7 @@ void BoardPageTest::printsAndReports() {
   QVERIFY(text.contains("In this volume"));
   QSignalSpy failed(&calibrator(), &BoardCalibrator::failed);
   calibrator().printBoard(QStringLiteral("A4"), file("nowhere/board.pdf"));
-  QVERIFY(failed.wait(kPatienceMs));
+  QVERIFY(failed.wait(kTimeoutMs));
 }
 
 void BoardPageTest::theBoardIsRemembered() {

@@ -84,8 +84,7 @@ Trajectory smallRun() {
 void ExportTest::initTestCase() {
   makeWindow({.size = {1400, 900}});
   window_->openProject({});
-  QTRY_VERIFY_WITH_TIMEOUT(window_->shown() != nullptr && window_->shown()->frame > 20,
-                           kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(window_->shown() != nullptr && window_->shown()->frame > 20, kTimeoutMs);
   window_->findChild<QAction*>(QStringLiteral("actionExportTrajectory"))->trigger();
   dialog_ = window_->findChild<ExportDialog*>();
   QVERIFY(dialog_ != nullptr);
@@ -102,25 +101,25 @@ void ExportTest::formatsHaveNames() {
 void ExportTest::isNotModal() {
   QVERIFY(!dialog_->isModal());
   const auto before = window_->shown()->frame;
-  QTRY_VERIFY_WITH_TIMEOUT(window_->shown()->frame > before, kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(window_->shown()->frame > before, kTimeoutMs);
 }
 
 void ExportTest::previewFollowsTheChoices() {
   QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("time_s,frame,target,x_m")),
-                           kPatienceMs);
+                           kTimeoutMs);
   chooseFormat("trc");
-  QTRY_VERIFY_WITH_TIMEOUT(preview().startsWith(QStringLiteral("PathFileType")), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(preview().startsWith(QStringLiteral("PathFileType")), kTimeoutMs);
   QVERIFY(field<QLabel>("exportUnits")->text().contains(QStringLiteral("Y points up")));
   QVERIFY(field<QLineEdit>("exportFile")->text().endsWith(QStringLiteral("trajectory.trc")));
   field<QComboBox>("exportUnit")->setCurrentIndex(2);
-  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("\tmm\t")), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("\tmm\t")), kTimeoutMs);
   field<QDoubleSpinBox>("exportTo")->setValue(0.1);
   QTRY_VERIFY_WITH_TIMEOUT(field<QLabel>("exportSize")->text().contains(QStringLiteral("rows: 4")),
-                           kPatienceMs);
+                           kTimeoutMs);
   field<QComboBox>("exportEstimates")->setCurrentIndex(1);
   field<QComboBox>("exportUnit")->setCurrentIndex(0);
   chooseFormat("csv");
-  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("estimates: smoothed")), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(preview().contains(QStringLiteral("estimates: smoothed")), kTimeoutMs);
 }
 
 void ExportTest::writesInTheBackground() {
@@ -133,7 +132,7 @@ void ExportTest::writesInTheBackground() {
     auto* start = field<QPushButton>("exportStart");
     QTest::mouseClick(start, Qt::LeftButton);
     QVERIFY(!start->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
     QVERIFY2(QFileInfo(file).size() > 0, qPrintable(file));
     // Where the user looks, not behind the dialog.
     const QString said = field<QLabel>("exportOutcome")->text();
@@ -148,7 +147,7 @@ void ExportTest::saysWhatFailed() {
   field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("no/folder/a.csv")));
   auto* start = field<QPushButton>("exportStart");
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
   QVERIFY(field<QLabel>("exportOutcome")->text().contains(QStringLiteral("no/folder/a.csv")));
   QVERIFY(field<QLabel>("exportOutcome")->isVisible());
   QVERIFY(!field<QPushButton>("exportShowFolder")->isVisible());
@@ -181,7 +180,7 @@ void ExportTest::asksBeforeAFileIsReplaced() {
   QVERIFY(isAsked());
   QCOMPARE(*readTextFile(file.toStdString()), std::string("precious"));
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
   QVERIFY(QFileInfo(file).size() > 100);
   QVERIFY(writeTextFile(file.toStdString(), "precious")); // by another program, since
   QTest::mouseClick(start, Qt::LeftButton);
@@ -192,7 +191,7 @@ void ExportTest::asksBeforeAFileIsReplaced() {
   QTest::mouseClick(start, Qt::LeftButton);
   QVERIFY(!start->isEnabled());
   field<QLineEdit>("exportFile")->setText(folder_.filePath(QStringLiteral("other.csv")));
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
   QVERIFY(!question->isVisible());
   QCOMPARE(failed.count(), 1);
   QVERIFY(failed[0][0].toString().contains(QStringLiteral("precious.csv")));
@@ -202,7 +201,7 @@ void ExportTest::asksBeforeAFileIsReplaced() {
   field<QLineEdit>("exportFile")->setText(file);
   QTest::mouseClick(start, Qt::LeftButton);
   dialog_->close();
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
   QCOMPARE(failed.count(), 2);
   dialog_->show();
   QVERIFY(!question->isVisible());
@@ -218,7 +217,7 @@ void ExportTest::whoCancelsIsNotAsked() {
   start->click();
   QVERIFY(!start->isEnabled());
   field<QPushButton>("exportCancel")->click();
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
   QVERIFY(!field<QLabel>("exportQuestion")->isVisible());
   QCOMPARE(done.count(), 1);
   QVERIFY(done[0][0].toString().contains(QStringLiteral("canceled")));
@@ -235,13 +234,13 @@ void ExportTest::asksBeforeOneOfSeveralFilesIsReplaced() {
   auto* question = field<QLabel>("exportQuestion");
   auto* start = field<QPushButton>("exportStart");
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
   QVERIFY2(question->isVisible() && question->text().contains(QStringLiteral("00000.vtp")),
            qPrintable(question->text()));
   QCOMPARE(*readTextFile(frame.toStdString()), std::string("precious"));
   QVERIFY(!QFileInfo::exists(folder_.filePath(QStringLiteral("film.pvd"))));
   QTest::mouseClick(start, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), kTimeoutMs);
   QVERIFY(QFileInfo::exists(folder_.filePath(QStringLiteral("film.pvd"))));
   QVERIFY(readTextFile(frame.toStdString())->find("precious") == std::string::npos);
   chooseFormat("csv");
@@ -260,7 +259,7 @@ void ExportTest::theRangeIsTheSelectedOne() {
   QCOMPARE(from->value(), 0.066);
   QCOMPARE(to->value(), 0.134);
   QTRY_VERIFY_WITH_TIMEOUT(field<QLabel>("exportSize")->text().contains(QStringLiteral("rows: 3")),
-                           kPatienceMs);
+                           kTimeoutMs);
   window_->selection().selectRange(std::nullopt);
   open();
   QCOMPARE(from->value(), from->minimum()); // the beginning
@@ -283,9 +282,9 @@ void ExportTest::itsKeyWorksWhileAFieldHasTheFocus() {
       }
     }
     edit->setFocus();
-    QTRY_VERIFY_WITH_TIMEOUT(edit->hasFocus(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(edit->hasFocus(), kTimeoutMs);
     QTest::keyClick(edit, Qt::Key_E, Qt::ControlModifier);
-    QTRY_VERIFY_WITH_TIMEOUT(dialog_->isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog_->isVisible(), kTimeoutMs);
     dialog_->close();
     window_->activateWindow();
   }
@@ -308,8 +307,8 @@ void ExportTest::aLongPreviewCanBeStopped() {
   dialog.show();
   auto* cancel = dialog.findChild<QPushButton*>(QStringLiteral("exportCancel"));
   auto* size = dialog.findChild<QLabel*>(QStringLiteral("exportSize"));
-  QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), kPatienceMs);
-  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QLatin1Char('%')), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QLatin1Char('%')), kTimeoutMs);
   QTest::mouseClick(cancel, Qt::LeftButton);
   QVERIFY(!cancel->isVisible());
   QVERIFY(size->text().contains(QStringLiteral("stopped")));
@@ -317,7 +316,7 @@ void ExportTest::aLongPreviewCanBeStopped() {
   QVERIFY(size->text().contains(QStringLiteral("stopped"))); // and it stays so
   // What is chosen next is shown; a stopped one is in nobody's way.
   dialog.findChild<QComboBox*>(QStringLiteral("exportEstimates"))->setCurrentIndex(0);
-  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QStringLiteral("rows: 60")), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(size->text().contains(QStringLiteral("rows: 60")), kTimeoutMs);
 }
 
 void ExportTest::theNextProjectIsExportedAnew() {

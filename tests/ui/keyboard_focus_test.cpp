@@ -120,7 +120,7 @@ void KeyboardFocusTest::aNoticeGoesByItself() {
   auto* message = find<QLabel>("messageText");
   QVERIFY(waitFor([&] { return message->isVisible(); }));
   QVERIFY(message->text().contains(QStringLiteral("kept.toml")));
-  QVERIFY(QTest::qWaitFor([&] { return !message->isVisible(); }, 10 * kPatienceMs));
+  QVERIFY(QTest::qWaitFor([&] { return !message->isVisible(); }, 10 * kTimeoutMs));
   // What it pushed down is where it was.
   QVERIFY(waitFor([&] { return find<QDockWidget>("birdsEyeDock")->geometry() == before; }));
 }

@@ -237,7 +237,7 @@ void MainWindowTest::everyThemePaintsItsOwnGround() {
 void MainWindowTest::failedOpeningIsASentenceNotACrash() {
   QSignalSpy failed(window_.get(), &MainWindow::openFailed);
   window_->openProject("no-such-project.toml");
-  QVERIFY(failed.wait(kPatienceMs));
+  QVERIFY(failed.wait(kTimeoutMs));
   QVERIFY(find<QLabel>("messageText")->isVisible());
   QVERIFY(label("messageText").contains(QStringLiteral("no-such-project.toml")));
   click("messageClose");

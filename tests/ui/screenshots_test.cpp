@@ -29,10 +29,9 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kPatienceMs =
-    DEWPOINT_PATIENCE_MS;          ///< software OpenGL, a loaded machine, a sanitizer
-constexpr qint64 kFrame = 120;     ///< by then the demo's ball has left a path
-constexpr std::size_t kColors = 8; ///< fewer are an empty picture
+constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
+constexpr qint64 kFrame = 120;                   ///< by then the demo's ball has left a path
+constexpr std::size_t kColors = 8;               ///< fewer are an empty picture
 
 /// How many colors a picture has, up to kColors.
 std::size_t colorsOf(const QImage& picture) {

@@ -197,7 +197,7 @@ void TranslationTest::numbersFollowTheLanguage() {
   QVERIFY(window_->document().setParameter("kld_error", 0.15));
   QCOMPARE(box()->text(), QStringLiteral("0.15"));
   window_->setLanguage(QStringLiteral("de"));
-  QTRY_COMPARE_WITH_TIMEOUT(box()->text(), QStringLiteral("0,15"), kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(box()->text(), QStringLiteral("0,15"), kTimeoutMs);
   // Both signs are understood, and shown as the language's own.
   const auto type = [&](const char* text) {
     box()->setFocus();
@@ -215,7 +215,7 @@ void TranslationTest::numbersFollowTheLanguage() {
   QVERIFY(projectText(window_->document().project(), "/").find("kld_error = 0.35\n") !=
           std::string::npos);
   window_->setLanguage(QStringLiteral("en"));
-  QTRY_COMPARE_WITH_TIMEOUT(box()->text(), QStringLiteral("0.35"), kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(box()->text(), QStringLiteral("0.35"), kTimeoutMs);
   QCOMPARE(type("0,45"), QStringLiteral("0.45"));
   QCOMPARE(window_->document().project().parameters.at("kld_error"), 0.45);
 }
@@ -227,15 +227,15 @@ void TranslationTest::whatIsOpenFollowsToo() {
   QVERIFY(window_->document().edit(QStringLiteral("test"), [](Project& project) {
     project.targets[0].color.saturationMin = 0.25;
   }));
-  QTRY_COMPARE_WITH_TIMEOUT(saturation->text(), QStringLiteral("0.25"), kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(saturation->text(), QStringLiteral("0.25"), kTimeoutMs);
   find<QAction>("actionShortcuts")->trigger();
   const auto* note = find<QLabel>("shortcutNote");
   const QString english = note->text();
   window_->setLanguage(QStringLiteral("de"));
-  QTRY_COMPARE_WITH_TIMEOUT(saturation->text(), QStringLiteral("0,25"), kPatienceMs);
-  QTRY_VERIFY_WITH_TIMEOUT(note->text() != english, kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(saturation->text(), QStringLiteral("0,25"), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT(note->text() != english, kTimeoutMs);
   window_->setLanguage(QStringLiteral("en"));
-  QTRY_COMPARE_WITH_TIMEOUT(note->text(), english, kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(note->text(), english, kTimeoutMs);
 }
 
 void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
@@ -265,7 +265,7 @@ void TranslationTest::titlesOfTheGapsAreWhole() {
       return gaps->columnWidth(column) >= gaps->horizontalHeader()->sectionSizeHint(column);
     };
     for (int column = 0; column < gaps->columnCount(); ++column) {
-      QTRY_VERIFY_WITH_TIMEOUT(fits(column), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(fits(column), kTimeoutMs);
     }
   }
   window_->setLanguage(QStringLiteral("en"));

@@ -15,11 +15,11 @@ class Waiting {
 protected:
   /// How long a test waits before it fails, ms: enough for software OpenGL, a loaded machine and a
   /// sanitizer.
-  static constexpr int kPatienceMs = DEWPOINT_PATIENCE_MS;
+  static constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS;
 
   /// Runs the event loop until the condition holds; false when it never does.
   static bool waitFor(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kPatienceMs);
+    return QTest::qWaitFor(holds, kTimeoutMs);
   }
   /// Runs the event loop until a widget has kept its size for some rounds of it: the layout is
   /// done.

@@ -120,11 +120,11 @@ void WindowAssemblyTest::aMaximizedViewGivesTheOthersTheirPlacesBack() {
   const auto before = places();
   for (int round = 0; round < 2; ++round) {
     doubleClickTitle("cameraDock1");
-    QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kTimeoutMs);
     QVERIFY(!dock("cameraDock1")->isHidden());
     doubleClickTitle("cameraDock1");
-    QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size(), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(places() == before, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size(), kTimeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(places() == before, kTimeoutMs);
   }
 }
 
@@ -132,16 +132,16 @@ void WindowAssemblyTest::whatIsWantedWhileOneViewFillsTheWindowStays() {
   openDemo();
   const auto before = places();
   doubleClickTitle("birdsEyeDock");
-  QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kTimeoutMs);
   dock("historyDock")->toggleViewAction()->trigger();
   doubleClickTitle("birdsEyeDock");
-  QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size() + 1, kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size() + 1, kTimeoutMs);
   QVERIFY(!dock("historyDock")->isHidden());
   // The view that fills the window is put away: the others come back without it.
   doubleClickTitle("plotDock");
-  QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), std::size_t{1}, kTimeoutMs);
   dock("plotDock")->toggleViewAction()->trigger();
-  QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size(), kPatienceMs);
+  QTRY_COMPARE_WITH_TIMEOUT(places().size(), before.size(), kTimeoutMs);
   QVERIFY(dock("plotDock")->isHidden());
 }
 
@@ -159,7 +159,7 @@ void WindowAssemblyTest::whatNobodyArrangedSuitsAnotherWindow() {
   const auto widthOfImages = [this] {
     return dock("cameraDock0")->geometry().united(dock("cameraDock1")->geometry()).width();
   };
-  QTRY_VERIFY_WITH_TIMEOUT(widthOfImages() >= 0.45 * window_->width(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(widthOfImages() >= 0.45 * window_->width(), kTimeoutMs);
   QVERIFY(dock("trajectoryDock")->isHidden()); // that was arranged
 }
 
@@ -172,10 +172,10 @@ void WindowAssemblyTest::anotherProjectIsSeenWhole() {
   }
   auto* plots = window_->findChild<PlotStack*>(QStringLiteral("plotStack"));
   // Long enough to be looked at in part.
-  QTRY_VERIFY_WITH_TIMEOUT((plots->showPart(1.0, 6.0), !plots->showsAll()), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT((plots->showPart(1.0, 6.0), !plots->showsAll()), kTimeoutMs);
   dock("trajectoryDock")->raise(); // the panel follows the run while it is seen
   auto* motion = window_->findChild<PlotStack*>(QStringLiteral("motionPlots"));
-  QTRY_VERIFY_WITH_TIMEOUT((motion->showPart(0.5, 1.0), !motion->showsAll()), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT((motion->showPart(0.5, 1.0), !motion->showsAll()), kTimeoutMs);
   openDemo();
   QCOMPARE(room->currentView(), Scene3d::View::Free);
   if (room->hasPicture()) {
@@ -203,7 +203,7 @@ void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
   QVERIFY(loader.isReopening());
   loader.open({.what = std::filesystem::path("smooth"), .note = QStringLiteral("last ")});
   QVERIFY(!loader.isReopening());
-  QTRY_VERIFY_WITH_TIMEOUT(!loader.isOpening(), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(!loader.isOpening(), kTimeoutMs);
   // Of those asked for meanwhile, the last: with its own meaning.
   QCOMPARE(notes, std::vector<QString>{QStringLiteral("last smooth")});
 }
@@ -229,7 +229,7 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   connect(&session, &SessionController::runEnded, this, tell("ended"));
   connect(&session, &SessionController::closed, this, tell("closed"));
   session.open({.what = std::filesystem::path("still")});
-  QTRY_VERIFY_WITH_TIMEOUT(told.contains(QStringLiteral("opened")), kPatienceMs);
+  QTRY_VERIFY_WITH_TIMEOUT(told.contains(QStringLiteral("opened")), kTimeoutMs);
   QCOMPARE(told.mid(0, 9), QStringList({"ended", "nothing", "replacing", "replaced", "started",
                                         "frames", "snapshot", "iterations", "opened"}));
   QCOMPARE(document.project().scene, std::string("still"));
@@ -252,7 +252,7 @@ void WindowAssemblyTest::closingBeforeTheRunBeginsKeepsItFromBeginning() {
     QMetaObject::invokeMethod(&session, &SessionController::close, Qt::QueuedConnection);
   });
   session.open({.what = std::filesystem::path("still")});
-  QVERIFY(closed.wait(kPatienceMs));
+  QVERIFY(closed.wait(kTimeoutMs));
   QVERIFY(!QTest::qWaitFor([&] { return started.count() > 0; }, 100));
   QVERIFY(!session.isRunning());
 }

@@ -77,7 +77,7 @@ const TrackSnapshot& WindowFixture::shown() const {
 void WindowFixture::open(const std::filesystem::path& project) {
   QSignalSpy opened(window_.get(), &MainWindow::projectOpened);
   window_->openProject(project);
-  QVERIFY2(opened.wait(kPatienceMs), qPrintable(messageText()));
+  QVERIFY2(opened.wait(kTimeoutMs), qPrintable(messageText()));
 }
 
 void WindowFixture::openDemo() {
