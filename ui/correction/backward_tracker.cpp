@@ -21,7 +21,7 @@ namespace {
 
 // Chosen.
 
-constexpr qint64 kPatienceMs = 1000; ///< until it is said that something is going on
+constexpr qint64 kSilentMs = 1000; ///< until it is said that something is going on
 constexpr qint64 kBetweenTextsMs = 500;
 
 } // namespace
@@ -94,7 +94,7 @@ void BackwardTracker::keep(const PositionCorrection& from,
 
 void BackwardTracker::showProgress(double part) {
   const bool isDue = !sinceShown_.isValid() || sinceShown_.elapsed() > kBetweenTextsMs;
-  if (sinceStart_.elapsed() < kPatienceMs || !isDue || !job_.isRunning()) {
+  if (sinceStart_.elapsed() < kSilentMs || !isDue || !job_.isRunning()) {
     return;
   }
   sinceShown_.start();

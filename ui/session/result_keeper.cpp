@@ -10,18 +10,18 @@
 namespace dewpoint::ui {
 
 namespace {
-constexpr int kQuietMs = 300;     ///< settings have come to rest
-constexpr int kPatienceMs = 5000; ///< until a rerun that was requested has begun
+constexpr int kQuietMs = 300;    ///< settings have come to rest
+constexpr int kTimeoutMs = 5000; ///< until a rerun that was requested has begun
 } // namespace
 
 ResultKeeper::ResultKeeper(QObject* parent)
-    : QObject(parent), quiet_(new QTimer(this)), patience_(new QTimer(this)) {
+    : QObject(parent), quiet_(new QTimer(this)), timeout_(new QTimer(this)) {
   quiet_->setSingleShot(true);
   quiet_->setInterval(kQuietMs);
   connect(quiet_, &QTimer::timeout, this, &ResultKeeper::apply);
-  patience_->setSingleShot(true);
-  patience_->setInterval(kPatienceMs);
-  connect(patience_, &QTimer::timeout, this, &ResultKeeper::giveUp);
+  timeout_->setSingleShot(true);
+  timeout_->setInterval(kTimeoutMs);
+  connect(timeout_, &QTimer::timeout, this, &ResultKeeper::giveUp);
 }
 
 void ResultKeeper::giveUp() {
@@ -103,7 +103,7 @@ void ResultKeeper::trackAgain() {
   leaveAlone();
   setOffered(false);
   renewing_ = Renewing::Requested;
-  patience_->start();
+  timeout_->start();
   session_->renewFrom(old_.frames.front().first);
 }
 

@@ -56,9 +56,8 @@ private:
   void apply();
 
   Session* session_ = nullptr;
-  /// Restarted by each change, because a dragged slider changes the settings repeatedly.
-  QTimer* quiet_;
-  QTimer* patience_; ///< time limit for frames that are to be tracked again
+  QTimer* quiet_;   ///< settings change again and again while a slider is dragged
+  QTimer* timeout_; ///< with frames that are to be tracked again
   double quickSeconds_ = ChangeRule::kQuick;
   OldResults old_;
   bool isLive_ = true;
