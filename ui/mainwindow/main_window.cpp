@@ -2,7 +2,6 @@
 #include "ui/mainwindow/main_window.h"
 
 #include "core/project/project.h"
-#include "core/session/session.h"
 #include "ui/actions/action_registry.h"
 #include "ui/actions/window_actions.h"
 #include "ui/calibration/board/board_installer.h"
@@ -26,19 +25,18 @@
 #include "ui/mainwindow/project_controller.h"
 #include "ui/mainwindow/run_actions.h"
 #include "ui/mainwindow/run_alerts.h"
+#include "ui/mainwindow/run_writer.h"
 #include "ui/mainwindow/status_bar_panel.h"
 #include "ui/mainwindow/transport_bar.h"
 #include "ui/mainwindow/view_pictures.h"
 #include "ui/mainwindow/window_menus.h"
+#include "ui/mainwindow/window_themes.h"
 #include "ui/panels/inspector_docks.h"
 #include "ui/people/people_dock.h"
 #include "ui/plots/plot_dock.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/selection/selection.h"
-#include "ui/style/system_colors.h"
-#include "ui/style/theme.h"
-#include "ui/text/error_sentence.h"
 #include "ui/text/language.h"
 #include "ui/timeline/timeline.h"
 #include "ui/timeline/timeline_dock.h"
@@ -64,12 +62,6 @@ namespace dewpoint::ui {
 
 namespace {
 
-ActionId actionOf(Theme theme) {
-  return theme == Theme::Light  ? ActionId("actionThemeLight")
-         : theme == Theme::Dark ? ActionId("actionThemeDark")
-                                : ActionId("actionThemeSystem");
-}
-
 /// The pointer's place in time is shown wherever there is a time axis.
 void shareCursor(PlotStack& plots, PlotStack& trajectory, Timeline* timeline) {
   plots.shareCursor(trajectory);
@@ -92,12 +84,12 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
       docks_(new DockManager(*this, *document_, *session_, this)), messages_(new MessageBar(this)),
       bench_(new Workbench{*this, *actions_, *document_, *cameraList_, *targetList_, *selection_,
                            *session_, *docks_, *messages_}),
-      systemColors_(new SystemColors(this)) {
+      runWriter_(new RunWriter(*bench_)) {
   setObjectName(QStringLiteral("mainWindow"));
   declareWindowActions(*actions_);
+  themes_ = new WindowThemes(*bench_);
   installFeatures();
-  connectThemes();
-  setTheme(theme_);
+  setTheme(Theme::System);
   updateTitle();
   resize(1400, 900);
   docks_->layOut();
@@ -196,18 +188,6 @@ void MainWindow::placeMessageRow() {
   messageRow_->show();
 }
 
-void MainWindow::connectThemes() {
-  for (const Theme theme : {Theme::System, Theme::Light, Theme::Dark}) {
-    bench_->onTriggered(actionOf(theme), this, [this, theme] {
-      setTheme(theme);
-      Preferences().setTheme(theme);
-    });
-  }
-  const auto applyAgain = [this] { setTheme(theme_); };
-  connect(systemColors_, &SystemColors::changed, this, applyAgain);
-  connect(systemColors_, &SystemColors::replaced, this, applyAgain);
-}
-
 void MainWindow::openProject(const std::filesystem::path& file) {
   projects_->open(file);
 }
@@ -229,32 +209,15 @@ TrackSnapshotPtr MainWindow::shown() const {
 }
 
 void MainWindow::saveRun(const std::filesystem::path& folder, std::function<void(bool)> written) {
-  const Session* session = session_->session();
-  if (session == nullptr) {
-    if (written) {
-      written(false);
-    }
-    return;
-  }
-  const auto run = std::make_shared<const RunRecord>(session->record());
-  runWriter_.add([this, run, folder, written = std::move(written)]() -> std::function<void()> {
-    const Status saved = run->save(folder);
-    if (written) {
-      written(saved.has_value());
-    }
-    if (saved) {
-      return {};
-    }
-    return [this, error = saved.error()] { messages_->showError(errorSentence(error)); };
-  });
+  runWriter_->write(folder, std::move(written));
 }
 
 void MainWindow::setTheme(Theme theme) {
-  theme_ = theme;
-  const bool dark = theme == Theme::Dark || (theme == Theme::System && systemColors_->isDark());
-  applyTheme(dark);
-  actions_->drawIcons(themePalette(dark));
-  bench_->action(actionOf(theme))->setChecked(true);
+  themes_->set(theme);
+}
+
+Theme MainWindow::theme() const {
+  return themes_->theme();
 }
 
 void MainWindow::keepGeometry() {

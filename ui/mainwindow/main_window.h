@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ui/document/recovery_folder.h"
-#include "ui/jobs/job_queue.h"
 #include "ui/preferences/preferences.h"
 #include "ui/session/project_loader.h"
 
@@ -27,10 +26,11 @@ class MessageBar;
 class MessageRow;
 class ProjectController;
 class ProjectSaver;
+class RunWriter;
 class Selection;
 class SessionController;
-class SystemColors;
 class WindowMenus;
+class WindowThemes;
 class TargetListModel;
 struct Workbench;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
@@ -47,7 +47,7 @@ public:
   /// Sets whether a project plays as soon as it is open.
   void setPlayOnOpen(bool play);
   void setTheme(Theme theme);
-  Theme theme() const { return theme_; }
+  Theme theme() const;
 
   /// Restores the size and position of the window from the last session, and saves them on close.
   void keepGeometry();
@@ -91,7 +91,6 @@ private:
   void installFeatures();
   void installStatusBar();
   void connectRun();
-  void connectThemes();
   void placeMessageRow();
   void updateTitle();
 
@@ -108,9 +107,8 @@ private:
   ProjectController* projects_ = nullptr;
   HistoryDock* history_ = nullptr;
   WindowMenus* menus_ = nullptr;
-  SystemColors* systemColors_;
-  JobQueue runWriter_;
-  Theme theme_ = Theme::System;
+  RunWriter* runWriter_;
+  WindowThemes* themes_ = nullptr;
   bool keepsGeometry_ = false;
 };
 

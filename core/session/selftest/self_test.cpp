@@ -105,7 +105,7 @@ Result<SceneRun> trackScene(SessionInputs& inputs, const std::function<bool()>& 
   const auto frames =
       static_cast<std::int64_t>(kSelfTestSeconds * inputs.source->framesPerSecond());
   const RunOrder order{.frames = {0, frames}, .threads = filterThreads(0), .observers = observers};
-  auto run = recordRun(inputs.project, *inputs.source, inputs.emptyRooms, order,
+  auto run = recordRun(inputs.project, *inputs.source, inputs.backgroundImages, order,
                        [&](auto /*done*/, auto /*total*/) { return goOn(); });
   if (!run || run->broken) {
     return tl::make_unexpected(run ? *run->broken : run.error());
