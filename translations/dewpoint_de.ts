@@ -4222,6 +4222,29 @@ bei %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ChangesGuard</name>
+    <message>
+        <source>Save the project</source>
+        <translation>Das Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Dewpoint-Projekte (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>Die Änderungen an diesem Projekt speichern?</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorChoice</name>
     <message>
         <source>Color %1</source>
@@ -6322,26 +6345,6 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Dewpoint projects (*.toml);;All files (*)</source>
         <translation>Dewpoint-Projekte (*.toml);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Das Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml)</source>
-        <translation>Dewpoint-Projekte (*.toml)</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Nicht gespeicherte Änderungen</translation>
-    </message>
-    <message>
-        <source>Save the changes to this project?</source>
-        <translation>Die Änderungen an diesem Projekt speichern?</translation>
     </message>
     <message>
         <source>Recovered. Save the project to keep it.</source>

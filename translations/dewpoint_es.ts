@@ -4222,6 +4222,29 @@ en %4, %5, %6</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ChangesGuard</name>
+    <message>
+        <source>Save the project</source>
+        <translation>Guardar el proyecto</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Proyectos de Dewpoint (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>Se guardó %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>¿Guardar los cambios de este proyecto?</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorChoice</name>
     <message>
         <source>Color %1</source>
@@ -6322,26 +6345,6 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Dewpoint projects (*.toml);;All files (*)</source>
         <translation>Proyectos de Dewpoint (*.toml);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>Guardar el proyecto</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml)</source>
-        <translation>Proyectos de Dewpoint (*.toml)</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>Se guardó %1.</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Cambios sin guardar</translation>
-    </message>
-    <message>
-        <source>Save the changes to this project?</source>
-        <translation>¿Guardar los cambios de este proyecto?</translation>
     </message>
     <message>
         <source>Recovered. Save the project to keep it.</source>

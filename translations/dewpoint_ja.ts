@@ -4216,6 +4216,29 @@ at %4, %5, %6</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::ChangesGuard</name>
+    <message>
+        <source>Save the project</source>
+        <translation>プロジェクトを保存</translation>
+    </message>
+    <message>
+        <source>Dewpoint projects (*.toml)</source>
+        <translation>Dewpoint プロジェクト (*.toml)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 を保存しました。</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>保存されていない変更</translation>
+    </message>
+    <message>
+        <source>Save the changes to this project?</source>
+        <translation>このプロジェクトの変更を保存しますか？</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::ColorChoice</name>
     <message>
         <source>Color %1</source>
@@ -6313,26 +6336,6 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Dewpoint projects (*.toml);;All files (*)</source>
         <translation>Dewpoint プロジェクト (*.toml);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Save the project</source>
-        <translation>プロジェクトを保存</translation>
-    </message>
-    <message>
-        <source>Dewpoint projects (*.toml)</source>
-        <translation>Dewpoint プロジェクト (*.toml)</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 を保存しました。</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>保存されていない変更</translation>
-    </message>
-    <message>
-        <source>Save the changes to this project?</source>
-        <translation>このプロジェクトの変更を保存しますか？</translation>
     </message>
     <message>
         <source>Recovered. Save the project to keep it.</source>

@@ -2,11 +2,11 @@
 #include "ui/mainwindow/project_controller.h"
 
 #include "core/project/project.h"
-#include "core/setup/new_project.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
-#include "ui/document/project_saver.h"
+#include "ui/mainwindow/changes_guard.h"
 #include "ui/mainwindow/missing_files_offer.h"
+#include "ui/mainwindow/project_endings.h"
 #include "ui/mainwindow/recent_menu.h"
 #include "ui/mainwindow/recovery_offer.h"
 #include "ui/mainwindow/thumbnail_keeper.h"
@@ -20,7 +20,6 @@
 
 #include <QAction>
 #include <QMainWindow>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QUrl>
@@ -33,17 +32,6 @@ namespace {
 
 std::filesystem::path toPath(const QString& file) {
   return file.toStdString();
-}
-
-/// The second ending is what a double click on a desktop goes by.
-bool isProject(const QString& file) {
-  return file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive) ||
-         file.endsWith(QStringLiteral(".dewpoint"), Qt::CaseInsensitive);
-}
-
-/// A filter of a file dialog that names *.toml, with all endings of projects.
-QString withAllEndings(QString filter) {
-  return filter.replace(QStringLiteral("*.toml"), QStringLiteral("*.toml *.dewpoint"));
 }
 
 QStringList filesOf(const QMimeData& data) {
@@ -61,13 +49,12 @@ QStringList filesOf(const QMimeData& data) {
 ProjectController::ProjectController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), recent_(new RecentProjects(this)),
       recentMenu_(new RecentMenu(*recent_, this)), thumbnails_(new ThumbnailKeeper(bench, this)),
-      saver_(new ProjectSaver(bench.document, this)) {
+      changes_(new ChangesGuard(bench, this)) {
   makePages();
   connectPages();
   connectActions();
   connectRun();
   connectOpening();
-  connectSaver();
   bench_.window.setAcceptDrops(true);
 }
 
@@ -106,17 +93,16 @@ void ProjectController::connectPages() {
 
 void ProjectController::connectActions() {
   const auto unlessUnsaved = [this](const std::function<void()>& run) {
-    return [this, run] { whenSettled(run); };
+    return [this, run] { changes_->whenSettled(run); };
   };
-  connect(recentMenu_, &RecentMenu::wanted, this,
-          [this](const QString& file) { whenSettled([this, file] { open(toPath(file)); }); });
+  connect(recentMenu_, &RecentMenu::wanted, this, [this](const QString& file) {
+    changes_->whenSettled([this, file] { open(toPath(file)); });
+  });
   bench_.onTriggered("actionNew", this, unlessUnsaved([this] { beginNew({}); }));
   bench_.onTriggered("actionOpen", this, [this] { askOpen(); });
   bench_.onTriggered("actionOpenDemo", this, unlessUnsaved([this] { open({}); }));
-  bench_.onTriggered("actionSave", this, [this] { save(); });
-  bench_.onTriggered("actionSaveAs", this, [this] { askSaveAs(); });
   bench_.onTriggered("actionCloseProject", this, unlessUnsaved([this] { close(); }));
-  bench_.needRun({"actionSave", "actionSaveAs", "actionCloseProject"});
+  bench_.needRun({"actionCloseProject"});
 }
 
 void ProjectController::connectOpening() {
@@ -134,6 +120,10 @@ void ProjectController::connectOpening() {
     if (request.calibrate) {
       bench_.action("actionCalibrateByHand")->setChecked(true);
     }
+  });
+  connect(changes_, &ChangesGuard::saved, this, [this](const QString& file) {
+    recent_->add(file);
+    thumbnails_->keep();
   });
   connect(thumbnails_, &ThumbnailKeeper::kept, recent_, &RecentProjects::checkFiles);
 }
@@ -194,7 +184,7 @@ void ProjectController::openMade(const Project& project, const QString& note) {
 }
 
 void ProjectController::askOpen() {
-  whenSettled([this] {
+  changes_->whenSettled([this] {
     const QString file =
         askForFile(&bench_.window, tr("Open a project"),
                    withAllEndings(tr("Dewpoint projects (*.toml);;All files (*)")));
@@ -204,75 +194,17 @@ void ProjectController::askOpen() {
   });
 }
 
-void ProjectController::save() {
-  if (bench_.document.project().file.empty()) {
-    askSaveAs();
-  } else {
-    saveTo(bench_.document.project().file);
-  }
-}
-
-void ProjectController::askSaveAs() {
-  const Project& project = bench_.document.project();
-  const auto proposed = project.file.empty() ? proposedFile(project) : project.file;
-  const QString file = askForFileToSave(&bench_.window, tr("Save the project"),
-                                        QString::fromStdString(proposed.string()),
-                                        withAllEndings(tr("Dewpoint projects (*.toml)")));
-  if (!file.isEmpty()) {
-    saveTo(toPath(file));
-  }
-}
-
-// NOLINTNEXTLINE(performance-unnecessary-value-param): storing the layout replaces the project
-void ProjectController::saveTo(std::filesystem::path file) {
-  bench_.docks.storeLayout();
-  saver_->save(file);
-}
-
-void ProjectController::connectSaver() {
-  connect(saver_, &ProjectSaver::saved, this, [this](const QString& file) {
-    recent_->add(file);
-    thumbnails_->keep();
-    bench_.messages.showNotice(tr("Saved %1.").arg(file));
-    if (const auto next = std::exchange(afterSaving_, {})) {
-      whenSettled(next); // it may have been changed while it was saved
-    }
-  });
-  connect(saver_, &ProjectSaver::failed, this, [this](const QString& sentence) {
-    afterSaving_ = {};
-    bench_.messages.showError(sentence);
-  });
-}
-
 void ProjectController::close() {
   bench_.session.close();
   showStart();
 }
 
-bool ProjectController::mayDiscard(const std::function<void()>& saved) {
-  // A simulated scene without a file is the demo: what was tried there is not worth a question.
-  const Project& project = bench_.document.project();
-  if (!bench_.document.isUnsaved() || (project.file.empty() && !project.scene.empty())) {
-    return true;
-  }
-  const auto answer = QMessageBox::question(
-      &bench_.window, tr("Unsaved changes"), tr("Save the changes to this project?"),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-  if (answer == QMessageBox::Save) {
-    save();
-    afterSaving_ = saver_->isSaving() ? saved : std::function<void()>();
-  }
-  return answer == QMessageBox::Discard;
-}
-
-void ProjectController::whenSettled(const std::function<void()>& next) {
-  if (mayDiscard(next)) {
-    next();
-  }
+ProjectSaver& ProjectController::saver() {
+  return changes_->saver();
 }
 
 bool ProjectController::mayClose() {
-  if (!mayDiscard([this] { bench_.window.close(); })) {
+  if (!changes_->mayDiscard([this] { bench_.window.close(); })) {
     return false;
   }
   thumbnails_->keep();
@@ -296,7 +228,7 @@ void ProjectController::drop(const QMimeData& data) {
     newProject_->addFiles(files);
     return;
   }
-  whenSettled([this, files] {
+  changes_->whenSettled([this, files] {
     if (files.size() == 1 && isProject(files.front())) {
       open(toPath(files.front()));
     } else {
@@ -309,7 +241,7 @@ void ProjectController::useRecovery(const std::filesystem::path& folder, TextWri
   recovery_ = new RecoveryOffer(bench_, folder, std::move(write));
   connect(recovery_, &RecoveryOffer::wanted, this, [this](const RecoverableWork& work) {
     const auto read = [this, work] { recovery_->recover(work); };
-    if (mayDiscard(read)) {
+    if (changes_->mayDiscard(read)) {
       read();
     } else {
       recovery_->offer(); // the question came late, and there is other work by now

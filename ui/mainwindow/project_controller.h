@@ -17,6 +17,7 @@ struct Project;
 
 namespace dewpoint::ui {
 
+class ChangesGuard;
 class NewProjectPage;
 class ProjectSaver;
 class RecentMenu;
@@ -42,9 +43,9 @@ public:
   /// Keeps a copy of unsaved work in this folder, and offers copies that an earlier window left
   /// there.
   void useRecovery(const std::filesystem::path& folder, TextWriter write);
-  ProjectSaver& saver() { return *saver_; }
-  /// Whether the window may close now. If the user first saves, the window closes afterwards.
-  /// Removes the recovery copy of discarded work.
+  ProjectSaver& saver();
+  /// Whether the window may close now; it is closed later if its work is saved first. The copy of
+  /// what was given up goes.
   bool mayClose();
   void fillRecentMenu(QMenu* menu);
   /// Whether the data contain something that can be opened.
@@ -58,20 +59,10 @@ private:
   void connectRun();
   void connectOpening();
   void openScene(const QString& name, bool calibrate);
-  void connectSaver();
   void beginNew(const QStringList& files);
   void openMade(const Project& project, const QString& note);
   void askOpen();
-  void askSaveAs();
-  void save();
-  /// Takes `file` by value, because it may be the path stored in the project.
-  void saveTo(std::filesystem::path file);
   void close();
-  /// Asks about unsaved changes. Returns true to continue. Returns false to stop; if the user chose
-  /// to save, `saved` runs once the project is saved.
-  bool mayDiscard(const std::function<void()>& saved);
-  /// Runs `next` as soon as it would lose no unsaved changes.
-  void whenSettled(const std::function<void()>& next);
 
   Workbench bench_;
   RecentProjects* recent_;
@@ -81,8 +72,7 @@ private:
   StartPage* startPage_ = nullptr;
   NewProjectPage* newProject_ = nullptr;
   RecoveryOffer* recovery_ = nullptr;
-  ProjectSaver* saver_;
-  std::function<void()> afterSaving_; ///< runs once the project is saved
+  ChangesGuard* changes_;
 };
 
 } // namespace dewpoint::ui
