@@ -5,7 +5,7 @@
 #include "ui/actions/action_registry.h"
 #include "ui/document/method_presentation.h"
 #include "ui/plots/frame_convergence.h"
-#include "ui/plots/plot_figure.h"
+#include "ui/plots/plot_export.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/run_plots.h"
 #include "ui/preferences/preferences.h"
@@ -262,7 +262,7 @@ int PlotPanel::shownIterations() const {
 }
 
 void PlotPanel::copyCsv() {
-  QGuiApplication::clipboard()->setText(QString::fromStdString(stack_->csv()));
+  QGuiApplication::clipboard()->setText(QString::fromStdString(stack_->exported().csv()));
   Q_EMIT notice(tr("The plots are on the clipboard as CSV."));
 }
 
@@ -276,16 +276,17 @@ void PlotPanel::askSave() {
 
 void PlotPanel::savePicture(const QString& file) {
   const bool asDrawing = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
-  files_.add([this, file, picture = stack_->picture(asDrawing)]() -> std::function<void()> {
-    const bool saved = picture.save(file);
-    return [this, file, saved] {
-      if (saved) {
-        Q_EMIT notice(tr("Saved %1.").arg(file));
-      } else {
-        Q_EMIT failed(tr("%1 could not be written.").arg(file));
-      }
-    };
-  });
+  files_.add(
+      [this, file, picture = stack_->exported().picture(asDrawing)]() -> std::function<void()> {
+        const bool saved = picture.save(file);
+        return [this, file, saved] {
+          if (saved) {
+            Q_EMIT notice(tr("Saved %1.").arg(file));
+          } else {
+            Q_EMIT failed(tr("%1 could not be written.").arg(file));
+          }
+        };
+      });
 }
 
 } // namespace dewpoint::ui

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_pointer.h"
 
-#include "ui/plots/plot_cursor.h"
-#include "ui/plots/plot_row.h"
-#include "ui/plots/plot_stack.h"
+#include "ui/plots/plot_navigation.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <qcustomplot.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +19,21 @@ constexpr double kWheelZoom = 1.25; ///< per notch
 constexpr double kKeyPan = 0.25;    ///< of the width
 } // namespace
 
-PlotPointer::PlotPointer(PlotStack& stack, QCustomPlot* plot) : QObject(plot), stack_(stack) {
+PlotPointer::PlotPointer(PlotNavigation& navigation, QCustomPlot* plot,
+                         std::function<QCPAxis*()> axis)
+    : QObject(plot), navigation_(navigation), axis_(std::move(axis)) {
   plot->installEventFilter(this);
+}
+
+double PlotPointer::keyAt(int x) const {
+  const QCPAxis* axis = axis_();
+  return axis != nullptr ? axis->pixelToCoord(x) : 0.0;
+}
+
+std::optional<std::int64_t> PlotPointer::frameAt(int x) const {
+  const QCPAxis* axis = axis_();
+  return axis != nullptr && x <= axis->axisRect()->right() ? navigation_.frameAt(keyAt(x))
+                                                           : std::nullopt;
 }
 
 bool PlotPointer::eventFilter(QObject*, QEvent* event) {
@@ -37,15 +49,15 @@ bool PlotPointer::eventFilter(QObject*, QEvent* event) {
     return true;
   case QEvent::MouseButtonDblClick:
     drag_ = Drag::None;
-    stack_.showAll();
+    navigation_.showAll();
     return true;
   case QEvent::Wheel: {
     const auto* wheel = static_cast<QWheelEvent*>(event);
     const double notches = wheel->angleDelta().y() / 120.0;
     if (notches != 0.0) {
-      stack_.zoom(std::pow(kWheelZoom, notches), stack_.keyAt(wheel->position().toPoint().x()));
+      navigation_.zoom(std::pow(kWheelZoom, notches), keyAt(wheel->position().toPoint().x()));
     } else {
-      stack_.pan(-wheel->angleDelta().x() / 1200.0);
+      navigation_.pan(-wheel->angleDelta().x() / 1200.0);
     }
     return true;
   }
@@ -53,7 +65,7 @@ bool PlotPointer::eventFilter(QObject*, QEvent* event) {
     hover(std::nullopt);
     return false;
   case QEvent::ContextMenu:
-    Q_EMIT stack_.contextMenuWanted(static_cast<QContextMenuEvent*>(event)->globalPos());
+    Q_EMIT contextMenuWanted(static_cast<QContextMenuEvent*>(event)->globalPos());
     return true;
   case QEvent::KeyPress:
     return key(static_cast<QKeyEvent*>(event));
@@ -63,9 +75,9 @@ bool PlotPointer::eventFilter(QObject*, QEvent* event) {
 }
 
 void PlotPointer::hover(std::optional<std::int64_t> frame) {
-  if (frame != stack_.hovered_) {
-    stack_.setHovered(frame);
-    Q_EMIT stack_.hovered(frame.value_or(-1));
+  if (frame != navigation_.hovered()) {
+    navigation_.setHovered(frame);
+    Q_EMIT hovered(frame.value_or(-1));
   }
 }
 
@@ -74,8 +86,8 @@ void PlotPointer::press(QMouseEvent* event) {
     return;
   }
   pressed_ = event->pos();
-  pressedKey_ = stack_.keyAt(pressed_.x());
-  pressedRange_ = stack_.shownRange();
+  pressedKey_ = keyAt(pressed_.x());
+  pressedRange_ = navigation_.shownRange();
   anchor_.reset();
   drag_ = event->modifiers().testFlag(Qt::ShiftModifier)     ? Drag::Range
           : event->modifiers().testFlag(Qt::ControlModifier) ? Drag::Zoom
@@ -84,26 +96,25 @@ void PlotPointer::press(QMouseEvent* event) {
 
 void PlotPointer::move(QMouseEvent* event) {
   const auto here = event->pos();
-  hover(stack_.frameAt(here.x()));
+  hover(frameAt(here.x()));
   if (drag_ == Drag::Press &&
       std::abs(here.x() - pressed_.x()) > QApplication::startDragDistance() / 2) {
     drag_ = Drag::Pan;
   }
-  const double now = stack_.keyAt(here.x());
-  if (drag_ == Drag::Pan && !stack_.rows_.empty()) {
+  const double now = keyAt(here.x());
+  if (const QCPAxis* axis = axis_(); drag_ == Drag::Pan && axis != nullptr) {
     const double width = pressedRange_.second - pressedRange_.first;
-    const int pixels = std::max(1, stack_.rows_.front()->rect()->width());
+    const int pixels = std::max(1, axis->axisRect()->width());
     const double moved = width * (pressed_.x() - here.x()) / pixels;
-    stack_.showPart(pressedRange_.first + moved, pressedRange_.second + moved);
+    navigation_.showPart(pressedRange_.first + moved, pressedRange_.second + moved);
   } else if (drag_ == Drag::Zoom) {
-    stack_.cursor_->dragged = std::minmax(pressedKey_, now);
-    stack_.drawCursor();
+    navigation_.setDragged(std::minmax(pressedKey_, now));
   } else if (drag_ == Drag::Range) {
-    const auto from = stack_.frameAt(pressed_.x());
-    const auto to = stack_.frameAt(here.x());
+    const auto from = frameAt(pressed_.x());
+    const auto to = frameAt(here.x());
     if (from && to) {
       const auto [first, last] = std::minmax(*from, *to);
-      stack_.setSelectedRange(SelectedRange{first, last});
+      navigation_.setSelectedRange(SelectedRange{first, last});
     }
   }
 }
@@ -113,23 +124,22 @@ void PlotPointer::release(QMouseEvent* event) {
     return;
   }
   const Drag was = std::exchange(drag_, Drag::None);
-  stack_.cursor_->dragged.reset();
+  navigation_.setDragged(std::nullopt);
   if (was == Drag::Press) {
-    if (const auto frame = stack_.frameAt(event->pos().x())) {
-      Q_EMIT stack_.frameChosen(*frame);
+    if (const auto frame = frameAt(event->pos().x())) {
+      Q_EMIT frameChosen(*frame);
     }
   } else if (was == Drag::Zoom && event->pos() != pressed_) {
-    const auto [lower, upper] = std::minmax({pressedKey_, stack_.keyAt(event->pos().x())});
-    stack_.showPart(lower, upper);
-  } else if (was == Drag::Range && stack_.selectedRange_) {
+    const auto [lower, upper] = std::minmax({pressedKey_, keyAt(event->pos().x())});
+    navigation_.showPart(lower, upper);
+  } else if (was == Drag::Range && navigation_.selectedRange()) {
     if (event->pos() == pressed_) {
-      stack_.setSelectedRange(std::nullopt);
-      Q_EMIT stack_.rangeCleared();
+      navigation_.setSelectedRange(std::nullopt);
+      Q_EMIT rangeCleared();
     } else {
-      Q_EMIT stack_.rangeChosen(stack_.selectedRange_->first, stack_.selectedRange_->last);
+      Q_EMIT rangeChosen(navigation_.selectedRange()->first, navigation_.selectedRange()->last);
     }
   }
-  stack_.drawCursor();
 }
 
 bool PlotPointer::key(QKeyEvent* event) {
@@ -152,32 +162,32 @@ bool PlotPointer::key(QKeyEvent* event) {
     walk(kFar, shift);
     return true;
   case Qt::Key_PageUp:
-    stack_.pan(-kKeyPan);
+    navigation_.pan(-kKeyPan);
     return true;
   case Qt::Key_PageDown:
-    stack_.pan(kKeyPan);
+    navigation_.pan(kKeyPan);
     return true;
   case Qt::Key_Plus:
   case Qt::Key_Equal:
-    stack_.zoom(kWheelZoom);
+    navigation_.zoom(kWheelZoom);
     return true;
   case Qt::Key_Minus:
-    stack_.zoom(1.0 / kWheelZoom);
+    navigation_.zoom(1.0 / kWheelZoom);
     return true;
   case Qt::Key_Backspace:
-    stack_.showAll();
+    navigation_.showAll();
     return true;
   case Qt::Key_Return:
   case Qt::Key_Enter:
-    if (stack_.hovered_) {
-      Q_EMIT stack_.frameChosen(*stack_.hovered_);
+    if (const auto frame = navigation_.hovered()) {
+      Q_EMIT frameChosen(*frame);
     }
     return true;
   case Qt::Key_Escape:
     anchor_.reset();
     hover(std::nullopt);
-    stack_.setSelectedRange(std::nullopt);
-    Q_EMIT stack_.rangeCleared();
+    navigation_.setSelectedRange(std::nullopt);
+    Q_EMIT rangeCleared();
     return true;
   default:
     return false;
@@ -185,11 +195,11 @@ bool PlotPointer::key(QKeyEvent* event) {
 }
 
 void PlotPointer::walk(std::int64_t frames, bool choosing) {
-  const auto row = stack_.cursorRow();
+  const auto row = navigation_.cursorRow();
   if (!row) {
     return;
   }
-  const PlotSeries& series = *stack_.series_;
+  const PlotSeries& series = *navigation_.series();
   const std::int64_t from = series.row(*row).frame;
   const std::int64_t to =
       std::clamp(from + frames, series.row(0).frame, series.row(series.size() - 1).frame);
@@ -200,8 +210,8 @@ void PlotPointer::walk(std::int64_t frames, bool choosing) {
   }
   anchor_ = anchor_.value_or(from);
   const auto [first, last] = std::minmax(*anchor_, to);
-  stack_.setSelectedRange(SelectedRange{first, last});
-  Q_EMIT stack_.rangeChosen(first, last);
+  navigation_.setSelectedRange(SelectedRange{first, last});
+  Q_EMIT rangeChosen(first, last);
 }
 
 } // namespace dewpoint::ui

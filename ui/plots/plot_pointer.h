@@ -7,15 +7,18 @@
 #include <QPoint>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 
+class QCPAxis;
 class QCustomPlot;
 class QKeyEvent;
 class QMouseEvent;
 
 namespace dewpoint::ui {
 
-class PlotStack;
+class PlotNavigation;
 
 /// Mouse and keys on a stack of plots. Wheel: zoom at the pointer. Drag: pan; with Ctrl: zoom to
 /// the dragged range; with Shift: select a range. Click: go to that frame. Double click: show the
@@ -25,7 +28,16 @@ class PlotStack;
 class PlotPointer : public QObject {
   Q_OBJECT
 public:
-  PlotPointer(PlotStack& stack, QCustomPlot* plot);
+  /// `axis`: the one all plots share; null while there are none.
+  PlotPointer(PlotNavigation& navigation, QCustomPlot* plot, std::function<QCPAxis*()> axis);
+
+Q_SIGNALS:
+  /// The pointer (or the arrow keys) is on this frame; negative: it has left.
+  void hovered(qint64 frame);
+  void frameChosen(qint64 frame);
+  void rangeChosen(qint64 first, qint64 last);
+  void rangeCleared();
+  void contextMenuWanted(const QPoint& global);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,8 +50,12 @@ private:
   bool key(QKeyEvent* event);
   void walk(std::int64_t frames, bool choosing);
   void hover(std::optional<std::int64_t> frame);
+  /// Position on the axis of a pixel of the plot, and the frame there.
+  double keyAt(int x) const;
+  std::optional<std::int64_t> frameAt(int x) const;
 
-  PlotStack& stack_;
+  PlotNavigation& navigation_;
+  std::function<QCPAxis*()> axis_;
   Drag drag_ = Drag::None;
   QPoint pressed_;
   double pressedKey_ = 0.0;

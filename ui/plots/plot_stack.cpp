@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_stack.h"
 
-#include "ui/plots/plot_csv.h"
 #include "ui/plots/plot_cursor.h"
-#include "ui/plots/plot_figure.h"
+#include "ui/plots/plot_export.h"
 #include "ui/plots/plot_pointer.h"
 #include "ui/plots/plot_row.h"
 #include "ui/plots/plot_scroll.h"
@@ -30,7 +29,10 @@ constexpr double kDrawingShare = 0.05;
 } // namespace
 
 PlotStack::PlotStack(QWidget* parent)
-    : QWidget(parent), plot_(new QCustomPlot(this)), scroll_(new PlotScroll(plot_, this)) {
+    : QWidget(parent), plot_(new QCustomPlot(this)), scroll_(new PlotScroll(plot_, this)),
+      navigation_(new PlotNavigation(this)), pointer_(new PlotPointer(*navigation_, plot_, [this] {
+        return rows_.empty() ? nullptr : rows_.front()->xAxis();
+      })) {
   plot_->setObjectName(QStringLiteral("plotCanvas"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMouseTracking(true);
@@ -44,7 +46,10 @@ PlotStack::PlotStack(QWidget* parent)
   plot_->addLayer(QStringLiteral("cursor"), plot_->layer(QStringLiteral("overlay")));
   plot_->layer(QStringLiteral("cursor"))->setMode(QCPLayer::lmBuffered);
   cursor_ = new PlotCursor(plot_, QStringLiteral("cursor"));
-  new PlotPointer(*this, plot_);
+  connect(navigation_, &PlotNavigation::partChanged, this, &PlotStack::draw);
+  connect(navigation_, &PlotNavigation::cursorChanged, this, &PlotStack::drawCursor);
+  connect(pointer_, &PlotPointer::hovered, this, &PlotStack::hovered);
+  connect(pointer_, &PlotPointer::contextMenuWanted, this, &PlotStack::contextMenuWanted);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &PlotStack::draw);
   sinceDrawing_.start();
@@ -78,7 +83,7 @@ void PlotStack::setShown(const QStringList& ids) {
 }
 
 void PlotStack::setSeries(const PlotSeries* series) {
-  series_ = series;
+  navigation_->setSeries(series);
   refresh();
 }
 
@@ -88,8 +93,8 @@ std::vector<const PlotDeclaration*> PlotStack::wantedPlots() const {
   for (const PlotDeclaration& plot : plots_) {
     if (shown_.contains(plot.id)) {
       chosen.push_back(&plot);
-      if (series_ != nullptr && std::ranges::any_of(plot.curves, [this](const auto& curve) {
-            return curve.column < series_->columns() && series_->isKnown(curve.column);
+      if (series() != nullptr && std::ranges::any_of(plot.curves, [this](const auto& curve) {
+            return curve.column < series()->columns() && series()->isKnown(curve.column);
           })) {
         known.push_back(&plot);
       }
@@ -138,10 +143,6 @@ void PlotStack::placeRows(const std::vector<const PlotDeclaration*>& wanted) {
   plot_->setMinimumHeight(height);
 }
 
-std::pair<double, double> PlotStack::shownRange() const {
-  return range_.shown(series_);
-}
-
 void PlotStack::refresh() {
   if (timer_.isActive() || !isVisible()) {
     return;
@@ -152,8 +153,8 @@ void PlotStack::refresh() {
 }
 
 void PlotStack::draw() {
-  scroll_->showEmpty(series_ == nullptr || series_->size() == 0);
-  if (!isVisible() || series_ == nullptr) {
+  scroll_->showEmpty(series() == nullptr || series()->size() == 0);
+  if (!isVisible() || series() == nullptr) {
     return;
   }
   const auto wanted = wantedPlots();
@@ -165,11 +166,11 @@ void PlotStack::draw() {
   }
   QElapsedTimer took;
   took.start();
-  const auto [lower, upper] = range_.advance(series_);
+  const auto [lower, upper] = navigation_->advance();
   const double margin = kEndMargin * (upper - lower); // the first dot is seen in full
   for (const auto& row : rows_) {
     row->xAxis()->setRange(lower - margin, upper + margin);
-    row->fill(*series_, axis());
+    row->fill(*series(), axis());
   }
   drawCursor();
   plot_->replot();
@@ -177,32 +178,21 @@ void PlotStack::draw() {
   sinceDrawing_.restart();
 }
 
-std::optional<std::size_t> PlotStack::cursorRow() const {
-  if (series_ == nullptr || series_->size() == 0) {
-    return std::nullopt;
-  }
-  const auto frame = hovered_ ? hovered_ : currentFrame_;
-  return frame ? series_->atFrame(*frame) : series_->size() - 1;
-}
-
 void PlotStack::drawCursor() {
-  const auto place = [this](const std::optional<std::int64_t>& frame) -> std::optional<double> {
-    const auto row = series_ != nullptr && frame ? series_->atFrame(*frame) : std::nullopt;
-    return row ? std::optional(series_->key(*row, axis())) : std::nullopt;
-  };
-  cursor_->currentFrame = place(currentFrame_);
-  cursor_->hovered = place(hovered_);
+  cursor_->currentFrame = navigation_->positionOf(navigation_->currentFrame());
+  cursor_->hovered = navigation_->positionOf(navigation_->hovered());
+  cursor_->dragged = navigation_->dragged();
   cursor_->selectedRange.reset();
-  if (selectedRange_) {
-    const auto first = place(selectedRange_->first);
-    const auto last = place(selectedRange_->last);
+  if (const auto range = navigation_->selectedRange()) {
+    const auto first = navigation_->positionOf(range->first);
+    const auto last = navigation_->positionOf(range->last);
     if (last) {
-      cursor_->selectedRange = std::pair(first.value_or(series_->key(0, axis())), *last);
+      cursor_->selectedRange = std::pair(first.value_or(series()->key(0, axis())), *last);
     }
   }
-  const auto row = cursorRow();
+  const auto row = navigation_->cursorRow();
   for (const auto& plot : rows_) {
-    plot->showValues(series_ != nullptr ? *series_ : PlotSeries(), row);
+    plot->showValues(series() != nullptr ? *series() : PlotSeries(), row);
   }
   if (isVisible()) {
     plot_->layer(QStringLiteral("cursor"))->replot();
@@ -211,21 +201,21 @@ void PlotStack::drawCursor() {
 }
 
 void PlotStack::setAxis(PlotAxis axis) {
-  if (range_.setAxis(axis)) {
+  if (navigation_->setAxis(axis)) {
     scroll_->setAxis(rows_.empty() ? nullptr : rows_.front()->xAxis(), axis);
     draw();
   }
 }
 
 void PlotStack::link(Selection& selection) {
-  connect(this, &PlotStack::frameChosen, &selection, &Selection::requestFrame);
-  connect(this, &PlotStack::rangeChosen, &selection, [&selection](qint64 first, qint64 last) {
+  connect(pointer_, &PlotPointer::frameChosen, &selection, &Selection::requestFrame);
+  connect(pointer_, &PlotPointer::rangeChosen, &selection, [&selection](qint64 first, qint64 last) {
     selection.selectRange(SelectedRange{first, last});
   });
-  connect(this, &PlotStack::rangeCleared, &selection,
+  connect(pointer_, &PlotPointer::rangeCleared, &selection,
           [&selection] { selection.selectRange(std::nullopt); });
   connect(&selection, &Selection::rangeChanged, this,
-          [this, &selection] { setSelectedRange(selection.selectedRange()); });
+          [this, &selection] { navigation_->setSelectedRange(selection.selectedRange()); });
 }
 
 void PlotStack::shareCursor(PlotStack& other) {
@@ -236,66 +226,6 @@ void PlotStack::shareCursor(PlotStack& other) {
   };
   tell(*this, other);
   tell(other, *this);
-}
-
-void PlotStack::setCurrentFrame(std::optional<std::int64_t> frame) {
-  if (frame != currentFrame_) {
-    currentFrame_ = frame;
-    drawCursor();
-  }
-}
-
-void PlotStack::setHovered(std::optional<std::int64_t> frame) {
-  if (frame != hovered_) {
-    hovered_ = frame;
-    drawCursor();
-  }
-}
-
-void PlotStack::setSelectedRange(std::optional<SelectedRange> selectedRange) {
-  if (selectedRange != selectedRange_) {
-    selectedRange_ = selectedRange;
-    drawCursor();
-  }
-}
-
-void PlotStack::showAll() {
-  range_.showAll();
-  draw();
-}
-
-void PlotStack::showPart(double lower, double upper) {
-  range_.show(series_, lower, upper);
-  draw();
-}
-
-void PlotStack::zoom(double factor, std::optional<double> about) {
-  const auto [lower, upper] = shownRange();
-  const auto row = cursorRow();
-  const double middle = about                                ? *about
-                        : (hovered_ || currentFrame_) && row ? series_->key(*row, axis())
-                                                             : (lower + upper) / 2.0;
-  showPart(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
-}
-
-void PlotStack::pan(double share) {
-  const auto [lower, upper] = shownRange();
-  const double moved = (upper - lower) * share;
-  if (!range_.showsAll()) {
-    showPart(lower + moved, upper + moved);
-  }
-}
-
-double PlotStack::keyAt(int x) const {
-  return rows_.empty() ? 0.0 : rows_.front()->xAxis()->pixelToCoord(x);
-}
-
-std::optional<std::int64_t> PlotStack::frameAt(int x) const {
-  if (series_ == nullptr || rows_.empty() || x > rows_.front()->rect()->right()) {
-    return std::nullopt;
-  }
-  const auto row = series_->nearest(axis(), keyAt(x));
-  return row ? std::optional(series_->row(*row).frame) : std::nullopt;
 }
 
 int PlotStack::drawnPoints() const {
@@ -362,17 +292,12 @@ void PlotStack::applyPalette() {
   }
 }
 
-std::string PlotStack::csv() const {
-  return series_ != nullptr ? plotCsv(rows_, *series_, axis(), shownRange())
-                            : plotCsv(rows_, PlotSeries(), axis(), {});
-}
-
 QString PlotStack::cursorText() const {
-  const auto row = cursorRow();
+  const auto row = navigation_->cursorRow();
   if (!row) {
     return {};
   }
-  const PlotSeries::Row& at = series_->row(*row);
+  const PlotSeries::Row& at = series()->row(*row);
   return tr("frame %1, iteration %2, %3") // people count frames from 1
       .arg(at.frame + 1)
       .arg(at.iteration)
@@ -390,10 +315,8 @@ QString PlotStack::valuesText() const {
   return parts.join(QStringLiteral("; "));
 }
 
-PlotPicture PlotStack::picture(bool asDrawing) {
-  PlotPicture drawn = PlotFigure(*plot_, rows_, axis(), *cursor_).draw(asDrawing);
-  draw();
-  return drawn;
+PlotExport PlotStack::exported() {
+  return {*plot_, rows_, *navigation_, *cursor_, [this] { draw(); }};
 }
 
 } // namespace dewpoint::ui

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plots/plot_axis_range.h"
 #include "ui/plots/plot_declaration.h"
-#include "ui/plots/plot_series.h"
-#include "ui/selection/selection.h"
+#include "ui/plots/plot_navigation.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -12,7 +10,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 class QCustomPlot;
@@ -20,9 +17,10 @@ class QCustomPlot;
 namespace dewpoint::ui {
 
 class PlotCursor;
+class PlotExport;
+class PlotPointer;
 class PlotRow;
 class PlotScroll;
-struct PlotPicture;
 
 /// Plots one above the other that share an axis of iterations or time, a cursor and a range.
 /// Without enough room they scroll above the axis numbers; without data a sentence is shown. New
@@ -47,40 +45,31 @@ public:
   /// Sets whether only curves and axes are shown, for a stack that is explained by its
   /// surroundings.
   void setBare(bool bare);
-  /// Sets the minimum length of the axis in iterations; a shorter run fills it gradually.
-  void setLeastIterations(int least) { range_.setLeastIterations(least); }
+  /// A run of fewer iterations than that grows into the axis.
+  void setLeastIterations(int least) { navigation_->setLeastIterations(least); }
   void setAxis(PlotAxis axis);
-  PlotAxis axis() const { return range_.axis(); }
+  PlotAxis axis() const { return navigation_->axis(); }
 
   /// Shows the range of the selection, and selects what the user points at.
   void link(Selection& selection);
   /// Shows the frame under the pointer in both stacks.
   void shareCursor(PlotStack& other);
-  /// Sets the frame that all views show; nothing: the newest.
-  void setCurrentFrame(std::optional<std::int64_t> frame);
-  /// Sets the frame under the pointer, here or in another view; nothing: none.
-  void setHovered(std::optional<std::int64_t> frame);
-  void setSelectedRange(std::optional<SelectedRange> selectedRange);
-  std::optional<SelectedRange> selectedRange() const { return selectedRange_; }
-  /// Range of the axis that is shown.
-  std::pair<double, double> shownRange() const;
+  /// The frame all views show; nothing: the newest.
+  void setCurrentFrame(std::optional<std::int64_t> frame) { navigation_->setCurrentFrame(frame); }
+  /// The frame the pointer is on, here or in another view; nothing: nowhere.
+  void setHovered(std::optional<std::int64_t> frame) { navigation_->setHovered(frame); }
+  std::optional<SelectedRange> selectedRange() const { return navigation_->selectedRange(); }
+  /// The part of the axis that is shown.
+  std::pair<double, double> shownRange() const { return navigation_->shownRange(); }
+  /// The whole run again.
+  void showAll() { navigation_->showAll(); }
+  /// This part of the axis.
+  void showPart(double lower, double upper) { navigation_->showPart(lower, upper); }
+  bool showsAll() const { return navigation_->showsAll(); }
 
-  /// Shows the whole run again.
-  void showAll();
-  /// Zooms in by `factor` (above 1) around a position on the axis, or around the cursor.
-  void zoom(double factor, std::optional<double> about = std::nullopt);
-  /// Moves the range by a share of its width.
-  void pan(double share);
-  /// Shows this range of the axis.
-  void showPart(double lower, double upper);
-  bool showsAll() const { return range_.showsAll(); }
-
-  /// Returns the shown curves within the range shown as CSV, with all data points: one line per
-  /// row.
-  std::string csv() const;
-  /// Returns the plots as a figure for publication: as SVG (`asDrawing`) or as pixels.
-  PlotPicture picture(bool asDrawing);
-  /// Returns all values at the cursor, with names and units.
+  /// What is shown now, for other programs.
+  PlotExport exported();
+  /// All values at the cursor, with names and units.
   QString valuesText() const;
   /// Returns "frame 132, iteration 660, 4.40 s"; empty before the first frame.
   QString cursorText() const;
@@ -101,9 +90,6 @@ public:
 Q_SIGNALS:
   /// The pointer (or the cursor moved by arrow keys) is on this frame; negative: on none.
   void hovered(qint64 frame);
-  void frameChosen(qint64 frame);
-  void rangeChosen(qint64 first, qint64 last);
-  void rangeCleared();
   void cursorMoved();
   void contextMenuWanted(const QPoint& global);
 
@@ -113,30 +99,23 @@ protected:
   void showEvent(QShowEvent* event) override;
 
 private:
-  friend class PlotPointer;
   void rebuild();
   void placeRows(const std::vector<const PlotDeclaration*>& wanted);
   void draw();
   void drawCursor();
   void applyPalette();
   std::vector<const PlotDeclaration*> wantedPlots() const;
-  /// Row of the series whose values are shown.
-  std::optional<std::size_t> cursorRow() const;
-  std::optional<std::int64_t> frameAt(int x) const;
-  double keyAt(int x) const;
+  const PlotSeries* series() const { return navigation_->series(); }
 
   QCustomPlot* plot_;
   PlotScroll* scroll_;
   PlotCursor* cursor_;
+  PlotNavigation* navigation_;
+  PlotPointer* pointer_;
   bool bare_ = false;
   std::vector<PlotDeclaration> plots_;
   QStringList shown_;
   std::vector<std::unique_ptr<PlotRow>> rows_;
-  const PlotSeries* series_ = nullptr;
-  PlotAxisRange range_;
-  std::optional<std::int64_t> currentFrame_;
-  std::optional<std::int64_t> hovered_;
-  std::optional<SelectedRange> selectedRange_;
   QTimer timer_;
   QElapsedTimer sinceDrawing_;
   double lastDrawingMs_ = 0.0;

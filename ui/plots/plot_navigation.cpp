@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_navigation.h"
+
+namespace dewpoint::ui {
+
+void PlotNavigation::showAll() {
+  range_.showAll();
+  Q_EMIT partChanged();
+}
+
+void PlotNavigation::showPart(double lower, double upper) {
+  range_.show(series_, lower, upper);
+  Q_EMIT partChanged();
+}
+
+void PlotNavigation::zoom(double factor, std::optional<double> about) {
+  const auto [lower, upper] = shownRange();
+  const auto row = cursorRow();
+  const double middle = about                                ? *about
+                        : (hovered_ || currentFrame_) && row ? series_->key(*row, axis())
+                                                             : (lower + upper) / 2.0;
+  showPart(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
+}
+
+void PlotNavigation::pan(double share) {
+  const auto [lower, upper] = shownRange();
+  const double moved = (upper - lower) * share;
+  if (!range_.showsAll()) {
+    showPart(lower + moved, upper + moved);
+  }
+}
+
+void PlotNavigation::setCurrentFrame(std::optional<std::int64_t> frame) {
+  if (frame != currentFrame_) {
+    currentFrame_ = frame;
+    Q_EMIT cursorChanged();
+  }
+}
+
+void PlotNavigation::setHovered(std::optional<std::int64_t> frame) {
+  if (frame != hovered_) {
+    hovered_ = frame;
+    Q_EMIT cursorChanged();
+  }
+}
+
+void PlotNavigation::setSelectedRange(std::optional<SelectedRange> selectedRange) {
+  if (selectedRange != selectedRange_) {
+    selectedRange_ = selectedRange;
+    Q_EMIT cursorChanged();
+  }
+}
+
+void PlotNavigation::setDragged(std::optional<std::pair<double, double>> part) {
+  if (part != dragged_) {
+    dragged_ = part;
+    Q_EMIT cursorChanged();
+  }
+}
+
+std::optional<double> PlotNavigation::positionOf(const std::optional<std::int64_t>& frame) const {
+  const auto row = series_ != nullptr && frame ? series_->atFrame(*frame) : std::nullopt;
+  return row ? std::optional(series_->key(*row, axis())) : std::nullopt;
+}
+
+std::optional<std::int64_t> PlotNavigation::frameAt(double position) const {
+  const auto row = series_ != nullptr ? series_->nearest(axis(), position) : std::nullopt;
+  return row ? std::optional(series_->row(*row).frame) : std::nullopt;
+}
+
+std::optional<std::size_t> PlotNavigation::cursorRow() const {
+  if (series_ == nullptr || series_->size() == 0) {
+    return std::nullopt;
+  }
+  const auto frame = hovered_ ? hovered_ : currentFrame_;
+  return frame ? series_->atFrame(*frame) : series_->size() - 1;
+}
+
+} // namespace dewpoint::ui
