@@ -2819,6 +2819,29 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::BackgroundImageTaker</name>
+    <message>
+        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
+        <translation>„%1“ ist in diesem Bild: Wo es jetzt ist, würde es für den Raum gehalten. Besser einen Moment ohne es zeigen.</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>Trotzdem verwenden</translation>
+    </message>
+    <message>
+        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <translation>Die Kamera wurde inzwischen geändert: Das Bild ist als %1 aufgehoben, wird aber nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Change empty room</source>
+        <translation>Leeren Raum ändern</translation>
+    </message>
+    <message>
+        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
+        <translation>Das gezeigte Bild ist jetzt der leere Raum von %1; es liegt in %2.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BackwardTracker</name>
     <message>
         <source>Correct position</source>
@@ -4114,18 +4137,6 @@ bei %4, %5, %6</translation>
         <translation>Bild oder Video des leeren Raums wählen</translation>
     </message>
     <message>
-        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
-        <translation>„%1“ ist in diesem Bild: Wo es jetzt ist, würde es für den Raum gehalten. Besser einen Moment ohne es zeigen.</translation>
-    </message>
-    <message>
-        <source>Use it all the same</source>
-        <translation>Trotzdem verwenden</translation>
-    </message>
-    <message>
-        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
-        <translation>Das gezeigte Bild ist jetzt der leere Raum von %1; es liegt in %2.</translation>
-    </message>
-    <message>
         <source>Change how late the images are</source>
         <translation>Verspätung der Bilder ändern</translation>
     </message>
@@ -4156,10 +4167,6 @@ bei %4, %5, %6</translation>
     <message>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
-    </message>
-    <message>
-        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
-        <translation>Die Kamera wurde inzwischen geändert: Das Bild ist als %1 aufgehoben, wird aber nicht verwendet.</translation>
     </message>
 </context>
 <context>

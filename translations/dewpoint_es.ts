@@ -2819,6 +2819,29 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::BackgroundImageTaker</name>
+    <message>
+        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
+        <translation>«%1» está en esta imagen: donde está ahora se tomaría por la habitación. Mejor muestra un momento sin él.</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>Usarla de todos modos</translation>
+    </message>
+    <message>
+        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <translation>La cámara se cambió mientras tanto: la imagen se guardó como %1, pero no se usa.</translation>
+    </message>
+    <message>
+        <source>Change empty room</source>
+        <translation>Cambiar la sala vacía</translation>
+    </message>
+    <message>
+        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
+        <translation>La imagen mostrada es ahora la habitación vacía de %1; se guarda como %2.</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BackwardTracker</name>
     <message>
         <source>Correct position</source>
@@ -4114,18 +4137,6 @@ en %4, %5, %6</translation>
         <translation>Elegir una imagen o un vídeo de la sala vacía</translation>
     </message>
     <message>
-        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
-        <translation>«%1» está en esta imagen: donde está ahora se tomaría por la habitación. Mejor muestra un momento sin él.</translation>
-    </message>
-    <message>
-        <source>Use it all the same</source>
-        <translation>Usarla de todos modos</translation>
-    </message>
-    <message>
-        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
-        <translation>La imagen mostrada es ahora la habitación vacía de %1; se guarda como %2.</translation>
-    </message>
-    <message>
         <source>Change how late the images are</source>
         <translation>Cambiar el retraso de las imágenes</translation>
     </message>
@@ -4156,10 +4167,6 @@ en %4, %5, %6</translation>
     <message>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>Las cámaras tienen ahora la calibración de %1.</translation>
-    </message>
-    <message>
-        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
-        <translation>La cámara se cambió mientras tanto: la imagen se guardó como %1, pero no se usa.</translation>
     </message>
 </context>
 <context>

@@ -2818,6 +2818,29 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
     </message>
 </context>
 <context>
+    <name>dewpoint::ui::BackgroundImageTaker</name>
+    <message>
+        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
+        <translation>この画像には「%1」が写っています。今の位置では部屋の一部とみなされます。写っていない瞬間を表示するほうがよいでしょう。</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>それでも使う</translation>
+    </message>
+    <message>
+        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <translation>その間にカメラが変更されました。画像は %1 として保存しましたが、使用しません。</translation>
+    </message>
+    <message>
+        <source>Change empty room</source>
+        <translation>空の部屋を変更</translation>
+    </message>
+    <message>
+        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
+        <translation>表示中の画像を %1 の無人の部屋にしました。%2 に保存されています。</translation>
+    </message>
+</context>
+<context>
     <name>dewpoint::ui::BackwardTracker</name>
     <message>
         <source>Correct position</source>
@@ -4111,18 +4134,6 @@ at %4, %5, %6</source>
         <translation>空の部屋の画像か動画を選択</translation>
     </message>
     <message>
-        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
-        <translation>この画像には「%1」が写っています。今の位置では部屋の一部とみなされます。写っていない瞬間を表示するほうがよいでしょう。</translation>
-    </message>
-    <message>
-        <source>Use it all the same</source>
-        <translation>それでも使う</translation>
-    </message>
-    <message>
-        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
-        <translation>表示中の画像を %1 の無人の部屋にしました。%2 に保存されています。</translation>
-    </message>
-    <message>
         <source>Change how late the images are</source>
         <translation>画像の遅れの変更</translation>
     </message>
@@ -4153,10 +4164,6 @@ at %4, %5, %6</source>
     <message>
         <source>The cameras have the calibration of %1 now.</source>
         <translation>カメラは %1 のキャリブレーションを使います。</translation>
-    </message>
-    <message>
-        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
-        <translation>その間にカメラが変更されました。画像は %1 として保存しましたが、使用しません。</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/document/document.h"
+#include "ui/panels/background_image_taker.h"
 #include "ui/panels/camera_panel.h"
 
 #include <QDir>
@@ -63,7 +64,7 @@ void EmptyRoomTest::cleanup() {
 }
 
 void EmptyRoomTest::takeAtTheGate() {
-  panel()->setKeeper([gate = gate_](const auto&... order) {
+  panel()->taker().setKeeper([gate = gate_](const auto&... order) {
     gate->pass();
     return keepBackgroundImage(order...);
   });
@@ -105,7 +106,7 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
 }
 
 void EmptyRoomTest::aPictureThatCannotBeWrittenIsSaid() {
-  panel()->setKeeper([](const auto&...) -> Result<std::filesystem::path> {
+  panel()->taker().setKeeper([](const auto&...) -> Result<std::filesystem::path> {
     return failure(ErrorCode::FileUnwritable, "desk-empty-right.png", "", "the disk is full");
   });
   take()->click();

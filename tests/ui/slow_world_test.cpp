@@ -15,7 +15,7 @@
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/jobs/job_thread.h"
-#include "ui/panels/camera_panel.h"
+#include "ui/panels/background_image_taker.h"
 #include "ui/preferences/preferences.h"
 #include "ui/start/new_project_page.h"
 #include "ui/start/recent_projects.h"
@@ -372,7 +372,7 @@ void SlowWorldTest::anEmptyRoomIsUsedOnceItIsWritten() {
   auto* take = find<QPushButton>("cameraEmptyRoomTake");
   auto* field = find<QLineEdit>("cameraEmptyRoom");
   QVERIFY(waitFor([&] { return take->isEnabled(); }));
-  window_->findChild<CameraPanel*>()->setKeeper([disk = disk_](const auto&... order) {
+  window_->findChild<BackgroundImageTaker*>()->setKeeper([disk = disk_](const auto&... order) {
     disk->pass();
     return keepBackgroundImage(order...);
   });

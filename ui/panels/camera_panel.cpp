@@ -3,13 +3,10 @@
 
 #include "core/base/angle.h"
 #include "core/project/project.h"
-#include "core/session/run/background_images.h"
-#include "core/session/run/snapshot_state.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
-#include "ui/jobs/job_queue.h"
+#include "ui/panels/background_image_taker.h"
 #include "ui/selection/selection.h"
-#include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/file_choice.h"
@@ -25,10 +22,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QPointer>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -40,12 +35,6 @@ namespace {
 constexpr double kMilliseconds = 1000.0; ///< of a second
 constexpr double kMostLate = 3.6e6;      ///< milliseconds
 constexpr double kLateSteps = 10.0;      ///< shown of a millisecond
-
-/// Whether an image that was taken of a camera is still wanted as its empty room.
-bool isStillAs(const ProjectCamera& now, const ProjectCamera& then) {
-  return now.source == then.source && now.location == then.location &&
-         now.backgroundImage == then.backgroundImage;
-}
 
 } // namespace
 
@@ -59,16 +48,14 @@ CameraPanel::CameraPanel(Document& document, Selection& selection, CameraListMod
       turnLabel_(new QLabel(this)), turn_(new QComboBox(this)), mirror_(new QCheckBox(this)),
       lateLabel_(new QLabel(this)),
       late_(makeNumberField(QStringLiteral("cameraLate"), {-kMostLate, kMostLate, 1.0, 1}, this)),
-      calibration_(new QLabel(this)), load_(new QPushButton(this)), keep_(keepBackgroundImage),
-      keeping_(std::make_unique<JobQueue>()) {
+      calibration_(new QLabel(this)), load_(new QPushButton(this)),
+      taker_(new BackgroundImageTaker(document, selection, cameras, this)) {
   setObjectName(QStringLiteral("cameraPanel"));
   list_->setModel(&cameras_);
   makeFields();
   onRetranslate(this, [this] { retranslateUi(); });
   connectFields();
 }
-
-CameraPanel::~CameraPanel() = default;
 
 void CameraPanel::makeFields() {
   list_->setObjectName(QStringLiteral("cameraList"));
@@ -116,7 +103,6 @@ void CameraPanel::makeFields() {
 }
 
 void CameraPanel::connectFields() {
-  connect(&document_, &Document::replaced, this, &CameraPanel::forgetKept);
   connect(&document_, &Document::replaced, this, &CameraPanel::refresh);
   connect(&document_, &Document::sourcesChanged, this, &CameraPanel::refresh);
   connect(&document_, &Document::calibrationChanged, this, &CameraPanel::showChosen);
@@ -157,7 +143,8 @@ void CameraPanel::connectFields() {
   connect(emptyRoom_, &QLineEdit::editingFinished, this,
           [this] { setEmptyRoom(emptyRoom_->text().trimmed()); });
   connect(emptyRoomBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseEmptyRoom);
-  connect(emptyRoomTake_, &QPushButton::clicked, this, &CameraPanel::takeEmptyRoom);
+  connect(emptyRoomTake_, &QPushButton::clicked, this, [this] { taker_->take(chosen()); });
+  connect(taker_, &BackgroundImageTaker::busyChanged, this, &CameraPanel::enableTake);
   connect(load_, &QPushButton::clicked, this, [this] {
     const QString file =
         askForFile(this, tr("Choose a calibration"), tr("Calibrations (*.toml);;All files (*)"));
@@ -275,20 +262,13 @@ void CameraPanel::relocate() {
   }
 }
 
-cv::Mat CameraPanel::shownImage() const {
-  const auto row = static_cast<std::size_t>(std::max(0, chosen()));
-  const bool any = snapshot_ && !snapshot_->preview && snapshot_->frames &&
-                   row < snapshot_->frames->frames.size() && snapshot_->frames->frames[row];
-  return any ? snapshot_->frames->frames[row]->image : cv::Mat();
-}
-
 void CameraPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
-  snapshot_ = snapshot;
+  taker_->setSnapshot(snapshot);
   enableTake();
 }
 
 void CameraPanel::enableTake() {
-  emptyRoomTake_->setEnabled(source_->isEnabled() && !isKeeping_ && !shownImage().empty());
+  emptyRoomTake_->setEnabled(source_->isEnabled() && taker_->canTake(chosen()));
 }
 
 void CameraPanel::setEmptyRoom(const QString& file) {
@@ -302,84 +282,6 @@ void CameraPanel::chooseEmptyRoom() {
   if (!file.isEmpty()) {
     setEmptyRoom(file);
   }
-}
-
-QString CameraPanel::targetSeenBy(int camera) const {
-  const TargetSnapshot* seen = snapshot_ ? heldTargetInView(*snapshot_, camera) : nullptr;
-  return seen != nullptr ? QString::fromStdString(seen->target.name) : QString();
-}
-
-void CameraPanel::takeEmptyRoom() {
-  const int row = chosen();
-  const cv::Mat image = shownImage();
-  if (row < 0 || image.empty()) {
-    return;
-  }
-  if (const QString target = targetSeenBy(row); !target.isEmpty()) {
-    Q_EMIT confirmationRequested(
-        tr("“%1” is in this image: where it is now it would be taken for the room. Better "
-           "show a moment without it.")
-            .arg(target),
-        tr("Use it all the same"), [this, row, image, asked = QPointer(keeping_.get())] {
-          if (asked && !isKeeping_) { // else another project was opened meanwhile
-            keepAsEmptyRoom(row, image);
-          }
-        });
-    return;
-  }
-  keepAsEmptyRoom(row, image);
-}
-
-void CameraPanel::keepAsEmptyRoom(int camera, const cv::Mat& image) {
-  const std::shared_ptr<const Project> project = document_.state();
-  if (camera >= static_cast<int>(project->cameras.size())) {
-    return; // there are fewer now
-  }
-  const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  const std::filesystem::path folder =
-      project->file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
-                            : project->file.parent_path();
-  selection_.selectCamera(camera);
-  isKeeping_ = true;
-  enableTake();
-  keeping_->add([this, keep = keep_, project, camera, image, folder] {
-    return [this, project, camera,
-            kept = keep(*project, static_cast<std::size_t>(camera), image, folder)] {
-      isKeeping_ = false;
-      enableTake();
-      useKept(*project, camera, kept);
-    };
-  });
-}
-
-void CameraPanel::useKept(const Project& then, int camera,
-                          const Result<std::filesystem::path>& kept) {
-  if (!kept) {
-    Q_EMIT failed(errorSentence(kept.error()));
-    return;
-  }
-  const auto row = static_cast<std::size_t>(camera);
-  const QString file = QString::fromStdString(kept->string());
-  const auto& cameras = document_.project().cameras;
-  if (row >= cameras.size() || !isStillAs(cameras[row], then.cameras[row])) {
-    Q_EMIT messageRequested(
-        tr("The camera was changed meanwhile: the image is kept as %1, but not used.").arg(file));
-    return;
-  }
-  const auto edited = document_.edit(tr("Change empty room"), [&](Project& project) {
-    project.cameras[row].backgroundImage = kept->string();
-  });
-  if (!edited) {
-    Q_EMIT failed(errorSentence(edited.error()));
-    return;
-  }
-  Q_EMIT messageRequested(tr("The image shown is now the empty room of %1; it is kept as %2.")
-                              .arg(cameras_.nameOf(camera), file));
-}
-
-void CameraPanel::forgetKept() {
-  keeping_ = std::make_unique<JobQueue>();
-  isKeeping_ = false;
 }
 
 } // namespace dewpoint::ui

@@ -5,6 +5,7 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/jobs/latest_job.h"
+#include "ui/panels/background_image_taker.h"
 #include "ui/panels/camera_panel.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/target_panel.h"
@@ -109,9 +110,11 @@ CameraPanel* installCameras(const Workbench& bench) {
   auto* job = new LatestJob(LatestJob::Overtaken::Dropped, panel);
   QObject::connect(panel, &CameraPanel::calibrationWanted, panel,
                    [bench, job](const QString& file) { loadCalibration(bench, job, file); });
-  QObject::connect(panel, &CameraPanel::failed, &bench.messages, &MessageBar::showError);
-  QObject::connect(panel, &CameraPanel::messageRequested, &bench.messages, &MessageBar::showNotice);
-  QObject::connect(panel, &CameraPanel::confirmationRequested, &bench.messages,
+  const BackgroundImageTaker* taker = &panel->taker();
+  QObject::connect(taker, &BackgroundImageTaker::failed, &bench.messages, &MessageBar::showError);
+  QObject::connect(taker, &BackgroundImageTaker::messageRequested, &bench.messages,
+                   &MessageBar::showNotice);
+  QObject::connect(taker, &BackgroundImageTaker::confirmationRequested, &bench.messages,
                    [bar = &bench.messages](const QString& question, const QString& yes,
                                            const std::function<void()>& act) {
                      bar->ask(question, {{yes, act}});

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/background_image_taker.h"
+
+#include "core/project/project.h"
+#include "core/session/run/background_images.h"
+#include "core/session/run/snapshot_state.h"
+#include "ui/document/camera_list_model.h"
+#include "ui/document/document.h"
+#include "ui/jobs/job_queue.h"
+#include "ui/selection/selection.h"
+#include "ui/text/error_sentence.h"
+
+#include <QPointer>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+namespace {
+
+/// Whether an image that was taken of a camera is still wanted as its background image.
+bool isStillAs(const ProjectCamera& now, const ProjectCamera& then) {
+  return now.source == then.source && now.location == then.location &&
+         now.backgroundImage == then.backgroundImage;
+}
+
+} // namespace
+
+BackgroundImageTaker::BackgroundImageTaker(Document& document, Selection& selection,
+                                           const CameraListModel& cameras, QObject* parent)
+    : QObject(parent), document_(document), selection_(selection), cameras_(cameras),
+      keep_(keepBackgroundImage), keeping_(std::make_unique<JobQueue>()) {
+  connect(&document_, &Document::replaced, this, &BackgroundImageTaker::forgetKept);
+}
+
+BackgroundImageTaker::~BackgroundImageTaker() = default;
+
+bool BackgroundImageTaker::canTake(int camera) const {
+  return !isKeeping_ && !shownImage(camera).empty();
+}
+
+cv::Mat BackgroundImageTaker::shownImage(int camera) const {
+  const auto row = static_cast<std::size_t>(std::max(0, camera));
+  const bool any = snapshot_ && !snapshot_->preview && snapshot_->frames &&
+                   row < snapshot_->frames->frames.size() && snapshot_->frames->frames[row];
+  return any ? snapshot_->frames->frames[row]->image : cv::Mat();
+}
+
+QString BackgroundImageTaker::targetSeenBy(int camera) const {
+  const TargetSnapshot* seen = snapshot_ ? heldTargetInView(*snapshot_, camera) : nullptr;
+  return seen != nullptr ? QString::fromStdString(seen->target.name) : QString();
+}
+
+void BackgroundImageTaker::take(int camera) {
+  const cv::Mat image = shownImage(camera);
+  if (camera < 0 || image.empty()) {
+    return;
+  }
+  if (const QString target = targetSeenBy(camera); !target.isEmpty()) {
+    Q_EMIT confirmationRequested(
+        tr("“%1” is in this image: where it is now it would be taken for the room. Better "
+           "show a moment without it.")
+            .arg(target),
+        tr("Use it all the same"), [this, camera, image, asked = QPointer(keeping_.get())] {
+          if (asked && !isKeeping_) { // else another project was opened meanwhile
+            keep(camera, image);
+          }
+        });
+    return;
+  }
+  keep(camera, image);
+}
+
+void BackgroundImageTaker::keep(int camera, const cv::Mat& image) {
+  const std::shared_ptr<const Project> project = document_.state();
+  if (camera >= static_cast<int>(project->cameras.size())) {
+    return; // there are fewer now
+  }
+  const QString own = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  const std::filesystem::path folder =
+      project->file.empty() ? std::filesystem::path(own.toStdString()) / "empty-rooms"
+                            : project->file.parent_path();
+  selection_.selectCamera(camera);
+  isKeeping_ = true;
+  Q_EMIT busyChanged();
+  keeping_->add([this, write = keep_, project, camera, image, folder] {
+    return [this, project, camera,
+            kept = write(*project, static_cast<std::size_t>(camera), image, folder)] {
+      isKeeping_ = false;
+      Q_EMIT busyChanged();
+      useKept(*project, camera, kept);
+    };
+  });
+}
+
+void BackgroundImageTaker::useKept(const Project& then, int camera,
+                                   const Result<std::filesystem::path>& kept) {
+  if (!kept) {
+    Q_EMIT failed(errorSentence(kept.error()));
+    return;
+  }
+  const auto row = static_cast<std::size_t>(camera);
+  const QString file = QString::fromStdString(kept->string());
+  const auto& cameras = document_.project().cameras;
+  if (row >= cameras.size() || !isStillAs(cameras[row], then.cameras[row])) {
+    Q_EMIT messageRequested(
+        tr("The camera was changed meanwhile: the image is kept as %1, but not used.").arg(file));
+    return;
+  }
+  const auto edited = document_.edit(tr("Change empty room"), [&](Project& project) {
+    project.cameras[row].backgroundImage = kept->string();
+  });
+  if (!edited) {
+    Q_EMIT failed(errorSentence(edited.error()));
+    return;
+  }
+  Q_EMIT messageRequested(tr("The image shown is now the empty room of %1; it is kept as %2.")
+                              .arg(cameras_.nameOf(camera), file));
+}
+
+void BackgroundImageTaker::forgetKept() {
+  keeping_ = std::make_unique<JobQueue>();
+  isKeeping_ = false;
+}
+
+} // namespace dewpoint::ui
