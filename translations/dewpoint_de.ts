@@ -4783,18 +4783,6 @@ bei %4, %5, %6</translation>
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>First lines of the file</source>
-        <translation>Erste Zeilen der Datei</translation>
-    </message>
-    <message>
-        <source>Units and axes</source>
-        <translation>Einheiten und Achsen</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -4847,14 +4835,6 @@ bei %4, %5, %6</translation>
         <translation>Schließen; ein laufender Export geht weiter</translation>
     </message>
     <message>
-        <source>Working on the preview: %1 %</source>
-        <translation>Vorschau in Arbeit: %1 %</translation>
-    </message>
-    <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>Die Vorschau wurde angehalten. Die nächste Änderung beginnt sie neu.</translation>
-    </message>
-    <message>
         <source>%1 exists already. Replace it?</source>
         <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
@@ -4865,10 +4845,6 @@ bei %4, %5, %6</translation>
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
-    </message>
-    <message>
-        <source>Some of these results are of earlier settings.</source>
-        <translation>Einige dieser Ergebnisse stammen von früheren Einstellungen.</translation>
     </message>
 </context>
 <context>
@@ -6302,6 +6278,33 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
     <message>
         <source>Turn or mirror the images of this camera so, and solve again</source>
         <translation>Die Bilder dieser Kamera so drehen oder spiegeln und neu bestimmen</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PreviewPane</name>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>Vorschau in Arbeit: %1 %</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Erste Zeilen der Datei</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>Einheiten und Achsen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Some of these results are of earlier settings.</source>
+        <translation>Einige dieser Ergebnisse stammen von früheren Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>Die Vorschau wurde angehalten. Die nächste Änderung beginnt sie neu.</translation>
     </message>
 </context>
 <context>

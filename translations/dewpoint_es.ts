@@ -4783,18 +4783,6 @@ en %4, %5, %6</translation>
         <translation>La exportación se canceló.</translation>
     </message>
     <message>
-        <source>First lines of the file</source>
-        <translation>Primeras líneas del archivo</translation>
-    </message>
-    <message>
-        <source>Units and axes</source>
-        <translation>Unidades y ejes</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Archivo</translation>
     </message>
@@ -4847,14 +4835,6 @@ en %4, %5, %6</translation>
         <translation>Cerrar; una exportación en curso continúa</translation>
     </message>
     <message>
-        <source>Working on the preview: %1 %</source>
-        <translation>Preparando la vista previa: %1 %</translation>
-    </message>
-    <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>La vista previa se detuvo. El próximo cambio la empieza de nuevo.</translation>
-    </message>
-    <message>
         <source>%1 exists already. Replace it?</source>
         <translation>%1 ya existe. ¿Reemplazarlo?</translation>
     </message>
@@ -4865,10 +4845,6 @@ en %4, %5, %6</translation>
     <message>
         <source>Replace</source>
         <translation>Reemplazar</translation>
-    </message>
-    <message>
-        <source>Some of these results are of earlier settings.</source>
-        <translation>Algunos de estos resultados se obtuvieron con ajustes anteriores.</translation>
     </message>
 </context>
 <context>
@@ -6302,6 +6278,33 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
     <message>
         <source>Turn or mirror the images of this camera so, and solve again</source>
         <translation>Girar o reflejar así las imágenes de esta cámara y resolver de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PreviewPane</name>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>Preparando la vista previa: %1 %</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Primeras líneas del archivo</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>Unidades y ejes</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Some of these results are of earlier settings.</source>
+        <translation>Algunos de estos resultados se obtuvieron con ajustes anteriores.</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>La vista previa se detuvo. El próximo cambio la empieza de nuevo.</translation>
     </message>
 </context>
 <context>

@@ -4777,18 +4777,6 @@ at %4, %5, %6</source>
         <translation>書き出しを中止しました。</translation>
     </message>
     <message>
-        <source>First lines of the file</source>
-        <translation>ファイルの先頭行</translation>
-    </message>
-    <message>
-        <source>Units and axes</source>
-        <translation>単位と軸</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大きさ</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>ファイル</translation>
     </message>
@@ -4841,14 +4829,6 @@ at %4, %5, %6</source>
         <translation>閉じます。実行中の書き出しは続きます</translation>
     </message>
     <message>
-        <source>Working on the preview: %1 %</source>
-        <translation>プレビューを作成中:%1 %</translation>
-    </message>
-    <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
-    </message>
-    <message>
         <source>%1 exists already. Replace it?</source>
         <translation>%1 はすでに存在します。置き換えますか？</translation>
     </message>
@@ -4859,10 +4839,6 @@ at %4, %5, %6</source>
     <message>
         <source>Replace</source>
         <translation>置き換える</translation>
-    </message>
-    <message>
-        <source>Some of these results are of earlier settings.</source>
-        <translation>この結果の一部は以前の設定によるものです。</translation>
     </message>
 </context>
 <context>
@@ -6293,6 +6269,33 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
     <message>
         <source>Turn or mirror the images of this camera so, and solve again</source>
         <translation>このカメラの画像をそのように回転・反転し、もう一度求めます</translation>
+    </message>
+</context>
+<context>
+    <name>dewpoint::ui::PreviewPane</name>
+    <message>
+        <source>Working on the preview: %1 %</source>
+        <translation>プレビューを作成中:%1 %</translation>
+    </message>
+    <message>
+        <source>First lines of the file</source>
+        <translation>ファイルの先頭行</translation>
+    </message>
+    <message>
+        <source>Units and axes</source>
+        <translation>単位と軸</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>Some of these results are of earlier settings.</source>
+        <translation>この結果の一部は以前の設定によるものです。</translation>
+    </message>
+    <message>
+        <source>The preview was stopped. The next change begins it anew.</source>
+        <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "ui/export/export_form.h"
 #include "ui/export/export_outcome.h"
 #include "ui/export/export_text.h"
+#include "ui/export/preview_pane.h"
 #include "ui/export/trajectory_figure.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/named.h"
@@ -13,10 +14,8 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTimer>
@@ -26,22 +25,16 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kPreviewDelayMs = 150;
 constexpr int kFollowMs = 2000;
 constexpr std::size_t kMostToFollow = 20'000; ///< samples; to copy more takes noticeable time
-constexpr int kSoonDoneMs = 500;              ///< less needs no button to stop it
 
 } // namespace
 
 ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent)
     : QDialog(parent), trajectorySource_(std::move(trajectory)), jobs_(new ExportJobs(this)),
-      soon_(new QTimer(this)), follow_(new QTimer(this)), long_(new QTimer(this)) {
+      follow_(new QTimer(this)) {
   setObjectName(QStringLiteral("exportDialog"));
-  soon_->setSingleShot(true);
-  soon_->setInterval(kPreviewDelayMs);
   follow_->setInterval(kFollowMs);
-  long_->setSingleShot(true);
-  long_->setInterval(kSoonDoneMs);
   makeFields();
   arrangeFields();
   onRetranslate(this, [this] { retranslateUi(); });
@@ -53,18 +46,8 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
 
 void ExportDialog::makeFields() {
   form_ = new ExportForm(this);
-  preview_ = named(new QPlainTextEdit(this), "exportPreview");
-  preview_->setReadOnly(true);
-  preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  preview_->setTabChangesFocus(true);
-  preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  units_ = named(new QLabel(this), "exportUnits");
-  units_->setWordWrap(true);
-  size_ = named(new QLabel(this), "exportSize");
-  size_->setWordWrap(true);
-  old_ = named(new QLabel(this), "exportOldResults");
-  old_->setWordWrap(true);
-  old_->hide();
+  preview_ = new PreviewPane(
+      *jobs_, [this] { jobs_->preview(trajectory_, form_->options(), file()); }, this);
   outcome_ = new ExportOutcome(this);
   question_ = named(new QLabel(this), "exportQuestion");
   question_->setWordWrap(true);
@@ -84,16 +67,10 @@ void ExportDialog::makeFields() {
 }
 
 void ExportDialog::arrangeFields() {
-  auto* right = new QVBoxLayout;
-  right->setSpacing(8);
-  right->addWidget(units_);
-  right->addWidget(size_);
-  right->addWidget(old_);
-  right->addWidget(preview_, 1);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
   columns->addWidget(form_);
-  columns->addLayout(right, 1);
+  columns->addWidget(preview_, 1);
   auto* place = new QHBoxLayout;
   place->setSpacing(8);
   place->addWidget(file_, 1);
@@ -123,11 +100,7 @@ void ExportDialog::arrangeFields() {
 void ExportDialog::retranslateUi() {
   setWindowTitle(tr("Export trajectory"));
   form_->retranslateUi();
-  preview_->setAccessibleName(tr("First lines of the file"));
-  preview_->setToolTip(tr("First lines of the file"));
-  units_->setAccessibleName(tr("Units and axes"));
-  size_->setAccessibleName(tr("Size"));
-  old_->setText(tr("Some of these results are of earlier settings."));
+  preview_->retranslateUi();
   outcome_->retranslateUi();
   file_->setAccessibleName(tr("File"));
   file_->setToolTip(tr("File to write"));
@@ -146,12 +119,8 @@ void ExportDialog::retranslateUi() {
 }
 
 void ExportDialog::connectFields() {
-  connect(soon_, &QTimer::timeout, this, [this] {
-    previewing_ = true;
-    long_->start();
-    jobs_->preview(trajectory_, form_->options(), file());
-  });
-  connect(long_, &QTimer::timeout, cancel_, &QWidget::show);
+  connect(preview_, &PreviewPane::takesLong, cancel_, &QWidget::show);
+  connect(preview_, &PreviewPane::ended, this, [this] { cancel_->setVisible(running_); });
   connect(form_, &ExportForm::formatChanged, this, &ExportDialog::formatChanged);
   connect(form_, &ExportForm::changed, this, &ExportDialog::changed);
   connect(follow_, &QTimer::timeout, this, &ExportDialog::follow);
@@ -160,18 +129,6 @@ void ExportDialog::connectFields() {
   connect(export_, &QPushButton::clicked, this, &ExportDialog::start);
   connect(figure_, &QPushButton::clicked, this, &ExportDialog::startFigure);
   connect(cancel_, &QPushButton::clicked, this, &ExportDialog::stop);
-  connect(jobs_, &ExportJobs::previewing, this, [this](int percent) {
-    if (previewing_) {
-      size_->setText(tr("Working on the preview: %1 %").arg(percent));
-    }
-  });
-  connect(jobs_, &ExportJobs::previewReady, this, &ExportDialog::showPreview);
-  connect(jobs_, &ExportJobs::previewFailed, this, [this](const QString& sentence) {
-    endPreview();
-    units_->clear();
-    size_->setText(sentence);
-    preview_->clear();
-  });
   connect(jobs_, &ExportJobs::progressChanged, progress_, &QProgressBar::setValue);
   connect(jobs_, &ExportJobs::finished, this, &ExportDialog::showFinished);
   connect(jobs_, &ExportJobs::failed, this, [this](const QString& sentence) {
@@ -195,11 +152,11 @@ void ExportDialog::reportFailed(const QString& sentence) {
 }
 
 void ExportDialog::setHasOldResults(bool has) {
-  old_->setVisible(has);
+  preview_->setHasOldResults(has);
 }
 
 void ExportDialog::follow() {
-  if (running_ || previewing_ || soon_->isActive() || !form_->isLive() ||
+  if (running_ || preview_->isBusy() || !form_->isLive() ||
       trajectory_->samples.size() > kMostToFollow) {
     return;
   }
@@ -207,7 +164,7 @@ void ExportDialog::follow() {
   if (now.samples.size() != trajectory_->samples.size()) {
     trajectory_ = std::make_shared<const Trajectory>(std::move(now));
     form_->setTargetsOf(*trajectory_);
-    soon_->start();
+    preview_->request();
   }
 }
 
@@ -225,36 +182,24 @@ void ExportDialog::showEvent(QShowEvent* event) {
 
 void ExportDialog::hideEvent(QHideEvent* event) {
   QDialog::hideEvent(event);
-  soon_->stop(); // nobody looks at it; an export goes on
   follow_->stop();
   forgetQuestion();
   outcome_->clear();
-  jobs_->stopPreview();
-  endPreview();
-}
-
-void ExportDialog::endPreview() {
-  previewing_ = false;
-  long_->stop();
-  cancel_->setVisible(running_);
+  preview_->abandon(); // nobody looks at it; an export goes on
 }
 
 void ExportDialog::stop() {
   if (running_) {
     jobs_->cancel();
-    return;
+  } else {
+    preview_->stop();
   }
-  jobs_->stopPreview();
-  endPreview();
-  units_->clear();
-  preview_->clear();
-  size_->setText(tr("The preview was stopped. The next change begins it anew."));
 }
 
 void ExportDialog::changed() {
   forgetQuestion();
   if (trajectory_ != nullptr) {
-    soon_->start();
+    preview_->request();
   }
 }
 
@@ -303,11 +248,7 @@ void ExportDialog::setRunning(bool running) {
   running_ = running;
   progress_->setVisible(running);
   cancel_->setVisible(running);
-  if (running && previewing_) {
-    size_->clear(); // the export stops it
-  } else if (previewing_) {
-    soon_->start();
-  }
+  preview_->setExporting(running);
   progress_->setValue(0);
   export_->setEnabled(!running);
   figure_->setEnabled(!running);
@@ -338,7 +279,7 @@ void ExportDialog::start() {
   startedAt_ = questions_;
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
   form_->setTargetsOf(*trajectory_);
-  soon_->stop();
+  preview_->dropRequest();
   outcome_->clear();
   setRunning(true);
   jobs_->run(trajectory_, chosen, file());
@@ -365,13 +306,6 @@ void ExportDialog::startFigure() {
       figure);
 }
 
-void ExportDialog::showPreview(const ExportPreview& preview) {
-  endPreview();
-  units_->setText(exportUnitsText(preview));
-  size_->setText(exportSizeText(preview));
-  preview_->setPlainText(QString::fromStdString(preview.text));
-}
-
 void ExportDialog::showFinished(const ExportSummary& summary) {
   setRunning(false);
   if (!summary.occupied.empty()) {
@@ -382,7 +316,7 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
       reportFailed(tr("%1 exists already; nothing was written.").arg(name));
     }
     if (isVisible()) {
-      soon_->start(); // the preview was stopped for it
+      preview_->request(); // the preview was stopped for it
     }
     return;
   }

@@ -13,7 +13,6 @@
 
 class QLabel;
 class QLineEdit;
-class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTimer;
@@ -22,6 +21,7 @@ namespace dewpoint::ui {
 
 class ExportForm;
 class ExportOutcome;
+class PreviewPane;
 
 /// Exports the trajectory: selects content and format, and previews the file. Not modal: tracking
 /// continues and the preview follows it. Exports run in the background; signals report the result.
@@ -70,8 +70,6 @@ private:
   void startFigure();
   void setRunning(bool running);
   void stop();
-  void endPreview();
-  void showPreview(const ExportPreview& preview);
   void showFinished(const ExportSummary& summary);
   /// `file`: the file that was written.
   void reportDone(const QString& sentence, const QString& file = {});
@@ -81,14 +79,9 @@ private:
   std::function<Trajectory()> trajectorySource_;
   ExportJobs::TrajectoryPtr trajectory_;
   ExportJobs* jobs_;
-  QTimer* soon_; ///< combines several changes in a row into one preview
   QTimer* follow_;
-  QTimer* long_; ///< shows a button to stop a preview that takes long
   ExportForm* form_ = nullptr;
-  QPlainTextEdit* preview_;
-  QLabel* units_;
-  QLabel* size_;
-  QLabel* old_;
+  PreviewPane* preview_;
   QLabel* question_;
   ExportOutcome* outcome_;
   QLineEdit* file_;
@@ -99,10 +92,9 @@ private:
   QPushButton* export_;
   QPushButton* close_;
   bool running_ = false;
-  bool previewing_ = false;
-  bool mayReplace_ = false; ///< the question was shown and nothing has changed since
-  int questions_ = 0;       ///< incremented by every change that withdraws a question
-  int startedAt_ = 0;       ///< value of `questions_` when the running export started
+  bool mayReplace_ = false; ///< the question was shown, and nothing changed since
+  int questions_ = 0;       ///< grows with every change that takes a question back
+  int startedAt_ = 0;       ///< questions_ when the export under way began
 };
 
 } // namespace dewpoint::ui

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/preview_pane.h"
+
+#include "ui/export/export_text.h"
+#include "ui/widgets/named.h"
+
+#include <QFontDatabase>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace dewpoint::ui {
+
+namespace {
+
+constexpr int kDelayMs = 150;
+constexpr int kSoonDoneMs = 500; ///< less needs no button to stop it
+
+} // namespace
+
+PreviewPane::PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget* parent)
+    : QWidget(parent), jobs_(jobs), units_(named(new QLabel(this), "exportUnits")),
+      size_(named(new QLabel(this), "exportSize")),
+      old_(named(new QLabel(this), "exportOldResults")),
+      lines_(named(new QPlainTextEdit(this), "exportPreview")), soon_(new QTimer(this)),
+      long_(new QTimer(this)) {
+  units_->setWordWrap(true);
+  size_->setWordWrap(true);
+  old_->setWordWrap(true);
+  old_->hide();
+  lines_->setReadOnly(true);
+  lines_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  lines_->setTabChangesFocus(true);
+  lines_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(units_);
+  column->addWidget(size_);
+  column->addWidget(old_);
+  column->addWidget(lines_, 1);
+  soon_->setSingleShot(true);
+  soon_->setInterval(kDelayMs);
+  long_->setSingleShot(true);
+  long_->setInterval(kSoonDoneMs);
+  connect(soon_, &QTimer::timeout, this, [this, order = std::move(order)] {
+    isUnderWay_ = true;
+    long_->start();
+    order();
+  });
+  connect(long_, &QTimer::timeout, this, &PreviewPane::takesLong);
+  connectJobs();
+}
+
+void PreviewPane::connectJobs() {
+  connect(&jobs_, &ExportJobs::previewing, this, [this](int percent) {
+    if (isUnderWay_) {
+      size_->setText(tr("Working on the preview: %1 %").arg(percent));
+    }
+  });
+  connect(&jobs_, &ExportJobs::previewReady, this, &PreviewPane::showPreview);
+  connect(&jobs_, &ExportJobs::previewFailed, this, [this](const QString& sentence) {
+    end();
+    units_->clear();
+    size_->setText(sentence);
+    lines_->clear();
+  });
+}
+
+void PreviewPane::retranslateUi() {
+  lines_->setAccessibleName(tr("First lines of the file"));
+  lines_->setToolTip(tr("First lines of the file"));
+  units_->setAccessibleName(tr("Units and axes"));
+  size_->setAccessibleName(tr("Size"));
+  old_->setText(tr("Some of these results are of earlier settings."));
+}
+
+void PreviewPane::setHasOldResults(bool has) {
+  old_->setVisible(has);
+}
+
+void PreviewPane::request() {
+  soon_->start();
+}
+
+void PreviewPane::dropRequest() {
+  soon_->stop();
+}
+
+bool PreviewPane::isBusy() const {
+  return isUnderWay_ || soon_->isActive();
+}
+
+void PreviewPane::end() {
+  isUnderWay_ = false;
+  long_->stop();
+  Q_EMIT ended();
+}
+
+void PreviewPane::abandon() {
+  soon_->stop();
+  jobs_.stopPreview();
+  end();
+}
+
+void PreviewPane::stop() {
+  jobs_.stopPreview();
+  end();
+  units_->clear();
+  lines_->clear();
+  size_->setText(tr("The preview was stopped. The next change begins it anew."));
+}
+
+void PreviewPane::setExporting(bool exporting) {
+  if (isUnderWay_ && exporting) {
+    size_->clear();
+  } else if (isUnderWay_) {
+    soon_->start();
+  }
+}
+
+void PreviewPane::showPreview(const ExportPreview& preview) {
+  end();
+  units_->setText(exportUnitsText(preview));
+  size_->setText(exportSizeText(preview));
+  lines_->setPlainText(QString::fromStdString(preview.text));
+}
+
+} // namespace dewpoint::ui
