@@ -4,7 +4,7 @@
 #include "core/calibration/planning/rig_map.h"
 #include "ui/style/spacing.h"
 #include "ui/view3d/gl_context.h"
-#include "ui/view3d/offscreen_vtk.h"
+#include "ui/view3d/scene_picture.h"
 #include "ui/view3d/tail_pick.h"
 #include "ui/view3d/view_projection.h"
 
@@ -23,10 +23,8 @@
 namespace dewpoint::ui {
 namespace {
 
-/// At most about 15 pictures a second, and never more than half of one processor's time.
 constexpr double kClickPx = 4.0;      ///< a longer way of the pointer is a drag
 constexpr double kTailReachPx = 12.0; ///< a click this near is meant for the tail
-constexpr qint64 kPictureIntervalMs = 66;
 
 using Pointer = OffscreenVtk::Pointer;
 
@@ -37,14 +35,19 @@ void BirdsEyeView::prepareSurfaceFormat() {
 }
 
 BirdsEyeView::BirdsEyeView(QWidget* parent)
-    : QWidget(parent), handles_(new CameraHandles(*this, scene_)), labels_(scene_), inset_(scene_),
-      map_(scene_), buttons_(new ViewButtons(*this)) {
+    : QWidget(parent), picture_(std::make_unique<ScenePicture>(scene_, *this)),
+      handles_(new CameraHandles(*this, scene_)), labels_(scene_), inset_(scene_), map_(scene_),
+      buttons_(new ViewButtons(*this)) {
   setObjectName(QStringLiteral("birdsEyeView"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  timer_.setSingleShot(true);
-  connect(&timer_, &QTimer::timeout, this, &BirdsEyeView::renderPicture);
+  connect(picture_.get(), &ScenePicture::drawing, this, &BirdsEyeView::updateScene);
+  connect(picture_.get(), &ScenePicture::drawn, this, [this] {
+    people_.setSnapshot(snapshot_.get());
+    inset_.setSnapshot(snapshot_);
+  });
+  connect(picture_.get(), &ScenePicture::unavailable, this, [this] { buttons_->setShown(false); });
   buttons_->setCurrent(scene_.view());
   connect(buttons_, &ViewButtons::chosen, this, &BirdsEyeView::look);
   connect(buttons_, &ViewButtons::fitWanted, this, &BirdsEyeView::resetView);
@@ -66,31 +69,8 @@ void BirdsEyeView::retranslateUi() {
   buttons_->retranslateUi();
 }
 
-void BirdsEyeView::startVtk() {
-  if (started_) {
-    return;
-  }
-  started_ = true;
-  vtk_ = std::make_unique<OffscreenVtk>(scene_.renderer());
-  if (!vtk_->start()) {
-    failure_ = vtk_->reason();
-    vtk_.reset();
-    buttons_->setShown(false);
-    return;
-  }
-  vtk_->onCameraMoved = [this] {
-    scene_.keepCamera();
-    requestPicture();
-  };
-}
-
 void BirdsEyeView::prepare() {
-  startVtk();
-  if (vtk_) {
-    constexpr QSize kSmall(64, 64);
-    scene_.prepareFrame(kSmall.width(), kSmall.height());
-    vtk_->render(kSmall);
-  }
+  picture_->prepare();
 }
 
 void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
@@ -105,7 +85,7 @@ Scene3d::View BirdsEyeView::currentView() const {
 }
 
 bool BirdsEyeView::hasPicture() const {
-  return failure_.empty();
+  return picture_->failure().empty();
 }
 
 QSize BirdsEyeView::sizeHint() const {
@@ -128,52 +108,30 @@ void BirdsEyeView::resetView() {
   requestPicture();
 }
 
-QSize BirdsEyeView::pictureSize() const {
-  return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
-}
-
 void BirdsEyeView::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
   scene_.highlight(strokes);
   requestPicture();
 }
 
 void BirdsEyeView::requestPicture() {
-  pictureStale_ = true;
-  if (!isVisible() || timer_.isActive()) {
-    return; // hidden: drawn when shown
-  }
-  const qint64 interval = std::max(kPictureIntervalMs, 2 * pictureMs_);
-  const qint64 elapsed = sincePicture_.isValid() ? sincePicture_.elapsed() : interval;
-  timer_.start(static_cast<int>(std::max<qint64>(0, interval - elapsed)));
+  picture_->request();
 }
 
-void BirdsEyeView::renderPicture() {
-  startVtk();
-  pictureStale_ = false;
-  if (vtk_) {
-    QElapsedTimer clock;
-    clock.start();
-    if (sceneStale_) {
-      snapshot_ ? scene_.setSnapshot(*snapshot_) : scene_.clear();
-      sceneStale_ = false;
-    }
-    map_.updateScene();
-    const QSize size = pictureSize();
-    scene_.setPixelRatio(devicePixelRatioF());
-    scene_.prepareFrame(size.width(), size.height());
-    picture_ = vtk_->render(size);
-    people_.setSnapshot(snapshot_.get());
-    inset_.setSnapshot(snapshot_);
-    picture_.setDevicePixelRatio(devicePixelRatioF());
-    pictureMs_ = clock.elapsed();
-    sincePicture_.start();
+bool BirdsEyeView::isDrawn() const {
+  return !isVisible() || picture_->isUpToDate();
+}
+
+void BirdsEyeView::updateScene() {
+  if (sceneStale_) {
+    snapshot_ ? scene_.setSnapshot(*snapshot_) : scene_.clear();
+    sceneStale_ = false;
   }
-  update();
+  map_.updateScene();
 }
 
 QImage BirdsEyeView::currentPicture() {
-  renderPicture();
-  QImage picture = picture_;
+  picture_->render();
+  QImage picture = picture_->image();
   if (!picture.isNull()) {
     QPainter painter(&picture);
     paintOver(painter);
@@ -189,21 +147,19 @@ void BirdsEyeView::paintOver(QPainter& painter) const {
 }
 
 void BirdsEyeView::paintEvent(QPaintEvent*) {
-  const bool fits = picture_.size() == pictureSize() &&
-                    qFuzzyCompare(picture_.devicePixelRatio(), devicePixelRatioF());
-  if (failure_.empty() && !fits) {
-    renderPicture();
+  if (hasPicture() && !picture_->fits()) {
+    picture_->render();
   }
   QPainter painter(this);
-  if (picture_.isNull()) {
+  if (picture_->image().isNull()) {
     painter.fillRect(rect(), palette().window());
     painter.setPen(palette().color(QPalette::WindowText));
-    const QString text = tr("No 3D: %1").arg(QString::fromStdString(failure_));
+    const QString text = tr("No 3D: %1").arg(QString::fromStdString(picture_->failure()));
     painter.drawText(rect().adjusted(kSpacing, kSpacing, -kSpacing, -kSpacing),
                      Qt::AlignCenter | Qt::TextWordWrap, text);
     return;
   }
-  painter.drawImage(QPointF(0, 0), picture_);
+  painter.drawImage(QPointF(0, 0), picture_->image());
   paintOver(painter);
   handles_->paint(painter);
   if (hasFocus()) {
@@ -219,7 +175,7 @@ void BirdsEyeView::resizeEvent(QResizeEvent* event) {
 
 void BirdsEyeView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (pictureStale_) {
+  if (picture_->isStale()) {
     requestPicture();
   }
 }
@@ -241,13 +197,9 @@ void BirdsEyeView::applyTheme() {
 }
 
 void BirdsEyeView::sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers) {
-  if (!vtk_) {
-    return;
-  }
   // The flat views stay flat: there, dragging moves instead of turning.
   const bool shift = scene_.view() != Scene3d::View::Free || modifiers.testFlag(Qt::ShiftModifier);
-  vtk_->pointer(static_cast<Pointer>(what), (position * devicePixelRatioF()).toPoint(), shift,
-                false);
+  picture_->movePointer(static_cast<Pointer>(what), position, shift);
 }
 
 void BirdsEyeView::mousePressEvent(QMouseEvent* event) {

@@ -10,19 +10,16 @@
 #include "ui/view3d/scene_inset.h"
 #include "ui/view3d/view_buttons.h"
 
-#include <QElapsedTimer>
 #include <QImage>
-#include <QTimer>
 #include <QWidget>
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace dewpoint::ui {
 
-class OffscreenVtk;
+class ScenePicture;
 
 /// 3D view of the room. VTK renders into its own off-screen context and this widget paints the
 /// resulting image, so OpenGL is not used for the rest of the window. It is redrawn at its own
@@ -102,9 +99,9 @@ public:
   const Scene3d& scene() const { return scene_; }
   const CameraLabels& cameraLabels() const { return labels_; }
   const SceneInset& cloudInset() const { return inset_; }
-  /// Whether the picture shows everything given last; true while hidden.
-  bool isDrawn() const { return !isVisible() || (!pictureStale_ && !timer_.isActive()); }
-  /// Whether OpenGL is usable; known after the first attempt to draw.
+  /// Whether the picture shows all that was given last; true while hidden.
+  bool isDrawn() const;
+  /// False when there is no usable OpenGL (known after the first attempt to draw).
   bool hasPicture() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -148,20 +145,19 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
 
 private:
-  void startVtk();
   void requestPicture();
-  void renderPicture();
-  /// Paints the parts of the picture that lie over the rendered image.
+  /// Before it is drawn.
+  void updateScene();
+  /// What is part of the picture, but is painted over it.
   void paintOver(QPainter& painter) const;
   void applyTheme();
   void retranslateUi();
   void clickTail(QPointF position, bool extend);
   void clickFloor(QPointF position);
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
-  QSize pictureSize() const;
 
   Scene3d scene_;
-  std::unique_ptr<OffscreenVtk> vtk_; ///< declared after the scene: must be destroyed first
+  std::unique_ptr<ScenePicture> picture_; ///< after the scene: must go first
   TrackSnapshotPtr snapshot_;
   CameraHandles* handles_;
   CameraLabels labels_;
@@ -169,18 +165,11 @@ private:
   MapOverlay map_;
   PersonBadges people_; ///< badges in the picture
   ViewButtons* buttons_;
-  QImage picture_;
   int chosenTarget_ = -1;
   bool placing_ = false;
   double floor_ = 0.0;
-  QPointF pressed_;     ///< position where the left button went down, widget coordinates
-  std::string failure_; ///< why 3D is not available; empty if it is
-  QTimer timer_;
-  QElapsedTimer sincePicture_;
-  qint64 pictureMs_ = 0; ///< duration of the last rendering, milliseconds
-  bool started_ = false;
+  QPointF pressed_; ///< where the left button went down
   bool sceneStale_ = false;
-  bool pictureStale_ = true;
 };
 
 } // namespace dewpoint::ui

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view3d/scene_picture.h"
+
+#include <QWidget>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+namespace {
+constexpr qint64 kIntervalMs = 66;
+} // namespace
+
+ScenePicture::ScenePicture(Scene3d& scene, QWidget& view) : scene_(scene), view_(view) {
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, &ScenePicture::render);
+}
+
+ScenePicture::~ScenePicture() = default;
+
+void ScenePicture::start() {
+  if (started_) {
+    return;
+  }
+  started_ = true;
+  vtk_ = std::make_unique<OffscreenVtk>(scene_.renderer());
+  if (!vtk_->start()) {
+    failure_ = vtk_->reason();
+    vtk_.reset();
+    Q_EMIT unavailable();
+    return;
+  }
+  vtk_->onCameraMoved = [this] {
+    scene_.keepCamera();
+    request();
+  };
+}
+
+void ScenePicture::prepare() {
+  start();
+  if (vtk_) {
+    constexpr QSize kSmall(64, 64);
+    scene_.prepareFrame(kSmall.width(), kSmall.height());
+    vtk_->render(kSmall);
+  }
+}
+
+void ScenePicture::request() {
+  stale_ = true;
+  if (!view_.isVisible() || timer_.isActive()) {
+    return; // hidden: drawn when shown
+  }
+  const qint64 interval = std::max(kIntervalMs, 2 * costMs_);
+  const qint64 elapsed = sinceDrawn_.isValid() ? sinceDrawn_.elapsed() : interval;
+  timer_.start(static_cast<int>(std::max<qint64>(0, interval - elapsed)));
+}
+
+void ScenePicture::render() {
+  start();
+  stale_ = false;
+  if (vtk_) {
+    QElapsedTimer clock;
+    clock.start();
+    Q_EMIT drawing();
+    const QSize pixels = size();
+    scene_.setPixelRatio(view_.devicePixelRatioF());
+    scene_.prepareFrame(pixels.width(), pixels.height());
+    image_ = vtk_->render(pixels);
+    image_.setDevicePixelRatio(view_.devicePixelRatioF());
+    Q_EMIT drawn();
+    costMs_ = clock.elapsed();
+    sinceDrawn_.start();
+  }
+  view_.update();
+}
+
+QSize ScenePicture::size() const {
+  return (QSizeF(view_.size()) * view_.devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
+}
+
+bool ScenePicture::fits() const {
+  return image_.size() == size() &&
+         qFuzzyCompare(image_.devicePixelRatio(), view_.devicePixelRatioF());
+}
+
+void ScenePicture::movePointer(OffscreenVtk::Pointer what, QPointF position, bool shift) {
+  if (vtk_) {
+    vtk_->pointer(what, (position * view_.devicePixelRatioF()).toPoint(), shift, false);
+  }
+}
+
+} // namespace dewpoint::ui
