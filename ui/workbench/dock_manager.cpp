@@ -10,7 +10,6 @@
 #include <QKeyEvent>
 #include <QMainWindow>
 #include <QMouseEvent>
-#include <QtMath>
 
 #include <algorithm>
 #include <utility>
@@ -27,7 +26,7 @@ constexpr int kForSize = 1;
 DockManager::DockManager(QMainWindow& window, Document& document, const SessionController& session,
                          QObject* parent)
     : QObject(parent), window_(window), document_(document), session_(session),
-      names_(new DockNames(window, this)), heightsBelow_(window) {
+      names_(new DockNames(window, this)), arrangement_(window, document), heightsBelow_(window) {
   window_.setDockNestingEnabled(true);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.installEventFilter(this);
@@ -48,7 +47,7 @@ ViewDock* DockManager::make(const DockDeclaration& declaration) {
       QMetaObject::invokeMethod(
           this,
           [this] {
-            ViewDock* inspector = first(DockPlace::Inspector);
+            ViewDock* inspector = arrangement_.first(DockPlace::Inspector);
             window_.resizeDocks({inspector}, {inspector->minimumSizeHint().width()},
                                 Qt::Horizontal);
           },
@@ -76,11 +75,6 @@ void DockManager::remove(ViewDock* dock) {
   names_->showSoon();
 }
 
-std::vector<ViewDock*> DockManager::docks() const {
-  const auto found = window_.findChildren<ViewDock*>();
-  return {found.begin(), found.end()};
-}
-
 bool DockManager::isBehind(const QWidget* widget) {
   for (; widget != nullptr; widget = widget->parentWidget()) {
     const auto* dock = qobject_cast<const ViewDock*>(widget);
@@ -91,13 +85,6 @@ bool DockManager::isBehind(const QWidget* widget) {
   return false;
 }
 
-std::vector<ViewDock*> DockManager::at(DockPlace place) const {
-  std::vector<ViewDock*> found = docks();
-  std::erase_if(found, [place](const ViewDock* dock) { return dock->place() != place; });
-  std::ranges::stable_sort(found, {}, &ViewDock::rank);
-  return found;
-}
-
 void DockManager::layOut() {
   restoreMaximized();
   suitsSize_ = true;
@@ -105,7 +92,8 @@ void DockManager::layOut() {
   const auto layout = QByteArray::fromBase64(QByteArray::fromStdString(document_.project().layout));
   suitsSize_ = layout.isEmpty() || restore(layout) == kForSize;
   if (suitsSize_ && !layout.isEmpty()) {
-    rearrange(cameraColumns_); // for this window: another one may have had another size
+    // For this window: another one may have had another size.
+    rearrange(arrangement_.cameraColumns());
     return;
   }
   Q_EMIT laidOut();
@@ -113,7 +101,7 @@ void DockManager::layOut() {
 
 void DockManager::reset() {
   document_.setLayout({});
-  for (ViewDock* camera : at(DockPlace::Cameras)) {
+  for (ViewDock* camera : arrangement_.at(DockPlace::Cameras)) {
     camera->setHiddenByUser(false);
   }
   layOut();
@@ -144,34 +132,10 @@ int DockManager::restore(const QByteArray& layout) {
 
 void DockManager::arrange() {
   const bool before = std::exchange(arranging_, true);
-  for (ViewDock* dock : docks()) {
-    dock->setFloating(false);
-    window_.removeDockWidget(dock); // or splits and tabs would build on what was
-  }
-  const auto below = at(DockPlace::Plots);
-  window_.addDockWidget(Qt::BottomDockWidgetArea, below.front());
-  ViewDock* last = below.front();
-  for (ViewDock* dock : at(DockPlace::Timeline)) {
-    window_.splitDockWidget(last, dock, Qt::Vertical);
-    last = dock;
-  }
-  for (std::size_t i = 1; i < below.size(); ++i) {
-    window_.tabifyDockWidget(below.front(), below[i]);
-  }
-  ViewDock* scene = first(DockPlace::Scene);
-  arrangeCameras(scene);
-  const auto inspector = at(DockPlace::Inspector);
-  window_.splitDockWidget(scene, inspector.front(), Qt::Horizontal);
-  for (ViewDock* dock : at(DockPlace::History)) { // before there are tabs
-    window_.splitDockWidget(inspector.front(), dock, Qt::Vertical);
-  }
-  // One tab for each kind of thing that can be looked into.
-  for (std::size_t i = 1; i < inspector.size(); ++i) {
-    window_.tabifyDockWidget(inspector.front(), inspector[i]);
-  }
+  arrangement_.place();
   showViews(session_.isRunning());
-  inspector.front()->raise();
-  below.front()->raise();
+  arrangement_.first(DockPlace::Inspector)->raise();
+  arrangement_.first(DockPlace::Plots)->raise();
   arranging_ = before;
   distributeDockSizesSoon();
 }
@@ -181,7 +145,7 @@ void DockManager::rearrange(int columns) {
   std::vector<ViewDock*> hidden = inFront;
   std::erase_if(inFront, [](const ViewDock* dock) { return dock->isHidden() || dock->isBehind(); });
   std::erase_if(hidden, [](const ViewDock* dock) { return !dock->isHidden(); });
-  cameraColumns_ = columns;
+  arrangement_.setCameraColumns(columns);
   arrange();
   for (ViewDock* dock : hidden) {
     dock->hide();
@@ -192,45 +156,11 @@ void DockManager::rearrange(int columns) {
   Q_EMIT laidOut();
 }
 
-void DockManager::arrangeCameras(ViewDock* scene) {
-  window_.addDockWidget(Qt::LeftDockWidgetArea, scene);
-  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
-  if (cameras.empty()) {
-    return;
-  }
-  // Cameras stand to the left of the scene, in as many columns as show the largest images.
-  const std::size_t count = cameras.size();
-  if (cameraColumns_ < 1 || cameraColumns_ > static_cast<int>(count)) {
-    cameraColumns_ = cameraGrid(shares().cameras).columns;
-  }
-  const auto columns = static_cast<std::size_t>(cameraColumns_);
-  window_.removeDockWidget(scene);
-  window_.addDockWidget(Qt::LeftDockWidgetArea, cameras.front());
-  window_.splitDockWidget(cameras.front(), scene, Qt::Horizontal);
-  for (std::size_t i = 1; i < std::min(columns, count); ++i) {
-    window_.splitDockWidget(cameras[i - 1], cameras[i], Qt::Horizontal);
-  }
-  for (std::size_t i = columns; i < count; ++i) {
-    window_.splitDockWidget(cameras[i - columns], cameras[i], Qt::Vertical);
-  }
-}
-
 void DockManager::distributeDockSizesSoon() {
   if (suitsSize_ && std::exchange(adjustments_, kAdjustments) == 0) {
     // The sizes can be given only once the layout has settled.
     QMetaObject::invokeMethod(this, &DockManager::distributeDockSizes, Qt::QueuedConnection);
   }
-}
-
-ViewShares DockManager::shares() const {
-  return viewSharesOf(window_, at(DockPlace::Inspector), *first(DockPlace::Scene),
-                      *first(DockPlace::Timeline));
-}
-
-ImageGrid DockManager::cameraGrid(const QSize& room) const {
-  const auto cameras = at(DockPlace::Cameras);
-  return bestImageGrid(imageAspectsOf(document_.project(), cameras.size()), room,
-                       cameras.front()->title().sizeHint().height(), cameraColumns_);
 }
 
 void DockManager::distributeDockSizes() {
@@ -240,51 +170,13 @@ void DockManager::distributeDockSizes() {
   if (!suitsSize_ || maximized_ != nullptr || !window_.centralWidget()->isHidden()) {
     return; // later, when the views are back
   }
-  const ViewShares all = shares();
-  ViewDock* scene = first(DockPlace::Scene);
-  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
-  QList<QDockWidget*> row;
-  QList<int> widths;
-  int left = window_.width() - all.inspector - kDockSeparator;
-  if (!cameras.empty()) {
-    const ImageGrid grid = cameraGrid(all.cameras);
-    if (grid.columns != cameraColumns_) {
-      rearrange(grid.columns);
-      distributeDockSizesSoon();
-      return;
-    }
-    // No wider than the images can use, if something else can.
-    const int least = cameras.size() > 1 ? all.leastForCameras : 0;
-    const int wanted =
-        all.scene == 0 ? all.cameras.width()
-                       : std::min(all.cameras.width(), std::max(least, qCeil(grid.usefulWidth)));
-    for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
-      row.push_back(cameras[column]);
-      widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));
-    }
-    left -= wanted + kDockSeparator * grid.columns;
+  if (const int columns = arrangement_.bestCameraColumns();
+      columns != arrangement_.cameraColumns()) {
+    rearrange(columns);
+    distributeDockSizesSoon();
+    return;
   }
-  if (all.scene > 0) {
-    row.push_back(scene);
-    widths.push_back(std::max(1, left));
-  }
-  row.push_back(first(DockPlace::Inspector));
-  widths.push_back(all.inspector);
-  window_.resizeDocks(row, widths, Qt::Horizontal);
-  window_.resizeDocks({first(DockPlace::Plots), first(DockPlace::Timeline)},
-                      {all.plots, all.timeline}, Qt::Vertical);
-  if (!cameras.empty()) {
-    distributeCameras(cameraGrid(all.cameras), all.cameras.height());
-  }
-}
-
-void DockManager::distributeCameras(const ImageGrid& grid, int height) {
-  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
-  QList<int> heights;
-  for (const double share : grid.heightShares) {
-    heights.push_back(std::max(1, qRound(height * share)));
-  }
-  window_.resizeDocks({cameras.begin(), cameras.end()}, heights, Qt::Vertical);
+  arrangement_.distributeSizes();
 }
 
 void DockManager::keepHeightsBelow(bool kept) {

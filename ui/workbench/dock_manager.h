@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/workbench/dock_arrangement.h"
 #include "ui/workbench/held_heights.h"
-#include "ui/workbench/image_grid.h"
 #include "ui/workbench/view_dock.h"
-#include "ui/workbench/view_shares.h"
 
 #include <QByteArray>
 #include <QObject>
@@ -33,9 +32,9 @@ public:
   ViewDock* make(const DockDeclaration& declaration);
   /// Removes a dock and its view from the window permanently.
   void remove(ViewDock* dock);
-  /// All docks, in the order of the children of the window.
-  std::vector<ViewDock*> docks() const;
-  /// Whether a widget is in a dock that is not visible at all.
+  /// All there are, in the order of the window's children.
+  std::vector<ViewDock*> docks() const { return arrangement_.docks(); }
+  /// Whether a widget is in a dock of which nothing is seen.
   static bool isBehind(const QWidget* widget);
 
   /// Applies the default arrangement, then the one of the document if it has one.
@@ -77,20 +76,10 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  std::vector<ViewDock*> at(DockPlace place) const;
-  ViewDock* first(DockPlace place) const {
-    const std::vector<ViewDock*> found = at(place);
-    return found.empty() ? nullptr : found.front();
-  }
   void arrange();
-  void arrangeCameras(ViewDock* scene);
-  /// Arranges the cameras in this number of columns; hidden docks stay hidden and front tabs stay
-  /// in front.
+  /// Cameras stand in so many columns from now on; what is hidden or in front stays so.
   void rearrange(int columns);
-  ViewShares shares() const;
-  ImageGrid cameraGrid(const QSize& room) const;
   void distributeDockSizes();
-  void distributeCameras(const ImageGrid& grid, int height);
   QByteArray save() const;
   /// Restores a layout and returns its version.
   int restore(const QByteArray& layout);
@@ -100,12 +89,12 @@ private:
   Document& document_;
   const SessionController& session_;
   DockNames* names_;
-  int cameraColumns_ = 0;    ///< columns of the camera views; 0: not arranged yet
-  bool suitsSize_ = true;    ///< false after the user has rearranged the views
-  bool arranging_ = false;   ///< docks are being moved by the program
-  bool separator_ = false;   ///< the pointer was pressed on a separator
-  int adjustments_ = 0;      ///< number of scheduled resizings
-  HeldHeights heightsBelow_; ///< heights of the docks below while messages come and go
+  DockArrangement arrangement_;
+  bool suitsSize_ = true;    ///< nobody has arranged the views otherwise
+  bool arranging_ = false;   ///< what moves now, nobody has moved
+  bool separator_ = false;   ///< the pointer was pressed on one
+  int adjustments_ = 0;      ///< so often are sizes given soon
+  HeldHeights heightsBelow_; ///< of what lies below, while messages come and go
   ViewDock* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
   /// Docks, and whether they were hidden, when one was maximized.

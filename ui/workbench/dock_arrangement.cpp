@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/workbench/dock_arrangement.h"
+
+#include "ui/document/document.h"
+#include "ui/widgets/dock_title.h"
+
+#include <QMainWindow>
+#include <QtMath>
+
+#include <algorithm>
+
+namespace dewpoint::ui {
+
+std::vector<ViewDock*> DockArrangement::docks() const {
+  const auto found = window_.findChildren<ViewDock*>();
+  return {found.begin(), found.end()};
+}
+
+std::vector<ViewDock*> DockArrangement::at(DockPlace place) const {
+  std::vector<ViewDock*> found = docks();
+  std::erase_if(found, [place](const ViewDock* dock) { return dock->place() != place; });
+  std::ranges::stable_sort(found, {}, &ViewDock::rank);
+  return found;
+}
+
+ViewDock* DockArrangement::first(DockPlace place) const {
+  const std::vector<ViewDock*> found = at(place);
+  return found.empty() ? nullptr : found.front();
+}
+
+void DockArrangement::place() {
+  for (ViewDock* dock : docks()) {
+    dock->setFloating(false);
+    window_.removeDockWidget(dock); // or splits and tabs would build on what was
+  }
+  const auto below = at(DockPlace::Plots);
+  window_.addDockWidget(Qt::BottomDockWidgetArea, below.front());
+  ViewDock* last = below.front();
+  for (ViewDock* dock : at(DockPlace::Timeline)) {
+    window_.splitDockWidget(last, dock, Qt::Vertical);
+    last = dock;
+  }
+  for (std::size_t i = 1; i < below.size(); ++i) {
+    window_.tabifyDockWidget(below.front(), below[i]);
+  }
+  ViewDock* scene = first(DockPlace::Scene);
+  placeCameras(scene);
+  const auto inspector = at(DockPlace::Inspector);
+  window_.splitDockWidget(scene, inspector.front(), Qt::Horizontal);
+  for (ViewDock* dock : at(DockPlace::History)) { // before there are tabs
+    window_.splitDockWidget(inspector.front(), dock, Qt::Vertical);
+  }
+  // One tab for each kind of thing that can be looked into.
+  for (std::size_t i = 1; i < inspector.size(); ++i) {
+    window_.tabifyDockWidget(inspector.front(), inspector[i]);
+  }
+}
+
+void DockArrangement::placeCameras(ViewDock* scene) {
+  window_.addDockWidget(Qt::LeftDockWidgetArea, scene);
+  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
+  if (cameras.empty()) {
+    return;
+  }
+  // Cameras stand to the left of the scene, in as many columns as show the largest images.
+  const std::size_t count = cameras.size();
+  if (cameraColumns_ < 1 || cameraColumns_ > static_cast<int>(count)) {
+    cameraColumns_ = cameraGrid(shares().cameras).columns;
+  }
+  const auto columns = static_cast<std::size_t>(cameraColumns_);
+  window_.removeDockWidget(scene);
+  window_.addDockWidget(Qt::LeftDockWidgetArea, cameras.front());
+  window_.splitDockWidget(cameras.front(), scene, Qt::Horizontal);
+  for (std::size_t i = 1; i < std::min(columns, count); ++i) {
+    window_.splitDockWidget(cameras[i - 1], cameras[i], Qt::Horizontal);
+  }
+  for (std::size_t i = columns; i < count; ++i) {
+    window_.splitDockWidget(cameras[i - columns], cameras[i], Qt::Vertical);
+  }
+}
+
+ViewShares DockArrangement::shares() const {
+  return viewSharesOf(window_, at(DockPlace::Inspector), *first(DockPlace::Scene),
+                      *first(DockPlace::Timeline));
+}
+
+ImageGrid DockArrangement::cameraGrid(const QSize& room) const {
+  const auto cameras = at(DockPlace::Cameras);
+  return bestImageGrid(imageAspectsOf(document_.project(), cameras.size()), room,
+                       cameras.front()->title().sizeHint().height(), cameraColumns_);
+}
+
+int DockArrangement::bestCameraColumns() const {
+  return at(DockPlace::Cameras).empty() ? cameraColumns_ : cameraGrid(shares().cameras).columns;
+}
+
+void DockArrangement::distributeSizes() {
+  const ViewShares all = shares();
+  ViewDock* scene = first(DockPlace::Scene);
+  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
+  QList<QDockWidget*> row;
+  QList<int> widths;
+  int left = window_.width() - all.inspector - kDockSeparator;
+  if (!cameras.empty()) {
+    const ImageGrid grid = cameraGrid(all.cameras);
+    // No wider than the images can use, if something else can.
+    const int least = cameras.size() > 1 ? all.leastForCameras : 0;
+    const int wanted =
+        all.scene == 0 ? all.cameras.width()
+                       : std::min(all.cameras.width(), std::max(least, qCeil(grid.usefulWidth)));
+    for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
+      row.push_back(cameras[column]);
+      widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));
+    }
+    left -= wanted + kDockSeparator * grid.columns;
+  }
+  if (all.scene > 0) {
+    row.push_back(scene);
+    widths.push_back(std::max(1, left));
+  }
+  row.push_back(first(DockPlace::Inspector));
+  widths.push_back(all.inspector);
+  window_.resizeDocks(row, widths, Qt::Horizontal);
+  window_.resizeDocks({first(DockPlace::Plots), first(DockPlace::Timeline)},
+                      {all.plots, all.timeline}, Qt::Vertical);
+  if (!cameras.empty()) {
+    distributeCameras(cameraGrid(all.cameras), all.cameras.height());
+  }
+}
+
+void DockArrangement::distributeCameras(const ImageGrid& grid, int height) {
+  const std::vector<ViewDock*> cameras = at(DockPlace::Cameras);
+  QList<int> heights;
+  for (const double share : grid.heightShares) {
+    heights.push_back(std::max(1, qRound(height * share)));
+  }
+  window_.resizeDocks({cameras.begin(), cameras.end()}, heights, Qt::Vertical);
+}
+
+} // namespace dewpoint::ui
