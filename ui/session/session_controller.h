@@ -14,6 +14,7 @@
 namespace dewpoint::project {
 struct Project;
 } // namespace dewpoint::project
+
 namespace dewpoint::session {
 struct TrackSnapshot;
 } // namespace dewpoint::session
