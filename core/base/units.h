@@ -28,4 +28,15 @@ inline constexpr double inPercent(double share) {
   return 100.0 * share;
 }
 
+// And back.
+inline constexpr double fromMillimeters(double millimeters) {
+  return millimeters / 1000.0;
+}
+inline constexpr double fromCentimeters(double centimeters) {
+  return centimeters / 100.0;
+}
+inline constexpr double fromMilliseconds(double milliseconds) {
+  return milliseconds / 1000.0;
+}
+
 } // namespace dewpoint::base

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/run_details.h"
 
+#include "core/base/units.h"
 #include "core/session/run/snapshot.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
@@ -21,9 +22,9 @@ const QString kUnknown(QStringLiteral("–"));
 QString latencyText(const Latency& latency) {
   return latency.longest <= 0.0 ? kUnknown
                                 : RunDetails::tr("median %1, 99 of 100 within %2, longest %3")
-                                      .arg(millisecondsText(1000.0 * latency.median),
-                                           millisecondsText(1000.0 * latency.p99),
-                                           millisecondsText(1000.0 * latency.longest));
+                                      .arg(millisecondsText(inMilliseconds(latency.median)),
+                                           millisecondsText(inMilliseconds(latency.p99)),
+                                           millisecondsText(inMilliseconds(latency.longest)));
 }
 
 QString budgetText(const BudgetFigures& budget) {

@@ -2,6 +2,7 @@
 #include "ui/panels/camera_panel.h"
 
 #include "core/base/angle.h"
+#include "core/base/units.h"
 #include "core/project/project.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
@@ -32,9 +33,8 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr double kMilliseconds = 1000.0; ///< of a second
-constexpr double kMostLate = 3.6e6;      ///< milliseconds
-constexpr double kLateSteps = 10.0;      ///< shown of a millisecond
+constexpr double kMostLate = 3.6e6; ///< milliseconds
+constexpr double kLateSteps = 10.0; ///< shown of a millisecond
 
 } // namespace
 
@@ -133,9 +133,9 @@ void CameraPanel::connectFields() {
   });
   connect(late_, &QDoubleSpinBox::editingFinished, this, [this] {
     edit(tr("Change how late the images are"), [this](ProjectCamera& camera) {
-      const double shown = std::round(kMilliseconds * camera.delay * kLateSteps) / kLateSteps;
+      const double shown = std::round(inMilliseconds(camera.delay) * kLateSteps) / kLateSteps;
       if (late_->value() != shown) { // what is not shown of it must not be lost
-        camera.delay = late_->value() / kMilliseconds;
+        camera.delay = fromMilliseconds(late_->value());
       }
     });
   });
@@ -214,7 +214,7 @@ void CameraPanel::showChosen() {
   source_->setText(any && !own ? tr("simulated") : QString::fromStdString(camera.location));
   turn_->setCurrentIndex(turn_->findData(camera.rotateDegrees));
   mirror_->setChecked(camera.mirrored);
-  showValue(*late_, kMilliseconds * camera.delay);
+  showValue(*late_, inMilliseconds(camera.delay));
   any ? showCalibration(camera) : calibration_->clear();
 }
 

@@ -2,6 +2,7 @@
 #include "ui/panels/target_panel.h"
 
 #include "core/base/overloaded.h"
+#include "core/base/units.h"
 #include "core/project/project.h"
 #include "core/session/run/snapshot.h"
 #include "core/session/run/snapshot_state.h"
@@ -36,7 +37,6 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr double kMillimeters = 1000.0; ///< in a meter
 constexpr double kLargestRadius = 2000.0;
 
 QString boxText(const TrackSnapshot& snapshot, const TargetSnapshot& target,
@@ -220,7 +220,7 @@ void TargetPanel::showChosen() {
   const Target target =
       row < 0 ? Target() : document_.project().targets[static_cast<std::size_t>(row)];
   name_->setText(QString::fromStdString(target.name));
-  radius_->setValue(target.radius * kMillimeters);
+  radius_->setValue(inMillimeters(target.radius));
   shape_->setCurrentIndex(static_cast<int>(target.shape));
 }
 
@@ -294,7 +294,7 @@ void TargetPanel::rename() {
 
 void TargetPanel::resizeTarget(double millimeters) {
   editChosen(tr("Change radius"), [millimeters](Project& project, std::size_t index) {
-    project.targets[index].radius = millimeters / kMillimeters;
+    project.targets[index].radius = fromMillimeters(millimeters);
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_csv.h"
 
+#include "core/base/units.h"
 #include "core/trajectory/csv_line.h"
 #include "ui/plots/plot_row.h"
 
@@ -10,6 +11,10 @@ namespace {
 
 bool isTruthKnown(const PlotSeries& series, const CurveDeclaration& curve) {
   return curve.truth && *curve.truth < series.columns() && series.isKnown(*curve.truth);
+}
+
+double written(double value, PlotQuantity quantity) {
+  return quantity == PlotQuantity::Length ? inMillimeters(value) : value;
 }
 
 } // namespace
@@ -37,13 +42,12 @@ std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const Plo
     CsvLine line(text);
     line.put(at.iteration).put(at.frame).put(at.time);
     for (const auto& row : rows) {
-      const bool inMm = row->declaration().quantity == PlotQuantity::Length;
       for (const CurveDeclaration& curve : row->declaration().curves) {
-        line.put(series.value(index, curve.column) * (inMm ? 1000.0 : 1.0));
+        line.put(written(series.value(index, curve.column), row->declaration().quantity));
       }
       for (const CurveDeclaration& curve : row->declaration().curves) {
         if (isTruthKnown(series, curve)) {
-          line.put(series.value(index, *curve.truth) * (inMm ? 1000.0 : 1.0));
+          line.put(written(series.value(index, *curve.truth), row->declaration().quantity));
         }
       }
     }

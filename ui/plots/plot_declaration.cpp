@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_declaration.h"
 
+#include "core/base/units.h"
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
@@ -96,7 +97,7 @@ QString axisUnit(PlotQuantity quantity) {
 }
 
 double drawnValue(PlotQuantity quantity, double value) {
-  return quantity == PlotQuantity::Length ? std::max(kLeastMm, value * 1000.0) : value;
+  return quantity == PlotQuantity::Length ? std::max(kLeastMm, inMillimeters(value)) : value;
 }
 
 QColor curveColor(int index, const QColor& text) {

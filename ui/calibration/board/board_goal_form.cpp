@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/board/board_goal_form.h"
 
+#include "core/base/units.h"
 #include "ui/calibration/board/board_calibrator.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/number_field.h"
@@ -22,7 +23,6 @@ namespace {
 
 /// In the order of the choice.
 constexpr std::array<BoardGoal, 3> kGoals{{{true, true}, {true, false}, {false, true}}};
-constexpr double kMillimeter = 1e-3; ///< meters
 
 } // namespace
 
@@ -115,8 +115,9 @@ void BoardGoalForm::connectFields() {
     edit([pixels](BoardGuideRequest& request) { request.lenses.requestedProjectionPx = pixels; });
   });
   connect(placeAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
-    edit(
-        [=](BoardGuideRequest& request) { request.requestedPosition = kMillimeter * millimeters; });
+    edit([=](BoardGuideRequest& request) {
+      request.requestedPosition = fromMillimeters(millimeters);
+    });
   });
 }
 
@@ -181,7 +182,7 @@ void BoardGoalForm::refresh() {
   lensAccuracy_->setVisible(live && request.goal.lenses);
   placeAccuracy_->setVisible(live && request.goal.poses);
   showValue(*lensAccuracy_, request.lenses.requestedProjectionPx);
-  showValue(*placeAccuracy_, request.requestedPosition / kMillimeter);
+  showValue(*placeAccuracy_, inMillimeters(request.requestedPosition));
 }
 
 } // namespace dewpoint::ui

@@ -2,6 +2,7 @@
 #include "ui/calibration/manual/camera_form.h"
 
 #include "core/base/angle.h"
+#include "core/base/units.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/text/axis_names.h"
@@ -214,15 +215,14 @@ void CameraForm::refresh() {
   const Camera camera = manual_.cameraAt(manual_.camera());
   const Heading heading = headingOf(camera);
   const Eigen::Vector3d target = lookedAt(camera, manual_.grid().origin.z());
-  const double angles[] = {heading.yaw / base::kDegree, heading.pitch / base::kDegree, 0.0};
+  const double angles[] = {inDegrees(heading.yaw), inDegrees(heading.pitch), 0.0};
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
     showValue(*position_[index], camera.center()[k] / metersPerUnit());
     showValue(*aim_[index], looksAtPoint() ? target[k] / metersPerUnit() : angles[k]);
   }
-  showValue(*aim_[3], heading.roll / base::kDegree);
-  showValue(*lens_,
-            showsFieldOfView() ? fieldOfView(camera) / base::kDegree : camera.intrinsics.focalX);
+  showValue(*aim_[3], inDegrees(heading.roll));
+  showValue(*lens_, showsFieldOfView() ? inDegrees(fieldOfView(camera)) : camera.intrinsics.focalX);
 }
 
 void CameraForm::change(const QString& what, const QString& value, const Camera& camera,

@@ -2,6 +2,7 @@
 #include "ui/calibration/manual/grid_form.h"
 
 #include "core/base/angle.h"
+#include "core/base/units.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/text/axis_names.h"
 #include "ui/text/retranslation.h"
@@ -165,7 +166,7 @@ void GridForm::refresh() {
   size_[1]->setEnabled(grid.kind != GridKind::Wall);
   size_[2]->setEnabled(grid.kind != GridKind::Floor);
   showValue(*step_, grid.step);
-  showValue(*turn_, grid.turn / base::kDegree);
+  showValue(*turn_, inDegrees(grid.turn));
 }
 
 } // namespace dewpoint::ui

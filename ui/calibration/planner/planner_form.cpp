@@ -2,6 +2,7 @@
 #include "ui/calibration/planner/planner_form.h"
 
 #include "core/base/angle.h"
+#include "core/base/units.h"
 #include "core/calibration/manual/interactive_pose.h"
 #include "ui/calibration/planner/rig_planner.h"
 #include "ui/text/axis_names.h"
@@ -200,7 +201,7 @@ void PlannerForm::refresh() {
     showValue(*place_[index], any ? camera.center()[k] : 0.0);
     showValue(*target_[index], any ? target[k] : 0.0);
   }
-  showValue(*fieldOfView_, (any ? fieldOfView(camera) : plan_.lens().fieldOfView) / base::kDegree);
+  showValue(*fieldOfView_, inDegrees(any ? fieldOfView(camera) : plan_.lens().fieldOfView));
   showValue(*imageWidth_, any ? camera.intrinsics.width : plan_.lens().width);
   showValue(*imageHeight_, any ? camera.intrinsics.height : plan_.lens().height);
   showValue(*wall_, plan_.wallDistance());

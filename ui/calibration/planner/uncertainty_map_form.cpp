@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration/planner/uncertainty_map_form.h"
 
+#include "core/base/units.h"
 #include "ui/calibration/planner/rig_planner.h"
 #include "ui/text/axis_names.h"
 #include "ui/text/quantity_text.h"
@@ -112,7 +113,7 @@ void UncertaintyMapForm::connectFields() {
             look.quantity = index == 1 ? MapQuantity::CameraCount : MapQuantity::Sigma;
           }));
   connect(good_, &QDoubleSpinBox::valueChanged, this,
-          edit([](MapLook& look, double value) { look.goodSigma = value / 1000.0; }));
+          edit([](MapLook& look, double value) { look.goodSigma = fromMillimeters(value); }));
   connect(slice_, &QCheckBox::toggled, this,
           edit([](MapLook& look, bool shown) { look.slice = shown; }));
   connect(volume_, &QCheckBox::toggled, this,
@@ -202,7 +203,7 @@ void UncertaintyMapForm::refresh() {
   tick(*slice_, look.slice);
   tick(*volume_, look.volume);
   quantity_->setCurrentIndex(look.quantity == MapQuantity::CameraCount ? 1 : 0);
-  showValue(*good_, 1000.0 * look.goodSigma);
+  showValue(*good_, inMillimeters(look.goodSigma));
   showValue(*pixel_, plan_.pixelSigma());
   showValue(*height_, look.height);
   {

@@ -2,6 +2,7 @@
 #include "ui/calibration/wand/wand_form.h"
 
 #include "core/base/angle.h"
+#include "core/base/units.h"
 #include "core/project/project.h"
 #include "ui/calibration/wand/wand_calibrator.h"
 #include "ui/document/target_list_model.h"
@@ -106,16 +107,16 @@ void WandForm::connectFields() {
     edit([this](WandSettings& settings) { settings.other = other_->currentText().toStdString(); });
   });
   connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& settings) { settings.length = value / 100.0; });
+    edit([=](WandSettings& settings) { settings.length = fromCentimeters(value); });
   });
   connect(size_, &QComboBox::activated, this, [this](int index) {
     edit([=](WandSettings& settings) { settings.size = static_cast<WandSize>(index); });
   });
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& settings) { settings.distance = value / 100.0; });
+    edit([=](WandSettings& settings) { settings.distance = fromCentimeters(value); });
   });
   connect(initialPositionError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& settings) { settings.initialPositionError = value / 100.0; });
+    edit([=](WandSettings& settings) { settings.initialPositionError = fromCentimeters(value); });
   });
   connect(initialTurnError_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& settings) { settings.initialTurnError = value * base::kDegree; });
@@ -166,10 +167,10 @@ void WandForm::refresh() {
   fillSizes();
   showChoice(*kind_, settings.stick ? 1 : 0);
   showChoice(*size_, static_cast<int>(settings.size));
-  showValue(*length_, 100.0 * settings.length);
-  showValue(*distance_, 100.0 * settings.distance);
-  showValue(*initialPositionError_, 100.0 * settings.initialPositionError);
-  showValue(*initialTurnError_, settings.initialTurnError / base::kDegree);
+  showValue(*length_, inCentimeters(settings.length));
+  showValue(*distance_, inCentimeters(settings.distance));
+  showValue(*initialPositionError_, inCentimeters(settings.initialPositionError));
+  showValue(*initialTurnError_, inDegrees(settings.initialTurnError));
   offsets_->setChecked(settings.findOffsets);
   focal_->setChecked(settings.findFocal);
   distortion_->setChecked(settings.findDistortion);
