@@ -33,9 +33,12 @@ std::vector<std::string> quantitiesByHand(const std::string& path, std::string_v
       "\\* (1000\\.0|1e3|180\\.0|100\\.0|1e2)\\b|/ (base::)?kDegree\\b");
   static const std::regex kNamedFactor(
       "\\bk\\w*(Milli|Centi|Percent)\\w* = (1000\\.0|1e3|100\\.0|1e2)\\b");
+  // A factor beside a formatter, or under a name of its own, is the same work.
+  static const std::regex kThousand(
+      "\\b(1000\\.0|1e3) \\*|[*/] (1000\\.0|1e3)\\b|\\bkMilli\\w+ = ");
   std::vector<std::string> found;
   for (const std::regex& rule :
-       inWindow ? std::vector{kUnit, kFactor} : std::vector{kAnyFactor, kNamedFactor}) {
+       inWindow ? std::vector{kUnit, kFactor, kThousand} : std::vector{kAnyFactor, kNamedFactor}) {
     for (std::sregex_iterator match(code.begin(), code.end(), rule), end; match != end; ++match) {
       found.push_back(match->str());
     }

@@ -22,14 +22,25 @@ TEST(QuantityRule, AUnitBehindANumberIsTheFormattersWork) {
 }
 
 TEST(QuantityRule, ANumberIsNotBroughtToAnotherUnitAsItIsWritten) {
-  EXPECT_EQ(quantitiesByHand(kFile, "numberText(1000.0 * meters, 1)"), Found{"numberText(1000.0"});
-  EXPECT_EQ(quantitiesByHand(kFile, "numberText(1e3 * *camera.sigma, 2)"), Found{"numberText(1e3"});
+  EXPECT_EQ(quantitiesByHand(kFile, "numberText(1000.0 * meters, 1)"),
+            (Found{"numberText(1000.0", "1000.0 *"}));
+  EXPECT_EQ(quantitiesByHand(kFile, "numberText(1e3 * *camera.sigma, 2)"),
+            (Found{"numberText(1e3", "1e3 *"}));
   EXPECT_EQ(quantitiesByHand(kFile, "tableText(sigmaOf(sample) * 100.0, 1)"),
             Found{"tableText(sigmaOf(sample) * 100.0"});
   EXPECT_EQ(quantitiesByHand(kFile, "digitsText(angle * 180.0 / std::numbers::pi, 2)"),
             Found{"digitsText(angle * 180.0"});
 
   EXPECT_EQ(quantitiesByHand(kFile, "numberText(value, 3); x = 100.0 * y;"), Found{});
+}
+
+TEST(QuantityRule, MillimetersAndMillisecondsAreMadeInOnePlace) {
+  EXPECT_EQ(quantitiesByHand(kFile, "millisecondsText(1000.0 * latency)"), Found{"1000.0 *"});
+  EXPECT_EQ(quantitiesByHand(kFile, "radius = field.value() / 1000.0;"), Found{"/ 1000.0"});
+  EXPECT_EQ(quantitiesByHand(kFile, "constexpr double kMillimeters = 1000.0;"),
+            Found{"kMillimeters = "});
+
+  EXPECT_EQ(quantitiesByHand(kFile, "inMillimeters(radius); y->setRange(1.0, 1000.0);"), Found{});
 }
 
 TEST(QuantityRule, TheCommandLineBringsNumbersToAnotherUnitInOnePlace) {

@@ -56,7 +56,7 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
   connect(open_, &QPushButton::clicked, this, &ExperimentDialog::openReport);
   connect(job_, &BackgroundJob::progressChanged, this, [this](double part) {
     progress_->setRange(0, part < 0.0 ? 0 : 1000);
-    progress_->setValue(static_cast<int>(1000.0 * part));
+    progress_->setValue(static_cast<int>(part * progress_->maximum()));
   });
   connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     showRunning(false);

@@ -137,7 +137,7 @@ void WandOutcome::retranslateUi() {
 
 void WandOutcome::showProgress(double part) {
   progress_->setRange(0, part < 0.0 ? 0 : 1000);
-  progress_->setValue(static_cast<int>(std::lround(1000.0 * std::max(0.0, part))));
+  progress_->setValue(static_cast<int>(std::lround(std::max(0.0, part) * progress_->maximum())));
 }
 
 void WandOutcome::refresh() {
