@@ -7,7 +7,6 @@
 #include "ui/trajectory/box_model.h"
 #include "ui/trajectory/table_head.h"
 
-#include <QHeaderView>
 #include <QLabel>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -30,19 +29,6 @@ BoxPanel::BoxPanel(Selection& selection, QWidget* parent)
   summary_->setWordWrap(true);
   table_->setObjectName(QStringLiteral("boxTable"));
   table_->setModel(model_);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->setWordWrap(false);
-  table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  table_->horizontalHeader()->setHighlightSections(false);
   head_ = new TableHead(table_, selection, [this](qint64 frame) {
     const auto& samples = model_->samples();
     const auto [first, last] = std::ranges::equal_range(samples, frame, {}, &BoxSample::frame);

@@ -18,8 +18,7 @@ constexpr float kMarkStrength = 0.25F; ///< of the color of what is selected
 
 TableHead::TableHead(QTableView* table, Selection& selection, RowsOf rowsOf)
     : QStyledItemDelegate(table), table_(table), selection_(selection), rowsOf_(std::move(rowsOf)) {
-  table->setItemDelegate(this);
-  table->setVerticalScrollMode(QAbstractItemView::ScrollPerItem); // positions are rows
+  prepare();
   const QScrollBar* bar = table->verticalScrollBar();
   connect(bar, &QScrollBar::valueChanged, this, &TableHead::scrolled);
   connect(bar, &QScrollBar::rangeChanged, this, &TableHead::follow); // more rows, or less room
@@ -27,6 +26,25 @@ TableHead::TableHead(QTableView* table, Selection& selection, RowsOf rowsOf)
   const auto followAgain = [this] { following_ = true; };
   connect(&selection, &Selection::frameRequested, this, followAgain);
   connect(&selection, &Selection::liveFrameRequested, this, followAgain);
+}
+
+void TableHead::prepare() {
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ContiguousSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setShowGrid(false);
+  table_->setAlternatingRowColors(true);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setWordWrap(false);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  table_->setItemDelegate(this);
+  table_->setVerticalScrollMode(QAbstractItemView::ScrollPerItem); // positions are rows
+  // All rows of one height: nothing is measured as the table grows.
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->horizontalHeader()->setHighlightSections(false);
 }
 
 void TableHead::refresh() {

@@ -36,7 +36,8 @@ protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 
 private:
-  /// Row to keep in view: the last row of the frame shown, or the last row of all; -1: none.
+  void prepare();
+  /// The row to be seen: the last of the frame shown, or of all; -1: none.
   int wantedRow() const;
   int rowsInSight() const;
   bool isInSight(int row) const;
