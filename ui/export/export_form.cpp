@@ -3,6 +3,7 @@
 
 #include "core/trajectory/export/export_catalog.h"
 #include "ui/export/export_text.h"
+#include "ui/widgets/choice_field.h"
 #include "ui/widgets/decimal_field.h"
 #include "ui/widgets/named.h"
 
@@ -32,15 +33,6 @@ QDoubleSpinBox* makeSpin(QWidget* parent, const char* name, double low, double h
   spin->setDecimals(decimals);
   spin->setKeyboardTracking(false);
   return spin;
-}
-
-/// Fills a box with choices; the chosen one stays.
-void setChoices(QComboBox* box, const QStringList& texts) {
-  const QSignalBlocker quiet(box);
-  const int before = std::max(0, box->currentIndex());
-  box->clear();
-  box->addItems(texts);
-  box->setCurrentIndex(before);
 }
 
 } // namespace
@@ -125,11 +117,11 @@ void ExportForm::fillChoices() {
   for (const ExportFormat& format : exportFormats()) {
     formats << exportFormatName(format.id);
   }
-  setChoices(format_, formats);
-  setChoices(estimates_, {tr("live"), tr("smoothed after the run")});
-  setChoices(gaps_, {tr("leave"), tr("fill")});
-  setChoices(axes_, {tr("as usual in the format"), tr("Z up"), tr("Y up")});
-  setChoices(unit_, {tr("as usual in the format"), tr("meters"), tr("millimeters")});
+  setChoices(*format_, formats);
+  setChoices(*estimates_, {tr("live"), tr("smoothed after the run")});
+  setChoices(*gaps_, {tr("leave"), tr("fill")});
+  setChoices(*axes_, {tr("as usual in the format"), tr("Z up"), tr("Y up")});
+  setChoices(*unit_, {tr("as usual in the format"), tr("meters"), tr("millimeters")});
 }
 
 void ExportForm::setTargetsOf(const Trajectory& trajectory) {

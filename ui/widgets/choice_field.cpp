@@ -17,12 +17,22 @@ QComboBox* makeChoice(const char* name, QWidget* parent) {
   return choice;
 }
 
-void setTexts(QComboBox& box, const QStringList& texts) {
+void setChoices(QComboBox& box, const QStringList& texts) {
+  ChoicesWithData choices;
+  for (const QString& text : texts) {
+    choices.emplace_back(text, QVariant());
+  }
+  setChoicesWithData(box, choices);
+}
+
+void setChoicesWithData(QComboBox& box, const ChoicesWithData& choices) {
   const QSignalBlocker quiet(box);
   const int chosen = std::max(0, box.currentIndex());
   box.clear();
-  box.addItems(texts);
-  box.setCurrentIndex(chosen);
+  for (const auto& [text, data] : choices) {
+    box.addItem(text, data);
+  }
+  box.setCurrentIndex(std::min(chosen, box.count() - 1));
 }
 
 } // namespace dewpoint::ui

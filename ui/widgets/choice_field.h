@@ -4,6 +4,10 @@
 #include "core/base/floors.h"
 
 #include <QStringList>
+#include <QVariant>
+
+#include <utility>
+#include <vector>
 
 class QComboBox;
 class QWidget;
@@ -13,8 +17,10 @@ namespace dewpoint::ui {
 /// Creates a combo box with this object name that may be narrower than its longest text.
 QComboBox* makeChoice(const char* name, QWidget* parent);
 
-/// Replaces the texts of a combo box without emitting signals; keeps the selected row, else selects
-/// the first.
-void setTexts(QComboBox& box, const QStringList& texts);
+/// Gives a choice other texts, which nobody is told; the same row stays chosen, or the first.
+void setChoices(QComboBox& box, const QStringList& texts);
+/// The same of texts with data.
+using ChoicesWithData = std::vector<std::pair<QString, QVariant>>;
+void setChoicesWithData(QComboBox& box, const ChoicesWithData& choices);
 
 } // namespace dewpoint::ui

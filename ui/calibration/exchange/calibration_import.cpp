@@ -7,6 +7,7 @@
 #include "ui/text/calibration_files.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/quantity_text.h"
+#include "ui/widgets/choice_field.h"
 #include "ui/widgets/file_choice.h"
 #include "ui/widgets/number_field.h"
 
@@ -17,26 +18,9 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QSignalBlocker>
 #include <QVariant>
 
 namespace dewpoint::ui {
-namespace {
-
-/// Other texts with data; what is chosen stays.
-using Choices = std::vector<std::pair<QString, QVariant>>;
-
-void setChoices(QComboBox& box, const Choices& choices) {
-  const QSignalBlocker quiet(box);
-  const int chosen = std::max(0, box.currentIndex());
-  box.clear();
-  for (const auto& [text, data] : choices) {
-    box.addItem(text, data);
-  }
-  box.setCurrentIndex(std::min(chosen, box.count() - 1));
-}
-
-} // namespace
 
 CalibrationImportDialog::CalibrationImportDialog(Document& document, const CameraListModel& cameras,
                                                  QWidget* parent)
@@ -76,11 +60,11 @@ void CalibrationImportDialog::chooseFile() {
 }
 
 void CalibrationImportDialog::fillCameras() {
-  Choices choices = {{tr("as the names say"), {}}};
+  ChoicesWithData choices = {{tr("as the names say"), {}}};
   for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
     choices.emplace_back(tr("only %1").arg(cameras_.nameOf(camera)), camera);
   }
-  setChoices(*camera_, choices);
+  setChoicesWithData(*camera_, choices);
 }
 
 void CalibrationImportDialog::retranslateFields() {
@@ -92,23 +76,23 @@ void CalibrationImportDialog::retranslateFields() {
   accept_->setText(tr("Use these cameras"));
   accept_->setToolTip(tr("Take the calibration into the project; it can be undone"));
   const QString own = tr("as the file says");
-  Choices formats = {{tr("recognized from the content"), {}}};
+  ChoicesWithData formats = {{tr("recognized from the content"), {}}};
   for (const CalibrationFormat& format : calibrationFormats()) {
     formats.emplace_back(QString::fromUtf8(format.title), QLatin1String(format.name));
   }
-  setChoices(*format_, formats);
-  setChoices(*unit_, {{own, {}},
-                      {tr("meters"), QStringLiteral("m")},
-                      {tr("millimeters"), QStringLiteral("mm")},
-                      {tr("centimeters"), QStringLiteral("cm")},
-                      {tr("inches"), QStringLiteral("in")},
-                      {tr("feet"), QStringLiteral("ft")}});
-  setChoices(*lens_, {{own, {}},
-                      {tr("k1 k2 p1 p2 of a pinhole"), QStringLiteral("pinhole")},
-                      {tr("k1 k2 k3 k4 of a fisheye"), QStringLiteral("fisheye")}});
-  setChoices(*poses_, {{tr("as the format has them"), {}},
-                       {tr("camera from world"), QStringLiteral("no")},
-                       {tr("world from camera"), QStringLiteral("yes")}});
+  setChoicesWithData(*format_, formats);
+  setChoicesWithData(*unit_, {{own, {}},
+                              {tr("meters"), QStringLiteral("m")},
+                              {tr("millimeters"), QStringLiteral("mm")},
+                              {tr("centimeters"), QStringLiteral("cm")},
+                              {tr("inches"), QStringLiteral("in")},
+                              {tr("feet"), QStringLiteral("ft")}});
+  setChoicesWithData(*lens_, {{own, {}},
+                              {tr("k1 k2 p1 p2 of a pinhole"), QStringLiteral("pinhole")},
+                              {tr("k1 k2 k3 k4 of a fisheye"), QStringLiteral("fisheye")}});
+  setChoicesWithData(*poses_, {{tr("as the format has them"), {}},
+                               {tr("camera from world"), QStringLiteral("no")},
+                               {tr("world from camera"), QStringLiteral("yes")}});
   size_->setPlaceholderText(own);
   fillCameras();
   const std::pair<QString, QString> names[] = {

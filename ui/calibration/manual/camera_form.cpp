@@ -126,21 +126,21 @@ void CameraForm::retranslateUi() {
   name(camera_, tr("Camera"),
        tr("The camera that is adjusted; clicking into its image chooses it too"));
   positionLabel_->setText(tr("Position"));
-  setTexts(*unit_, {tr("meters"), tr("centimeters")});
+  setChoices(*unit_, {tr("meters"), tr("centimeters")});
   name(unit_, tr("Unit of positions"), tr("Unit in which positions are shown and typed"));
   aimLabel_->setText(tr("Looks"));
-  setTexts(*aimMode_, {tr("at a point, roll"), tr("yaw, pitch, roll")});
+  setChoices(*aimMode_, {tr("at a point, roll"), tr("yaw, pitch, roll")});
   name(aimMode_, tr("How the direction is said"),
        tr("A point that the camera looks at, or angles: yaw from x toward y, pitch above the "
           "horizon, roll about the line of sight"));
   lensLabel_->setText(tr("Lens"));
-  setTexts(*lensMode_, {tr("focal length"), tr("field of view")});
+  setChoices(*lensMode_, {tr("focal length"), tr("field of view")});
   name(lensMode_, tr("How the lens is said"),
        tr("Focal length in pixels, or the horizontal field of view in degrees"));
   name(lens_, tr("Focal length or field of view"),
        tr("How much the camera magnifies; the keys + and − change it too"));
   dragLabel_->setText(tr("Dragging"));
-  setTexts(*dragMode_, {tr("turns the camera"), tr("slides the camera")});
+  setChoices(*dragMode_, {tr("turns the camera"), tr("slides the camera")});
   name(dragMode_, tr("What dragging does"),
        tr("What the camera does while the grid is dragged and nothing is held. Click points of the "
           "grid to hold up to three of them."));
@@ -148,11 +148,11 @@ void CameraForm::retranslateUi() {
   focalMay_->setToolTip(tr("Three held points fix the pose; dragging then changes the focal "
                            "length, and the camera follows"));
   keysLabel_->setText(tr("Keys"));
-  setTexts(*keyMode_, {tr("move"), tr("turn")});
+  setChoices(*keyMode_, {tr("move"), tr("turn")});
   name(keyMode_, tr("What keys do"),
        tr("Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times "
           "as much; Ctrl with arrows and page keys: a tenth."));
-  setTexts(*keyFrame_, {tr("as it looks"), tr("along x, y, z")});
+  setChoices(*keyFrame_, {tr("as it looks"), tr("along x, y, z")});
   name(keyFrame_, tr("Directions of keys"),
        tr("Right, forward and up as the camera looks, or the axes of the world"));
   showUnits();

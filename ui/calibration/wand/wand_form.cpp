@@ -158,7 +158,7 @@ void WandForm::fillSizes() {
       ball == targets.end() ? tr("the ball's diameter")
                             : tr("the ball's diameter, %1")
                                   .arg(lengthText(2.0 * ball->radius, LengthScale::Centimeters, 1));
-  setTexts(*size_, {tr("the cameras as they are"), diameter, tr("a distance touched")});
+  setChoices(*size_, {tr("the cameras as they are"), diameter, tr("a distance touched")});
 }
 
 void WandForm::refresh() {
@@ -200,7 +200,7 @@ void WandForm::retranslateUi() {
     field->setToolTip(tip);
   };
   kindLabel_->setText(tr("Waved"));
-  setTexts(*kind_, {tr("one ball"), tr("a stick with two balls")});
+  setChoices(*kind_, {tr("one ball"), tr("a stick with two balls")});
   name(kind_, tr("What is waved"), tr("A stick also gives the size, better than anything else"));
   ballLabel_->setText(tr("Ball"));
   name(ball_, tr("Ball"), tr("The target that is waved: its color is looked for"));
