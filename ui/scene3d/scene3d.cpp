@@ -228,7 +228,8 @@ void Scene3d::prepareFrame(int width, int height) {
 }
 
 SceneColor Scene3d::colorOf(std::size_t target) const {
-  return target < parts_->targets.size() ? parts_->targets[target]->color() : targetColor(target);
+  return target < parts_->targets.size() ? parts_->targets[target]->color()
+                                         : sceneTargetColor(target);
 }
 
 std::vector<CameraGlyph> Scene3d::cameraGlyphs() const {

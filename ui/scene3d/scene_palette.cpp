@@ -20,7 +20,7 @@ const ScenePalette& scenePalette(bool dark) {
   return dark ? kDark : kLight;
 }
 
-const std::vector<SceneColor>& targetColors() {
+const std::vector<SceneColor>& sceneTargetColors() {
   // The hues of the images' strokes (ui/style/theme.h), dark enough for a light ground.
   static const std::vector<SceneColor> kColors{sceneColor(0xd55e00), sceneColor(0x0072b2),
                                                sceneColor(0x009e73), sceneColor(0xcc79a7),
@@ -28,8 +28,8 @@ const std::vector<SceneColor>& targetColors() {
   return kColors;
 }
 
-SceneColor targetColor(std::size_t index) {
-  return targetColors()[index % targetColors().size()];
+SceneColor sceneTargetColor(std::size_t index) {
+  return sceneTargetColors()[index % sceneTargetColors().size()];
 }
 
 std::optional<SceneColor> identityColorOf(const std::string& name) {

@@ -32,13 +32,13 @@ struct ScenePalette {
 /// Returns the colors for a dark or a light window.
 const ScenePalette& scenePalette(bool dark);
 
-/// Colors for targets whose own colors cannot be distinguished, from the color-blind-safe set of
-/// Okabe and Ito (2008).
-const std::vector<SceneColor>& targetColors();
-/// Returns color number `index` of that set, starting over after the last one.
-SceneColor targetColor(std::size_t index);
-/// Returns the color of a person's identity, which is the same in all views; nothing for the name
-/// of any other target.
+/// Colors in the scene of targets whose own color does not tell them apart, from the
+/// color-blind-safe set of Okabe and Ito (2008). Not those of targetColor() (ui/style): the ground
+/// of the scene is light or dark with the window, strokes over images need lighter colors.
+const std::vector<SceneColor>& sceneTargetColors();
+/// The i-th of them, again from the first on.
+SceneColor sceneTargetColor(std::size_t index);
+/// Persons have the color of their identity everywhere; nothing for the name of any other target.
 std::optional<SceneColor> identityColorOf(const std::string& name);
 /// Color of the x, y or z axis, from the same set.
 SceneColor axisColor(int axis);

@@ -48,7 +48,7 @@ void SceneParts::applyPalette() {
 }
 
 void SceneParts::applyTargetColors() {
-  const std::vector<DisplayColor> colors = displayColors(colorSources, targetColors(), dark);
+  const std::vector<DisplayColor> colors = displayColors(colorSources, sceneTargetColors(), dark);
   for (std::size_t k = 0; k < std::min(targets.size(), colors.size()); ++k) {
     targets[k]->setColors(colors[k], palette(), dark);
   }
@@ -56,7 +56,7 @@ void SceneParts::applyTargetColors() {
 
 ScenePalette SceneParts::plannedPalette() const {
   ScenePalette colors = palette();
-  colors.camera = targetColor(2); // no target is drawn as a pyramid
+  colors.camera = sceneTargetColor(2); // no target is drawn as a pyramid
   return colors;
 }
 

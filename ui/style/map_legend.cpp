@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/map_legend.h"
 
+#include "ui/style/to_color.h"
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
@@ -16,10 +17,6 @@ namespace {
 
 constexpr int kMargin = 8;
 constexpr int kPadding = 6;
-
-QColor toColor(const SceneColor& color) {
-  return QColor::fromRgbF(float(color.x()), float(color.y()), float(color.z()));
-}
 
 struct Entry {
   QColor color; ///< invalid: nothing is drawn of it

@@ -5,6 +5,7 @@
 #include "ui/style/mixed_color.h"
 #include "ui/style/spacing.h"
 #include "ui/style/theme.h"
+#include "ui/style/to_color.h"
 #include "ui/text/quantity_text.h"
 
 #include <QPainter>
@@ -27,10 +28,6 @@ constexpr double kLeastHeight = 220.0;
 constexpr double kDotPx = 2.8; ///< across
 constexpr double kTickPx = 3.0;
 constexpr int kLevels = 6; ///< of weight, each drawn at once
-
-QColor toColor(const SceneColor& color) {
-  return QColor::fromRgbF(float(color.x()), float(color.y()), float(color.z()));
-}
 
 void paintParticles(QPainter& painter, const CloudCloseup& closeup, const QColor& unlikely,
                     const QColor& likely) {

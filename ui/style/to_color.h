@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/scene3d/scene_palette.h"
+
+#include <QColor>
+
+namespace dewpoint::ui {
+
+/// A color of the scene for a painter.
+inline QColor toColor(const SceneColor& color) {
+  return QColor::fromRgbF(float(color.x()), float(color.y()), float(color.z()));
+}
+
+} // namespace dewpoint::ui
