@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/color/color_panel.h"
 
-#include "core/color/color_histogram.h"
 #include "core/project/project.h"
 #include "core/setup/target_color.h"
 #include "core/tracking/catalog/method_catalog.h"
@@ -12,6 +11,7 @@
 #include "ui/color/color_picker.h"
 #include "ui/color/color_sample_list.h"
 #include "ui/color/follow_all_button.h"
+#include "ui/color/image_survey.h"
 #include "ui/color/learn_modes.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
@@ -36,7 +36,6 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr qint64 kSurveyMs = 1000;
 constexpr int kAssessMs = 200;               ///< after the last change
 constexpr std::int64_t kOutlinedFrames = 10; ///< an outline stays so long over a running video
 
@@ -47,7 +46,8 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
       boxes_(new BoxPicker(document, this)), name_(new QLabel(this)), modes_(new LearnModes(this)),
       choice_(new ColorChoice(this)), picker_(new ColorPicker(this)),
       assessmentText_(new QLabel(this)), followAll_(new FollowAllButton(document, this)),
-      samples_(new ColorSampleList(this)), assessSoon_(new QTimer(this)) {
+      samples_(new ColorSampleList(this)), assessSoon_(new QTimer(this)),
+      survey_(new ImageSurvey(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   assessmentText_->setObjectName(QStringLiteral("colorAssessment"));
   assessmentText_->setWordWrap(true);
@@ -76,6 +76,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     document_.endMerging();
     learner_->assess();
   });
+  connect(survey_, &ImageSurvey::taken, picker_, &ColorPicker::setHistogram);
   connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
   connect(&pick_, &ImagePickTool::attached, this, [this] { setPicking(picking_); });
   connect(&pick_, &ImagePickTool::cancelled, this, [this] { setPicking(false); });
@@ -329,26 +330,9 @@ void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (inFront_ && snapshot_) {
     keepAssessmentCurrent();
   }
-  if (isVisible() && (!sinceSurvey_.isValid() || sinceSurvey_.elapsed() > kSurveyMs)) {
-    sinceSurvey_.start();
-    surveyImages();
+  if (isVisible()) {
+    survey_->take(snapshot_);
   }
-}
-
-void ColorPanel::surveyImages() {
-  if (!snapshot_ || !snapshot_->frames) {
-    return;
-  }
-  survey_.start([this, frames = snapshot_->frames](const BackgroundJob::Progress&) {
-    std::vector<cv::Mat> images;
-    for (const FramePtr& frame : frames->frames) {
-      if (frame) {
-        images.push_back(frame->image);
-      }
-    }
-    auto histogram = std::make_shared<const ColorHistogram>(histogramOf(images));
-    return [this, histogram] { picker_->setHistogram(*histogram); };
-  });
 }
 
 bool ColorPanel::takesBoxes() const {

@@ -5,9 +5,7 @@
 #include "core/session/run/snapshot.h"
 #include "core/setup/click_lesson.h"
 #include "ui/color/color_learner.h"
-#include "ui/jobs/background_job.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 #include <memory>
@@ -17,10 +15,6 @@
 class QLabel;
 class QTimer;
 
-namespace dewpoint::color {
-struct ColorHistogram;
-} // namespace dewpoint::color
-
 namespace dewpoint::ui {
 
 class BoxPicker;
@@ -28,6 +22,7 @@ class ColorChoice;
 class ColorPicker;
 class ColorSampleList;
 class FollowAllButton;
+class ImageSurvey;
 class Document;
 class ImagePickTool;
 class LearnModes;
@@ -79,7 +74,6 @@ private:
   void assessNow();
   void keepAssessmentCurrent();
   void clearRegions();
-  void surveyImages();
   void removeSample(int sample);
 
   Document& document_;
@@ -108,8 +102,7 @@ private:
   std::optional<double> shownRadius_; ///< radius in meters found by the last clicks on this target
   bool isPart_ = false; ///< the last clicks hit a part of a larger object of this color
   QTimer* assessSoon_;
-  QElapsedTimer sinceSurvey_;
-  BackgroundJob survey_;
+  ImageSurvey* survey_;
 };
 
 } // namespace dewpoint::ui
