@@ -22,7 +22,6 @@ namespace {
 
 constexpr double kZoomStep = 1.25;
 constexpr double kWidestGutter = 160.0;
-constexpr qint64 kRequestTimeoutMs = 1500; ///< for a frame that was requested
 
 } // namespace
 
@@ -71,9 +70,7 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   const qint64 first = model_.live ? std::min<qint64>(oldest, model_.history.first) : 0;
   const qint64 last = model_.live ? model_.history.last : snapshot.frameCount.value_or(1) - 1;
   scale_.setExtent(first, std::max(first, last));
-  if (wanted_ && *wanted_ == snapshot.frame) {
-    wanted_.reset();
-  }
+  requested_.noteShown(snapshot.frame);
   const int least = TimelineRows::leastHeight(
       static_cast<int>(targets.size()), camerasWithDropouts(), QFontMetricsF(font()).height());
   if (least != leastHeight_) {
@@ -97,7 +94,7 @@ void Timeline::clear() {
   model_ = TimelineModel{};
   scale_ = TimelineScale{};
   hovered_ = -1;
-  wanted_.reset();
+  requested_.forget();
   place();
   updateMarkers();
 }
@@ -136,10 +133,7 @@ void Timeline::step(qint64 frames) {
 }
 
 qint64 Timeline::reached() const {
-  // What was requested just now may not be shown yet; what never comes is forgotten.
-  const bool recent =
-      wanted_ && sinceWanted_.isValid() && sinceWanted_.elapsed() < kRequestTimeoutMs;
-  return recent ? *wanted_ : std::max<qint64>(0, selection_.currentFrame());
+  return requested_.frame().value_or(std::max<qint64>(0, selection_.currentFrame()));
 }
 
 void Timeline::want(qint64 frame, bool extendsRange) {
@@ -153,8 +147,7 @@ void Timeline::want(qint64 frame, bool extendsRange) {
     anchor_ = -1;
   }
   if (frame != before) {
-    wanted_ = frame;
-    sinceWanted_.start();
+    requested_.request(frame);
     selection_.requestFrame(frame);
   }
 }
@@ -361,16 +354,8 @@ std::optional<std::size_t> Timeline::markerAt(const QPointF& point) const {
 }
 
 void Timeline::stepToMarker(int direction) {
-  const qint64 now = reached();
-  std::optional<qint64> nearest;
-  for (const ProjectMarker& marker : model_.markers) {
-    const bool ahead = direction > 0 ? marker.frame > now : marker.frame < now;
-    if (ahead && (!nearest || std::abs(marker.frame - now) < std::abs(*nearest - now))) {
-      nearest = marker.frame;
-    }
-  }
-  if (nearest) {
-    want(*nearest);
+  if (const auto marker = model_.nextMarker(reached(), direction)) {
+    want(*marker);
   }
 }
 

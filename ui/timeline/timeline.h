@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/timeline/requested_frame.h"
 #include "ui/timeline/timeline_model.h"
 #include "ui/timeline/timeline_painter.h"
 #include "ui/timeline/timeline_scale.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 #include <algorithm>
@@ -95,9 +95,8 @@ private:
   enum class Drag { None, Frame, Range };
   Drag drag_ = Drag::None;
   qint64 hovered_ = -1;
-  qint64 anchor_ = -1;           ///< frame where the range began
-  std::optional<qint64> wanted_; ///< requested but not shown yet
-  QElapsedTimer sinceWanted_;
+  qint64 anchor_ = -1; ///< where the range began
+  RequestedFrame requested_;
   MarkerEditor* markers_;
   double gutter_ = 90.0;
   int leastHeight_ = 0; ///< height in which all rows are readable, pixels

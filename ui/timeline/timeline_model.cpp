@@ -10,6 +10,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 
 namespace dewpoint::ui {
@@ -78,6 +79,17 @@ bool TimelineModel::isOld(qint64 frame) const {
   return std::ranges::any_of(oldResults, [frame](const ResultRange& range) {
     return range.first <= frame && frame <= range.last;
   });
+}
+
+std::optional<qint64> TimelineModel::nextMarker(qint64 from, int direction) const {
+  std::optional<qint64> nearest;
+  for (const ProjectMarker& marker : markers) {
+    const bool ahead = direction > 0 ? marker.frame > from : marker.frame < from;
+    if (ahead && (!nearest || std::abs(marker.frame - from) < std::abs(*nearest - from))) {
+      nearest = marker.frame;
+    }
+  }
+  return nearest;
 }
 
 QString TimelineModel::describe(qint64 frame) const {

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace dewpoint::ui {
@@ -40,7 +41,9 @@ struct TimelineModel {
   bool hasDropouts(std::size_t camera) const { return (missing_ >> camera & 1U) != 0; }
   /// Whether the user corrected the position of this target in this frame.
   bool isCorrected(std::size_t target, qint64 frame) const;
-  /// Returns a description of a frame: "Frame 132, 4.400 s: ball held (0.99) · …".
+  /// The frame of the nearest marker after (1) or before (-1) a frame; nothing: there is none.
+  std::optional<qint64> nextMarker(qint64 from, int direction) const;
+  /// "Frame 132, 4.400 s: ball held (0.99) · …".
   QString describe(qint64 frame) const;
 
 private:

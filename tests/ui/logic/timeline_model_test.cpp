@@ -62,6 +62,16 @@ TEST(TimelineModel, SaysWhichTargetWasCorrectedAndWhere) {
   EXPECT_FALSE(model.describe(2).contains(QStringLiteral("corrected")));
 }
 
+TEST(TimelineModel, TheNearestMarkerInEitherDirectionIsTheNextOne) {
+  TimelineModel model;
+  EXPECT_FALSE(model.nextMarker(3, 1));
+  model.markers = {{3, "a"}, {8, "b"}, {20, "c"}};
+  EXPECT_EQ(model.nextMarker(3, 1), 8);
+  EXPECT_EQ(model.nextMarker(9, -1), 8);
+  EXPECT_FALSE(model.nextMarker(3, -1));
+  EXPECT_FALSE(model.nextMarker(20, 1));
+}
+
 TEST(TimelineModel, TheRateIsThatOfTheTimeStamps) {
   TimelineModel model = modelOf({10, 11, 12});
   EXPECT_DOUBLE_EQ(model.framesPerSecond, 25.0);
