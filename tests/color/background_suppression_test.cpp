@@ -13,19 +13,20 @@ namespace {
 const ColorRange kReds{340.0, 20.0, 0.5, 1.0, 0.1, 0.9};
 const cv::Rect kChair(10, 60, 40, 50); ///< red as well, and always there
 
-cv::Mat room() {
+cv::Mat roomWithChair() {
   cv::Mat image(120, 160, CV_8UC3, cv::Scalar(90, 90, 90));
   image(kChair) = cv::Scalar(30, 30, 200);
   return image;
 }
 cv::Mat withBall() {
-  cv::Mat image = room();
+  cv::Mat image = roomWithChair();
   cv::circle(image, {110, 50}, 12, cv::Scalar(40, 20, 220), cv::FILLED);
   return image;
 }
 
 TEST(FamiliarColor, WhatTheBackgroundImageShowedIsBlack) {
-  const auto images = withoutBackgroundColors(kReds, {withBall(), withBall()}, {room(), cv::Mat()});
+  const auto images =
+      withoutBackgroundColors(kReds, {withBall(), withBall()}, {roomWithChair(), cv::Mat()});
   const cv::Mat match = matchImage(images[0], ColorClassifier(kReds));
   EXPECT_EQ(cv::countNonZero(match(kChair)), 0);
   EXPECT_GT(cv::countNonZero(match), 400); // the ball: pi 12^2 = 452
@@ -43,12 +44,13 @@ TEST(FamiliarColor, TheVerdictLeavesItOut) {
   const ColorAssessment blind = assessColorWithBackground(kReds, {*sample}, images, {});
   ASSERT_EQ(blind.distractors.size(), 1U);
   EXPECT_GT(blind.backgroundShare, 0.1); // 2000 of 19200 pixels
-  const ColorAssessment knowing = assessColorWithBackground(kReds, {*sample}, images, {room()});
+  const ColorAssessment knowing =
+      assessColorWithBackground(kReds, {*sample}, images, {roomWithChair()});
   EXPECT_TRUE(knowing.distractors.empty());
   EXPECT_EQ(knowing.backgroundShare, 0.0);
   EXPECT_GT(knowing.separability, blind.separability);
 
-  const auto learned = learnColorWithBackground({*sample}, images, {room()});
+  const auto learned = learnColorWithBackground({*sample}, images, {roomWithChair()});
   ASSERT_TRUE(learned);
   EXPECT_EQ(learned->range, learnColor({*sample}, images)->range);
   EXPECT_TRUE(learned->assessment.distractors.empty());
@@ -64,7 +66,8 @@ TEST(FamiliarColor, LearningAndJudgingAgreeToTheBit) {
   const auto sample = takeSample(images[0], click);
   ASSERT_TRUE(sample);
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::vector<cv::Mat> rooms = k == 0 ? std::vector<cv::Mat>() : std::vector{room()};
+    const std::vector<cv::Mat> rooms =
+        k == 0 ? std::vector<cv::Mat>() : std::vector{roomWithChair()};
     const auto learned = learnColorWithBackground({*sample}, images, rooms);
     ASSERT_TRUE(learned);
     const ColorAssessment anew =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/color_evidence.h"
+#include "tests/color/red_samples.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -13,18 +14,9 @@
 namespace dewpoint::tests {
 namespace {
 
-const BgrColor kRed{40, 40, 200};
 const BgrColor kDarkRed{20, 20, 100};
 const BgrColor kGreen{40, 160, 60};
 const cv::Scalar kWall(120, 120, 120);
-
-ColorSample sampleOf(std::vector<BgrColor> colors, int area, bool excluded = false) {
-  ColorSample sample;
-  sample.colors = std::move(colors);
-  sample.area = area;
-  sample.excluded = excluded;
-  return sample;
-}
 
 /// A wall of 40 x 30 pixels, 1200 in all, with squares on it.
 cv::Mat wallWith(const std::vector<std::pair<cv::Rect, BgrColor>>& squares) {

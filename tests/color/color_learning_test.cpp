@@ -3,6 +3,7 @@
 #include "core/color/color_learning.h"
 #include "core/color/color_region.h"
 #include "core/color/match_image.h"
+#include "tests/color/red_samples.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -72,14 +73,6 @@ ColorSample clickAt(const cv::Mat& image, cv::Point at, bool excluded = false) {
   place.y = at.y;
   place.excluded = excluded;
   return *takeSample(image, place);
-}
-
-/// A sample of these colors, of so many pixels, that no image shows any more.
-ColorSample sampleOf(std::vector<BgrColor> colors, int area) {
-  ColorSample sample;
-  sample.colors = std::move(colors);
-  sample.area = area;
-  return sample;
 }
 
 // Four colors of the target, each on 1 % of its area; three of them are a quarter of the image

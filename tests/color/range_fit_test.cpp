@@ -11,7 +11,7 @@
 namespace dewpoint::tests {
 namespace {
 
-const double kGray = std::numeric_limits<double>::quiet_NaN(); ///< the hue of gray
+const double kHueOfGray = std::numeric_limits<double>::quiet_NaN();
 
 HsiColors cell(double hue, double weight, double saturation = 0.5, double intensity = 0.5) {
   return {{hue, saturation, intensity}, weight};
@@ -106,16 +106,16 @@ TEST(RangeFit, EachAxisCanTellThemApart) {
 // 200 / (200 + rest), with its hue alone 2 * 50 / (100 + 50) = 0.667: 60 pixels of other gray leave
 // 0.769, 100 leave 0.667, which is not worth letting every hue through.
 TEST(RangeFit, EveryHueIsLetThroughWhereItPays) {
-  const std::vector<HsiColors> target{cell(10, 50), cell(kGray, 50, 0.0)};
+  const std::vector<HsiColors> target{cell(10, 50), cell(kHueOfGray, 50, 0.0)};
   EXPECT_TRUE(spansEveryHue(fitRange(target, {})));
-  EXPECT_TRUE(spansEveryHue(fitRange(target, {cell(kGray, 60, 0.0)})));
-  const ColorRange hue = fitRange(target, {cell(kGray, 100, 0.0)});
+  EXPECT_TRUE(spansEveryHue(fitRange(target, {cell(kHueOfGray, 60, 0.0)})));
+  const ColorRange hue = fitRange(target, {cell(kHueOfGray, 100, 0.0)});
   expectRange(hue, 9.5, 10.5, 0.495, 0.505, 0.495, 0.505);
 }
 
 TEST(RangeFit, BlackIsNeverInARange) {
-  const ColorRange found = fitRange({cell(10, 50), cell(kGray, 50, 0.0, 0.0)}, {});
-  EXPECT_NEAR(scoreRange(found, {cell(kGray, 50, 0.0, 0.0)}, {}).target, 0.0, 1e-12);
+  const ColorRange found = fitRange({cell(10, 50), cell(kHueOfGray, 50, 0.0, 0.0)}, {});
+  EXPECT_NEAR(scoreRange(found, {cell(kHueOfGray, 50, 0.0, 0.0)}, {}).target, 0.0, 1e-12);
   EXPECT_NEAR(found.hueMin, 9.5, 1e-9);
 }
 

@@ -3,6 +3,7 @@
 #include "core/color/color_learning.h"
 #include "core/color/hsi.h"
 #include "core/color/sample_colors.h"
+#include "tests/color/red_samples.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -14,12 +15,11 @@ namespace {
 
 using color::BgrColor;
 
-const BgrColor kRed{40, 40, 200};
-const BgrColor kDarkRed{20, 20, 105};
-const BgrColor kBlue{200, 90, 30};
+const BgrColor kDimRed{20, 20, 105};
+const BgrColor kSkyBlue{200, 90, 30};
 const BgrColor kYellow{40, 200, 220};
 
-ColorSample sampleOf(const BgrColor& bgr, bool excluded = false) {
+ColorSample evenSample(const BgrColor& bgr, bool excluded = false) {
   ColorSample sample;
   sample.excluded = excluded;
   sample.area = 400;
@@ -33,23 +33,24 @@ std::vector<std::vector<std::size_t>> groupsOf(const std::vector<ColorSample>& s
 using Groups = std::vector<std::vector<std::size_t>>;
 
 TEST(ColorsOfSamples, OneColorInOtherLightIsOne) {
-  EXPECT_EQ(groupsOf({sampleOf(kRed), sampleOf(kDarkRed)}), (Groups{{0, 1}}));
+  EXPECT_EQ(groupsOf({evenSample(kRed), evenSample(kDimRed)}), (Groups{{0, 1}}));
   EXPECT_EQ(groupsOf({}), Groups{});
 }
 
 TEST(ColorsOfSamples, ComeInTheOrderOfTheirFirstSamples) {
-  EXPECT_EQ(groupsOf({sampleOf(kRed), sampleOf(kBlue), sampleOf(kDarkRed), sampleOf(kYellow)}),
-            (Groups{{0, 2}, {1}, {3}}));
+  EXPECT_EQ(
+      groupsOf({evenSample(kRed), evenSample(kSkyBlue), evenSample(kDimRed), evenSample(kYellow)}),
+      (Groups{{0, 2}, {1}, {3}}));
 }
 
 TEST(ColorsOfSamples, WhatIsExcludedShowsNoColorOfTheTarget) {
-  EXPECT_EQ(groupsOf({sampleOf(kBlue, true), sampleOf(kRed)}), (Groups{{1}}));
+  EXPECT_EQ(groupsOf({evenSample(kSkyBlue, true), evenSample(kRed)}), (Groups{{1}}));
 }
 
 TEST(ColorsOfSamples, OfMoreColorsThanThreeTheNearestCountAsOne) {
   const BgrColor orange{30, 120, 235}; // between red and yellow
-  const auto groups =
-      groupsOf({sampleOf(kRed), sampleOf(kBlue), sampleOf({60, 190, 60}), sampleOf(orange)});
+  const auto groups = groupsOf(
+      {evenSample(kRed), evenSample(kSkyBlue), evenSample({60, 190, 60}), evenSample(orange)});
   EXPECT_EQ(groups, (Groups{{0, 3}, {1}, {2}}));
 }
 
@@ -101,7 +102,7 @@ TEST(LearnColor, OneRangeIsEnoughWhereNothingElseHasTheColorsBetween) {
 TEST(LearnColor, AColorThatEverythingHasIsLeftOut) {
   const BgrColor olive{40, 120, 130};
   const cv::Mat wall(120, 160, CV_8UC3, cv::Scalar(40, 120, 130));
-  const auto learned = learnColor({sampleOf(kRed), sampleOf(olive)}, {wall});
+  const auto learned = learnColor({evenSample(kRed), evenSample(olive)}, {wall});
   ASSERT_TRUE(learned);
   EXPECT_TRUE(learned->others.empty());
   EXPECT_TRUE(takes(learned->range, kRed));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filter/estimate.h"
+#include "tests/base/not_a_number.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@ namespace dewpoint::tests {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Normalize, WeightsSumToOneInProportion) {
   ThreadTeam team;

@@ -2,19 +2,17 @@
 #include "core/filter/isotropic_motion.h"
 #include "core/filter/multinomial_resampling.h"
 #include "core/filter/particle_filter.h"
+#include "tests/base/not_a_number.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
 namespace dewpoint::tests {
 namespace {
-
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 struct GaussianAt {
   Eigen::Vector3d center;

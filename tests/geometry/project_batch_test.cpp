@@ -3,6 +3,8 @@
 #include "core/base/random.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/projector.h"
+#include "tests/base/not_a_number.h"
+#include "tests/geometry/webcam.h"
 
 #include <gtest/gtest.h>
 
@@ -14,16 +16,7 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index kCount = 1003; // not a multiple of any vector
-
-Camera webcam(const std::array<double, 8>& distortion) {
-  Camera camera;
-  camera.intrinsics = {320, 240, 405.0, 398.0, 158.5, 122.25};
-  camera.distortion = distortion;
-  camera.cameraFromWorld = lookAt({0.5, 0.0, 0.195}, {0.3, 0.6, 0.1}, {0, 0, 1}, 0.3);
-  return camera;
-}
 
 /// Points all around the camera: visible, behind it, beyond the fold of the distortion, and a few
 /// that are no points at all.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/camera.h"
 #include "core/geometry/projector.h"
+#include "tests/geometry/webcam.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
@@ -12,16 +13,6 @@
 
 namespace dewpoint::tests {
 namespace {
-
-/// A webcam at QVGA, roughly as in method B's setup, turned and moved so that every axis counts.
-Camera webcam(const std::array<double, 8>& distortion = {}) {
-  Camera camera;
-  camera.name = "left";
-  camera.intrinsics = {320, 240, 405.0, 398.0, 158.5, 122.25};
-  camera.distortion = distortion;
-  camera.cameraFromWorld = lookAt({0.5, 0.0, 0.195}, {0.3, 0.6, 0.1}, {0, 0, 1}, 0.3);
-  return camera;
-}
 
 /// A camera whose axes are the world's, for hand computation.
 Camera plain(const std::array<double, 8>& distortion = {}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/ray.h"
+#include "tests/geometry/webcam.h"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +10,6 @@
 
 namespace dewpoint::tests {
 namespace {
-
-Camera webcam(const std::array<double, 8>& distortion) {
-  Camera camera;
-  camera.intrinsics = {320, 240, 405.0, 398.0, 158.5, 122.25};
-  camera.distortion = distortion;
-  camera.cameraFromWorld = lookAt({0.5, 0.0, 0.195}, {0.3, 0.6, 0.1}, {0, 0, 1}, 0.3);
-  return camera;
-}
 
 /// Every pixel of a grid over the image must come back when a point of its ray is projected.
 void expectRoundTrip(const Camera& camera) {

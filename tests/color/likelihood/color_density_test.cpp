@@ -16,7 +16,7 @@ double meanOf(const ColorDensity& density) {
   return sum / static_cast<double>(kColorCellCount);
 }
 
-const BgrColors kRed{{40.0, 40.0, 200.0}, 1.0};
+const BgrColors kManyReds{{40.0, 40.0, 200.0}, 1.0};
 
 TEST(ColorCells, EightLevelsOfEachChannelAreOne) {
   EXPECT_EQ(colorCell(0, 0, 0), 0);
@@ -30,7 +30,7 @@ TEST(ColorCells, EightLevelsOfEachChannelAreOne) {
 // Nothing is lost at the ends of the channels, be it by noise or where a sensor cuts off.
 TEST(ColorDensity, TheMeanIsOne) {
   const std::vector<BgrColors> colors{
-      kRed, {{0.0, 0.0, 0.0}, 3.0}, {{255.0, 255.0, 255.0}, 2.0}, {{10.0, 240.0, 255.0}, 0.5}};
+      kManyReds, {{0.0, 0.0, 0.0}, 3.0}, {{255.0, 255.0, 255.0}, 2.0}, {{10.0, 240.0, 255.0}, 0.5}};
   for (const double otherLight : {0.0, 0.05, 0.5, 1.0}) {
     EXPECT_NEAR(meanOf(ColorDensity(colors, otherLight)), 1.0, 1e-9) << otherLight;
   }
@@ -59,9 +59,9 @@ TEST(ColorDensity, NoiseSpreadsToAllSidesAlike) {
 
 TEST(ColorDensity, WeightsAreShares) {
   const BgrColors blue{{200.0, 60.0, 40.0}, 3.0};
-  const ColorDensity both({kRed, blue}, 0.5);
-  const ColorDensity red({kRed}, 0.5);
-  const ColorDensity otherRed({{kRed.bgr, 100.0}}, 0.5);
+  const ColorDensity both({kManyReds, blue}, 0.5);
+  const ColorDensity red({kManyReds}, 0.5);
+  const ColorDensity otherRed({{kManyReds.bgr, 100.0}}, 0.5);
   for (const std::size_t cell : {colorCell(40, 40, 200), colorCell(24, 24, 120)}) {
     EXPECT_GT(red.at(cell), 0.0);
     EXPECT_NEAR(both.at(cell), 0.25 * red.at(cell), 1e-9);
@@ -72,8 +72,8 @@ TEST(ColorDensity, WeightsAreShares) {
 // Half and one and a quarter of the light, paler, and 5 degrees of hue to both sides; but not 30
 // degrees, nor gray, nor the complementary color.
 TEST(ColorDensity, OtherLightMovesColorsAsShadingDoes) {
-  const ColorDensity sharp({kRed}, 0.0);
-  const ColorDensity wide({kRed}, 1.0);
+  const ColorDensity sharp({kManyReds}, 0.0);
+  const ColorDensity wide({kManyReds}, 1.0);
   for (const std::size_t cell :
        {colorCell(20, 20, 100), colorCell(50, 50, 250), colorCell(56, 56, 168),
         colorCell(40, 56, 192), colorCell(56, 40, 192)}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/likelihood/other_camera_likelihood.h"
+#include "tests/color/red_samples.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core/mat.hpp>
@@ -7,9 +8,7 @@
 namespace dewpoint::tests {
 namespace {
 
-const color::BgrColor kRed{40, 40, 200};
-
-cv::Mat wallWith(const cv::Rect& square, const cv::Scalar& bgr) {
+cv::Mat wallWithSquare(const cv::Rect& square, const cv::Scalar& bgr) {
   cv::Mat image(60, 80, CV_8UC3, cv::Scalar(120, 120, 120));
   image(square).setTo(bgr);
   return image;
@@ -19,14 +18,10 @@ cv::Mat everywhere(const cv::Mat& image) {
   return {image.size(), CV_8UC1, cv::Scalar(255)};
 }
 
-double nats(const color::ColorLikelihood& table, const color::BgrColor& bgr) {
-  return table.logRatio(bgr[0], bgr[1], bgr[2]);
-}
-
 // 16 of 4800 pixels: what is rare in the image and of the target's color speaks for it, also a
 // sixth more red and less blue, and a quarter darker; the wall and another color speak against it.
 TEST(OtherCameraLikelihood, AllowsForWhiteBalanceAndExposure) {
-  const cv::Mat image = wallWith({10, 10, 4, 4}, {40, 40, 200});
+  const cv::Mat image = wallWithSquare({10, 10, 4, 4}, {40, 40, 200});
   const color::ColorLikelihood table =
       color::OtherCameraLikelihood({kRed}).inImage(image, everywhere(image));
   EXPECT_GT(nats(table, kRed), 1.0);
@@ -39,7 +34,7 @@ TEST(OtherCameraLikelihood, AllowsForWhiteBalanceAndExposure) {
 // against all others it does not.
 TEST(OtherCameraLikelihood, LeavesARegionOutOfItsOwnRest) {
   const cv::Rect square(10, 10, 40, 30);
-  const cv::Mat image = wallWith(square, {40, 40, 200});
+  const cv::Mat image = wallWithSquare(square, {40, 40, 200});
   cv::Mat region = cv::Mat::zeros(image.size(), CV_8UC1);
   region(square).setTo(255);
   const color::OtherCameraLikelihood likelihood({kRed});
@@ -53,7 +48,7 @@ TEST(OtherCameraLikelihood, LeavesARegionOutOfItsOwnRest) {
 // A red thing where the target cannot be makes red five times rarer than one where it can.
 TEST(OtherCameraLikelihood, CountsLittleWhatCannotBeTheTarget) {
   const cv::Rect square(50, 10, 20, 20);
-  const cv::Mat image = wallWith(square, {40, 40, 200});
+  const cv::Mat image = wallWithSquare(square, {40, 40, 200});
   cv::Mat near = everywhere(image);
   near(square).setTo(0);
   const color::OtherCameraLikelihood likelihood({kRed});

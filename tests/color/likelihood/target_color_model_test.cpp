@@ -2,6 +2,7 @@
 #include "core/color/color_evidence.h"
 #include "core/color/hsi.h"
 #include "core/color/likelihood/target_color_model.h"
+#include "tests/color/red_samples.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +14,11 @@
 namespace dewpoint::tests {
 namespace {
 
-const BgrColor kRed{40, 40, 200};
 const BgrColor kBlue{200, 60, 40};
 const BgrColor kGray{120, 120, 120};
-const BgrColor kGreen{60, 160, 40};
+const BgrColor kLeafGreen{60, 160, 40};
 const ColorRange kEveryColor{0.0, 360.0};
-const ColorRange kRedRange{350.0, 10.0, 0.2, 1.0, 0.1, 0.9};
+const ColorRange kNarrowRedRange{350.0, 10.0, 0.2, 1.0, 0.1, 0.9};
 
 HsiColors pixelsOf(const BgrColor& color, double count) {
   return {hsiFromBgr(color[0], color[1], color[2]), count};
@@ -36,20 +36,16 @@ int at(const ColorLikelihood& table, const BgrColor& color) {
   return table.at(color[0], color[1], color[2]);
 }
 
-double nats(const ColorLikelihood& table, const BgrColor& color) {
-  return table.logRatio(color[0], color[1], color[2]);
-}
-
 // Without evidence the range decides: 1 nat, 16 steps, for what lies in it, as much against what
 // does not, and all there is against what lies beyond its limits. Red, orange and green have hues
 // of 0, 19 and 129 degrees, the range ends at 10, its limits at 30.
 TEST(TargetColorModel, WithoutEvidenceTheRangeDecides) {
-  const ColorLikelihood table = tableOf({}, {}, kRedRange);
+  const ColorLikelihood table = tableOf({}, {}, kNarrowRedRange);
   const BgrColor orange{40, 93, 200};
   EXPECT_NEAR(hsiFromBgr(orange[0], orange[1], orange[2]).hueDegrees, 19.0, 0.1);
   EXPECT_EQ(at(table, kRed), 16);
   EXPECT_EQ(at(table, orange), -16);
-  EXPECT_EQ(at(table, kGreen), -72);
+  EXPECT_EQ(at(table, kLeafGreen), -72);
   EXPECT_EQ(at(table, kGray), -72);
 }
 
@@ -77,15 +73,15 @@ TEST(TargetColorModel, ACellOnABoundIsInPartInTheRange) {
 TEST(TargetColorModel, AFewPixelsAndThePriorShareTheDecision) {
   const ColorLikelihood target = tableOf({pixelsOf(kRed, 20.0)}, {});
   EXPECT_EQ(at(target, kRed), 44);
-  EXPECT_EQ(at(target, kGreen), 16);
+  EXPECT_EQ(at(target, kLeafGreen), 16);
   const ColorLikelihood rest = tableOf({}, {pixelsOf(kRed, 20.0)});
   EXPECT_EQ(at(rest, kRed), -28);
-  EXPECT_EQ(at(rest, kGreen), 16);
+  EXPECT_EQ(at(rest, kLeafGreen), 16);
   // The side with fewer pixels counts.
   const ColorLikelihood both = tableOf({pixelsOf(kRed, 20.0)}, {pixelsOf(kGray, 1e5)});
   EXPECT_EQ(at(both, kRed), 44);
   EXPECT_EQ(at(both, kGray), -28);
-  EXPECT_EQ(at(both, kGreen), 16);
+  EXPECT_EQ(at(both, kLeafGreen), 16);
 }
 
 TEST(TargetColorModel, MoreEvidenceSaysMore) {
@@ -119,10 +115,10 @@ TEST(TargetColorModel, ATargetMayHaveSeveralColors) {
 // target, as other light spreads more of it.
 TEST(TargetColorModel, AColorOfBothSaysNothing) {
   const ColorLikelihood table = tableOf({pixelsOf(kRed, 250.0), pixelsOf(kGray, 250.0)},
-                                        {pixelsOf(kGray, 5e3), pixelsOf(kGreen, 5e3)});
+                                        {pixelsOf(kGray, 5e3), pixelsOf(kLeafGreen, 5e3)});
   EXPECT_NEAR(nats(table, kGray), 0.0, 0.6);
   EXPECT_GT(nats(table, kRed), 4.0);
-  EXPECT_LT(nats(table, kGreen), -4.0);
+  EXPECT_LT(nats(table, kLeafGreen), -4.0);
 }
 
 // One in a hundred of the rest has the target's color: about ln(100) for it, somewhat less because
@@ -137,7 +133,8 @@ TEST(TargetColorModel, PixelsCanBeWeighedInsteadOfLikelihoods) {
 
 // From half of the light to a quarter more, paler, and a few degrees of hue to both sides.
 TEST(TargetColorModel, OtherLightIsTheTargetToo) {
-  const ColorLikelihood table = tableOf({pixelsOf(kRed, 500.0)}, {pixelsOf(kGray, 1e4)}, kRedRange);
+  const ColorLikelihood table =
+      tableOf({pixelsOf(kRed, 500.0)}, {pixelsOf(kGray, 1e4)}, kNarrowRedRange);
   for (const BgrColor& color :
        {BgrColor{20, 20, 100}, BgrColor{32, 32, 160}, BgrColor{50, 50, 250}, BgrColor{56, 56, 168},
         BgrColor{40, 56, 192}, BgrColor{56, 40, 192}}) {
@@ -150,11 +147,11 @@ TEST(TargetColorModel, OtherLightIsTheTargetToo) {
 
 TEST(TargetColorModel, NothingBeyondTheLimitsIsTheTarget) {
   std::vector<HsiColors> target;
-  for (const BgrColor& color : {kRed, kBlue, kGray, kGreen}) {
+  for (const BgrColor& color : {kRed, kBlue, kGray, kLeafGreen}) {
     target.push_back(pixelsOf(color, 1e4));
   }
-  const ColorLikelihood table = tableOf(target, {}, kRedRange);
-  const ColorRange limits = TargetColorModel::limitsOf(kRedRange);
+  const ColorLikelihood table = tableOf(target, {}, kNarrowRedRange);
+  const ColorRange limits = TargetColorModel::limitsOf(kNarrowRedRange);
   int inside = 0;
   for (int b = 4; b < 256; b += 8) { // the middle of each cell
     for (int g = 4; g < 256; g += 8) {
@@ -174,11 +171,11 @@ TEST(TargetColorModel, NothingBeyondTheLimitsIsTheTarget) {
 }
 
 TEST(TargetColorModel, LimitsCanBeOpened) {
-  TargetColorModel model(kRedRange, kEveryColor);
+  TargetColorModel model(kNarrowRedRange, kEveryColor);
   model.add({pixelsOf(kRed, 500.0), pixelsOf(kBlue, 500.0)});
   const ColorLikelihood table = model.inCamera({}, {});
   EXPECT_GT(nats(table, kBlue), 4.0);
-  EXPECT_EQ(at(table, kGreen), -16); // not the lowest, but the prior
+  EXPECT_EQ(at(table, kLeafGreen), -16); // not the lowest, but the prior
 }
 
 TEST(TargetColorModel, LimitsAreTheRangeAndAMargin) {
@@ -191,20 +188,20 @@ TEST(TargetColorModel, LimitsAreTheRangeAndAMargin) {
   EXPECT_EQ(TargetColorModel::limitsOf({10.0, 335.0}).hueMax, 360.0);
   EXPECT_EQ(TargetColorModel::limitsOf({10.0, 320.0}), (ColorRange{350.0, 340.0}));
   EXPECT_EQ(TargetColorModel::limitsOf(kEveryColor), kEveryColor);
-  EXPECT_TRUE(checkColorRange(TargetColorModel::limitsOf(kRedRange)));
+  EXPECT_TRUE(checkColorRange(TargetColorModel::limitsOf(kNarrowRedRange)));
 }
 
 // A camera that shows blue half again as bright and red a fifth darker: what is (40, 40, 200) in
 // the reference camera is (60, 40, 160) there, for the evidence and for the range.
 TEST(TargetColorModel, ACameraSeesThroughItsGain) {
   const ColorGain gain{1.5, 1.0, 0.8};
-  TargetColorModel model(kRedRange);
+  TargetColorModel model(kNarrowRedRange);
   model.add({pixelsOf(kRed, 500.0)});
   const int reference = at(model.inCamera({}, {}), kRed);
   EXPECT_EQ(reference, 70); // (20 * 1 + 500 * 4.5) / 520 nats, 69.8 steps
   EXPECT_EQ(at(model.inCamera(gain, {}), {60, 40, 160}), reference);
 
-  TargetColorModel seenThere(kRedRange);
+  TargetColorModel seenThere(kNarrowRedRange);
   seenThere.add({pixelsOf({60, 40, 160}, 500.0)}, gain);
   const ColorLikelihood learnedThere = seenThere.inCamera({}, {});
   const ColorLikelihood learnedHere = model.inCamera({}, {});
@@ -223,7 +220,7 @@ TEST(TargetColorModel, ACameraSeesThroughItsGain) {
 // Gray (100) in a camera that shows red half as bright is (100, 100, 200) in the reference camera,
 // red; in a camera that shows blue and green half as bright it is (200, 200, 100) there, cyan.
 TEST(TargetColorModel, TheRangeIsMeantInTheReferenceCamera) {
-  const TargetColorModel model(kRedRange);
+  const TargetColorModel model(kNarrowRedRange);
   EXPECT_EQ(at(model.inCamera({}, {}), {100, 100, 100}), -72);
   EXPECT_EQ(at(model.inCamera({1.0, 1.0, 0.5}, {}), {100, 100, 100}), 16);
   EXPECT_EQ(at(model.inCamera({0.5, 0.5, 1.0}, {}), {100, 100, 100}), -72);
@@ -239,15 +236,15 @@ TEST(TargetColorModel, ABrightCameraCutsColorsOff) {
 TEST(TargetColorModel, LearnsFromTheEvidenceOfSamples) {
   ColorEvidence evidence;
   EXPECT_EQ(pixelRatio(evidence), 1.0);
-  EXPECT_TRUE(learnLikelihood(evidence, kRedRange) == tableOf({}, {}, kRedRange));
+  EXPECT_TRUE(learnLikelihood(evidence, kNarrowRedRange) == tableOf({}, {}, kNarrowRedRange));
   evidence.target = {pixelsOf(kRed, 100.0)};
   evidence.targetWeight = 100.0;
   EXPECT_EQ(pixelRatio(evidence), 1.0);
   evidence.rest = {pixelsOf(kGray, 1200.0)};
   evidence.restWeight = 1200.0;
   EXPECT_EQ(pixelRatio(evidence), 12.0);
-  EXPECT_TRUE(learnLikelihood(evidence, kRedRange, 12.0) ==
-              tableOf(evidence.target, evidence.rest, kRedRange, 12.0));
+  EXPECT_TRUE(learnLikelihood(evidence, kNarrowRedRange, 12.0) ==
+              tableOf(evidence.target, evidence.rest, kNarrowRedRange, 12.0));
 }
 
 } // namespace

@@ -2,11 +2,11 @@
 #include "core/base/random.h"
 #include "core/experiment/metrics/chi_square.h"
 #include "core/experiment/metrics/consistency.h"
+#include "tests/base/not_a_number.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace dewpoint::tests {
@@ -91,7 +91,6 @@ TEST(Consistency, CountsBothEllipsoids) {
 
 TEST(Consistency, UnusableSamplesCountAsOutside) {
   const Eigen::Vector3d error(0.1, 0.0, 0.0);
-  const double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   const std::vector<StateError> errors{
       sampleOf(error, {1.0, 1.0, 1.0}), sampleOf(error, {0.0, 0.0, 0.0}),
       sampleOf(error, {1.0, -1.0, 1.0}), sampleOf({kNotANumber, 0.0, 0.0}, {1.0, 1.0, 1.0})};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/metrics/error_split.h"
+#include "tests/base/not_a_number.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace dewpoint::tests {
@@ -55,7 +55,6 @@ TEST(ErrorSplit, CamerasFaceToFaceHaveNoMeanView) {
 }
 
 TEST(ErrorSplit, ErrorsThatAreNoNumbersAreLeftOut) {
-  const double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   const ErrorSplit split = splitErrors({{kNotANumber, 0.0, 0.0}, {0.0, 2.0, 0.0}}, {});
   EXPECT_EQ(split.count, 1);
   EXPECT_EQ(split.summary.rmse, 2.0);
