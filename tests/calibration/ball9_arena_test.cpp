@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nine real cameras and one steel ball: the points of ball9_arena, with their gaps and gross
 // errors. Truth is the authors' own calibration.
-#include "core/base/random.h"
-#include "core/calibration/bundle/bundle_cost.h"
 #include "core/calibration/wand/wand_bundle.h"
 #include "core/calibration/wand/wand_calibration.h"
 #include "core/calibration/wand/wand_gauge.h"
+#include "tests/calibration/moved_cameras.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -78,21 +77,6 @@ std::vector<std::vector<MarkerObservation>> detections() {
   return views;
 }
 
-CameraRig moved(CameraRig rig, double place, double turn, std::uint32_t seed) {
-  const RandomStream random(5, seed, 0, RandomPurpose::Noise);
-  for (std::size_t c = 0; c < rig.size(); ++c) {
-    const auto a = random.normal4(std::uint32_t(c));
-    const auto b = random.normal4(std::uint32_t(c), 1);
-    const Eigen::Vector3d center =
-        rig[c].center() + place * Eigen::Vector3d(a[0], a[1], a[2]).normalized();
-    auto& pose = rig[c].cameraFromWorld;
-    pose.linear() =
-        turnRotation(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
-    pose.translation() = -pose.linear() * center;
-  }
-  return rig;
-}
-
 /// Median over the views of every tenth frame, none left out, of how far each lies from the
 /// projection of the point that explains its instant best (least absolute distances, cameras held).
 double medianReprojection(const CameraRig& rig,
@@ -122,7 +106,7 @@ TEST(Ball9Arena, WavingTheBallIsNoWorseThanTheAuthorsCalibration) {
   WandProblem problem;
   const CameraRig truth = authorsRig();
   problem.views = detections();
-  problem.initialRig = moved(truth, 0.1, 3.0 / 180.0 * std::numbers::pi, 1);
+  problem.initialRig = movedCameras(truth, 0.1, 3.0 / 180.0 * std::numbers::pi, 1);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   const double authors = medianReprojection(truth, problem.views);

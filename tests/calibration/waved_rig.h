@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/calibration/bundle/bundle_cost.h"
 #include "core/calibration/wand/wand_calibration.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/geometry/projector.h"
+#include "tests/calibration/moved_cameras.h"
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dewpoint::tests::simulated {
@@ -41,18 +42,8 @@ inline CameraRig rig(std::uint32_t seed, int count = 4) {
 
 /// Every camera moved by `place` meters and turned by `turn` radians, in directions of its own.
 inline CameraRig moved(CameraRig cameras, double place, double turn, std::uint32_t seed) {
-  const RandomStream random(18, seed, 0, RandomPurpose::Simulation);
-  for (std::size_t c = 0; c < cameras.size(); ++c) {
-    const auto a = random.normal4(std::uint32_t(c));
-    const auto b = random.normal4(std::uint32_t(c), 1);
-    const Eigen::Vector3d center =
-        cameras[c].center() + place * Eigen::Vector3d(a[0], a[1], a[2]).normalized();
-    auto& pose = cameras[c].cameraFromWorld;
-    pose.linear() =
-        turnRotation(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
-    pose.translation() = -pose.linear() * center;
-  }
-  return cameras;
+  return movedCameras(std::move(cameras), place, turn,
+                      RandomStream(18, seed, 0, RandomPurpose::Simulation));
 }
 
 /// Where an end of the stick is; each seed waves differently.

@@ -39,7 +39,7 @@ Eigen::Isometry3d boardInRoom(const BoardDescription& board, std::uint32_t numbe
   return pose;
 }
 
-ExtrinsicsRequest requestOf(const char* board, double sigmaPx) {
+ExtrinsicsRequest extrinsicsRequest(const char* board, double sigmaPx) {
   ExtrinsicsRequest request;
   request.board = boardOf(board);
   for (const Camera& camera : ring()) {
@@ -68,14 +68,14 @@ void expectRing(const ExtrinsicsResult& result, double meters) {
 }
 
 TEST(ExtrinsicsFromBoard, ExactCornersGiveExactPoses) {
-  const auto result = calibrateExtrinsics(requestOf("chessboard:9x6:0.025", 0.0));
+  const auto result = calibrateExtrinsics(extrinsicsRequest("chessboard:9x6:0.025", 0.0));
   ASSERT_TRUE(result) << sentence(result.error());
   expectRing(*result, 1e-5);
   EXPECT_LT(result->rmsPx, 1e-3);
 }
 
 TEST(ExtrinsicsFromBoard, NoisyCornersStayNear) {
-  const auto result = calibrateExtrinsics(requestOf("chessboard:9x6:0.025", 0.2));
+  const auto result = calibrateExtrinsics(extrinsicsRequest("chessboard:9x6:0.025", 0.2));
   ASSERT_TRUE(result) << sentence(result.error());
   // The world hangs on one small board at instant 0, 1.5 m away: it may tilt by half a degree. How
   // the cameras stand to each other is known better.
@@ -91,7 +91,7 @@ TEST(ExtrinsicsFromBoard, NoisyCornersStayNear) {
 }
 
 TEST(ExtrinsicsFromBoard, SymmetricBoardIsCountedAlike) {
-  auto request = requestOf("chessboard:7x5:0.03", 0.1);
+  auto request = extrinsicsRequest("chessboard:7x5:0.03", 0.1);
   for (std::size_t camera = 1; camera < 4; ++camera) {
     for (std::size_t k = camera; k < request.cameras[camera].views.size(); k += 2) {
       auto& detection = request.cameras[camera].views[k].detection;
@@ -105,7 +105,7 @@ TEST(ExtrinsicsFromBoard, SymmetricBoardIsCountedAlike) {
 }
 
 TEST(ExtrinsicsFromBoard, BadViewsAreLeftOutAndNamed) {
-  auto request = requestOf("chessboard:9x6:0.025", 0.1);
+  auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.1);
   auto& view = request.cameras[2].views[3];
   for (auto& pixel : view.detection.pixels) {
     pixel += Eigen::Vector2d(25.0, -10.0); // a frame of another instant
@@ -120,7 +120,7 @@ TEST(ExtrinsicsFromBoard, BadViewsAreLeftOutAndNamed) {
 }
 
 TEST(ExtrinsicsFromBoard, UnconnectedCamerasAreNamed) {
-  auto request = requestOf("chessboard:9x6:0.025", 0.1);
+  auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.1);
   for (auto& view : request.cameras[3].views) {
     view.instant += 1000;
   }
@@ -131,7 +131,7 @@ TEST(ExtrinsicsFromBoard, UnconnectedCamerasAreNamed) {
 }
 
 TEST(ExtrinsicsFromBoard, TheFirstCameraKeepsAGivenPose) {
-  auto request = requestOf("chessboard:9x6:0.025", 0.0);
+  auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.0);
   request.worldInstant.reset();
   request.cameras[0].camera.cameraFromWorld = ring()[0].cameraFromWorld;
   const auto result = calibrateExtrinsics(request);
@@ -140,7 +140,7 @@ TEST(ExtrinsicsFromBoard, TheFirstCameraKeepsAGivenPose) {
 }
 
 TEST(ExtrinsicsFromBoard, CancelStops) {
-  const auto stopped = calibrateExtrinsics(requestOf("chessboard:9x6:0.025", 0.1),
+  const auto stopped = calibrateExtrinsics(extrinsicsRequest("chessboard:9x6:0.025", 0.1),
                                            [](CalibrationStage, double) { return false; });
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::Canceled);

@@ -10,7 +10,7 @@
 namespace dewpoint::tests {
 namespace {
 
-IntrinsicsRequest requestOf(const Camera& camera, double sigmaPx, int count) {
+IntrinsicsRequest intrinsicsRequest(const Camera& camera, double sigmaPx, int count) {
   IntrinsicsRequest request;
   request.board = boardOf("chessboard:9x6:0.025");
   request.width = camera.intrinsics.width;
@@ -24,7 +24,7 @@ IntrinsicsRequest requestOf(const Camera& camera, double sigmaPx, int count) {
 
 TEST(IntrinsicsFromBoard, TruthLiesWithinTheStatedDeviations) {
   const Camera truth = testCamera();
-  const auto result = calibrateIntrinsics(requestOf(truth, 0.1, 15));
+  const auto result = calibrateIntrinsics(intrinsicsRequest(truth, 0.1, 15));
   ASSERT_TRUE(result) << sentence(result.error());
   // Two coordinates of sigma 0.1 px each, less the part the 98 parameters take.
   EXPECT_NEAR(result->rmsPx, 0.1 * std::sqrt(2.0), 0.01);
@@ -49,14 +49,14 @@ TEST(IntrinsicsFromBoard, TruthLiesWithinTheStatedDeviations) {
 TEST(IntrinsicsFromBoard, PixelsThatAreNotSquareAreNoticed) {
   Camera truth = testCamera();
   truth.intrinsics.focalY *= 0.97;
-  const auto result = calibrateIntrinsics(requestOf(truth, 0.1, 15));
+  const auto result = calibrateIntrinsics(intrinsicsRequest(truth, 0.1, 15));
   ASSERT_TRUE(result);
   EXPECT_NEAR(result->camera.intrinsics.focalY / result->camera.intrinsics.focalX, 0.97, 0.002);
 }
 
 TEST(IntrinsicsFromBoard, BadViewsAreLeftOutAndNamed) {
   const Camera truth = testCamera();
-  auto request = requestOf(truth, 0.1, 12);
+  auto request = intrinsicsRequest(truth, 0.1, 12);
   for (auto& pixel : request.views[4].detection.pixels) {
     pixel.x() += 0.06 * (pixel.y() - 240.0) * (pixel.x() > 320.0 ? 1.0 : -1.0); // a bent board
   }
@@ -77,7 +77,7 @@ TEST(IntrinsicsFromBoard, BadViewsAreLeftOutAndNamed) {
 TEST(IntrinsicsFromBoard, EightCoefficientsAndFisheye) {
   Camera wide = testCamera();
   wide.distortion = {0.3, 0.05, 0.0005, -0.0004, 0.002, 0.55, 0.12, 0.008};
-  auto request = requestOf(wide, 0.05, 20);
+  auto request = intrinsicsRequest(wide, 0.05, 20);
   request.model = IntrinsicsModel::EightCoefficients;
   const auto rational = calibrateIntrinsics(request);
   ASSERT_TRUE(rational) << sentence(rational.error());
@@ -88,7 +88,7 @@ TEST(IntrinsicsFromBoard, EightCoefficientsAndFisheye) {
   fish.lens = LensModel::Fisheye;
   fish.intrinsics.focalX = fish.intrinsics.focalY = 300.0;
   fish.distortion = {0.02, -0.01, 0.004, -0.001};
-  request = requestOf(fish, 0.05, 20);
+  request = intrinsicsRequest(fish, 0.05, 20);
   request.model = IntrinsicsModel::Fisheye;
   const auto fisheye = calibrateIntrinsics(request);
   ASSERT_TRUE(fisheye) << sentence(fisheye.error());
@@ -98,7 +98,7 @@ TEST(IntrinsicsFromBoard, EightCoefficientsAndFisheye) {
 }
 
 TEST(IntrinsicsFromBoard, TooFewViewsAndCancel) {
-  auto request = requestOf(testCamera(), 0.1, 12);
+  auto request = intrinsicsRequest(testCamera(), 0.1, 12);
   const auto stopped = calibrateIntrinsics(request, [](CalibrationStage, double) { return false; });
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::Canceled);
@@ -110,7 +110,7 @@ TEST(IntrinsicsFromBoard, TooFewViewsAndCancel) {
 
 // Counted along the wrong side, corners 6 and 7 of a row of nine become the ends of different rows.
 TEST(IntrinsicsFromBoard, AWrongNumberOfCornersIsNamed) {
-  auto request = requestOf(testCamera(), 0.1, 15);
+  auto request = intrinsicsRequest(testCamera(), 0.1, 15);
   request.board = boardOf("chessboard:6x9:0.025");
   const auto result = calibrateIntrinsics(request);
   ASSERT_FALSE(result);

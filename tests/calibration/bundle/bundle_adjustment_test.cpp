@@ -11,7 +11,7 @@
 namespace dewpoint::tests {
 namespace {
 
-Camera cameraAt(const std::string& name, const Eigen::Vector3d& position) {
+Camera cameraFrom(const std::string& name, const Eigen::Vector3d& position) {
   Camera camera;
   camera.name = name;
   camera.intrinsics = {640, 480, 500.0, 510.0, 320.0, 240.0};
@@ -20,11 +20,11 @@ Camera cameraAt(const std::string& name, const Eigen::Vector3d& position) {
 }
 
 CameraRig fourCameras() {
-  return {cameraAt("a", {2.0, 2.0, 1.5}), cameraAt("b", {-2.0, 2.0, 1.2}),
-          cameraAt("c", {-2.0, -2.0, 1.8}), cameraAt("d", {2.0, -2.0, 1.0})};
+  return {cameraFrom("a", {2.0, 2.0, 1.5}), cameraFrom("b", {-2.0, 2.0, 1.2}),
+          cameraFrom("c", {-2.0, -2.0, 1.8}), cameraFrom("d", {2.0, -2.0, 1.0})};
 }
 
-Eigen::Vector3d waved(double t) {
+Eigen::Vector3d wavedBall(double t) {
   return {0.4 * std::sin(4.1 * t), 0.4 * std::sin(5.3 * t + 1.0), 0.5 + 0.3 * std::sin(3.1 * t)};
 }
 
@@ -61,7 +61,7 @@ BundleProblem wavedProblem(const CameraRig& rig, bool stick, int count, double n
         const Eigen::Vector3d end =
             0.5 * double(p) * Eigen::Vector3d(std::cos(2.0 * t), std::sin(2.0 * t), 0.0);
         const auto draw = random.normal4(std::uint32_t(problem.observations.size()));
-        const auto pixel = Projector(rig[c]).project(waved(t) + end);
+        const auto pixel = Projector(rig[c]).project(wavedBall(t) + end);
         problem.observations.push_back(
             {c, problem.states.size(), p, *pixel + noise * Eigen::Vector2d(draw[0], draw[1])});
       }
@@ -273,7 +273,7 @@ TEST(BundleAdjustment, TheMiddleOfABallsOutlineIsCorrected) {
   for (BundleObservation& seen : problem.observations) {
     const double t = problem.states[seen.state].time;
     const Eigen::Vector3d ball =
-        waved(t) +
+        wavedBall(t) +
         0.5 * double(seen.point) * Eigen::Vector3d(std::cos(2.0 * t), std::sin(2.0 * t), 0.0);
     const SphereProjector sphere(rig[seen.camera]);
     seen.pixel = sphere.project(ball, radius)->center;
@@ -296,7 +296,7 @@ TEST(BundleAdjustment, SaysWhatIsMissing) {
   // A ball at rest says nothing about where four cameras are.
   BundleProblem still = wavedProblem(rig, false, 30);
   for (BundleObservation& seen : still.observations) {
-    seen.pixel = *Projector(rig[seen.camera]).project(waved(0.0));
+    seen.pixel = *Projector(rig[seen.camera]).project(wavedBall(0.0));
   }
   EXPECT_EQ(adjustBundle(still).error().code, ErrorCode::Undetermined);
 

@@ -12,8 +12,7 @@ namespace {
 
 using abreast::ballAt;
 using abreast::ballSeenAt;
-
-const std::vector<double> kSix{0.0, 0.1, 0.2, 0.3, 0.4, 0.5};
+using abreast::kSix;
 
 BundleStart startOf(const BundleProblem& problem) {
   auto start = startBundle(problem);

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 /// Cameras side by side on the world's x axis that look along z, without distortion: pixels by
 /// hand.
@@ -29,6 +30,9 @@ inline Eigen::Vector2d pixelOf(double x, const Eigen::Vector3d& point) {
 inline Eigen::Vector3d ballAt(double time) {
   return {0.2 + time, 0.1 - 0.5 * time, 4.0 + 0.2 * time};
 }
+
+/// Six instants, seconds.
+inline const std::vector<double> kSix{0.0, 0.1, 0.2, 0.3, 0.4, 0.5};
 
 /// A ball seen by cameras 0 and 1 at these instants, exactly.
 inline BundleProblem ballSeenAt(const std::vector<double>& times) {

@@ -12,11 +12,10 @@ namespace {
 
 using abreast::ballAt;
 using abreast::ballSeenAt;
+using abreast::kSix;
 using abreast::pixelOf;
 
-using Indices = std::vector<std::size_t>;
-
-const std::vector<double> kSix{0.0, 0.1, 0.2, 0.3, 0.4, 0.5};
+using StateIndices = std::vector<std::size_t>;
 
 /// Camera `camera` no longer sees the body in this state.
 void hide(BundleProblem& problem, std::size_t state, std::size_t camera) {
@@ -142,13 +141,13 @@ TEST(BundleStart, ACameraThatIsNotKnownNeedsSixObservations) {
 }
 
 /// The instants a point is followed through, around each state, for images that are late.
-std::vector<Indices> knotsOf(const std::vector<double>& times) {
+std::vector<StateIndices> knotsOf(const std::vector<double>& times) {
   BundleProblem problem = ballSeenAt(times);
   problem.cameras[1].offsetFree = true;
   problem.cameras[0].poseFixed = problem.cameras[1].poseFixed = true;
   const auto start = startBundle(problem);
   EXPECT_TRUE(start);
-  std::vector<Indices> knots;
+  std::vector<StateIndices> knots;
   for (std::size_t k = 0; start && k < times.size(); ++k) {
     EXPECT_TRUE(start->knots[indexOf(problem, k, 0)].empty()); // this camera is on time
     knots.push_back(start->knots[indexOf(problem, k, 1)]);
@@ -159,24 +158,25 @@ std::vector<Indices> knotsOf(const std::vector<double>& times) {
 
 TEST(BundleStart, APointIsFollowedThroughFiveInstants) {
   // The two before and the two behind; at the ends of the path the nearest five.
-  EXPECT_EQ(knotsOf({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}), (std::vector<Indices>{{0, 1, 2, 3, 4},
-                                                                                {0, 1, 2, 3, 4},
-                                                                                {0, 1, 2, 3, 4},
-                                                                                {1, 2, 3, 4, 5},
-                                                                                {2, 3, 4, 5, 6},
-                                                                                {2, 3, 4, 5, 6},
-                                                                                {2, 3, 4, 5, 6}}));
+  EXPECT_EQ(knotsOf({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}),
+            (std::vector<StateIndices>{{0, 1, 2, 3, 4},
+                                       {0, 1, 2, 3, 4},
+                                       {0, 1, 2, 3, 4},
+                                       {1, 2, 3, 4, 5},
+                                       {2, 3, 4, 5, 6},
+                                       {2, 3, 4, 5, 6},
+                                       {2, 3, 4, 5, 6}}));
 }
 
 TEST(BundleStart, APathIsNotFollowedThroughALongGap) {
   // 0.5 s, where 0.2 s are allowed: four instants before it, three behind it.
-  EXPECT_EQ(knotsOf({0.0, 0.1, 0.2, 0.3, 0.8, 0.9, 1.0}), (std::vector<Indices>{{0, 1, 2, 3},
-                                                                                {0, 1, 2, 3},
-                                                                                {0, 1, 2, 3},
-                                                                                {0, 1, 2, 3},
-                                                                                {4, 5, 6},
-                                                                                {4, 5, 6},
-                                                                                {4, 5, 6}}));
+  EXPECT_EQ(knotsOf({0.0, 0.1, 0.2, 0.3, 0.8, 0.9, 1.0}), (std::vector<StateIndices>{{0, 1, 2, 3},
+                                                                                     {0, 1, 2, 3},
+                                                                                     {0, 1, 2, 3},
+                                                                                     {0, 1, 2, 3},
+                                                                                     {4, 5, 6},
+                                                                                     {4, 5, 6},
+                                                                                     {4, 5, 6}}));
 }
 
 // Behind the gap there are two instants, a path needs three: what the late camera sees of them is

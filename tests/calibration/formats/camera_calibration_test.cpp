@@ -25,7 +25,7 @@ Result<Camera> parse(std::string text, const std::string& from = "", const std::
   return cameraFromToml(toml::parse(text), "rig.toml", "cam_0.");
 }
 
-Error errorOf(const std::string& from, const std::string& to) {
+Error errorOfCamera(const std::string& from, const std::string& to) {
   const auto camera = parse(kGood, from, to);
   EXPECT_FALSE(camera);
   return camera ? Error{} : camera.error();
@@ -58,18 +58,19 @@ TEST(CameraCalibration, ARodriguesVectorIsTheSameRotation) {
 }
 
 TEST(CameraCalibration, NamesTheFileAndTheFieldOfWhatIsWrong) {
-  EXPECT_EQ(errorOf("500.0", "nan").field, "cam_0.matrix");
-  EXPECT_EQ(errorOf("500.0", "nan").file, "rig.toml");
-  EXPECT_EQ(errorOf("500.0", "0.0").field, "cam_0.matrix");
-  EXPECT_NE(errorOf("500.0", "0.0").detail.find("focal"), std::string::npos);
-  EXPECT_NE(errorOf("[0, -1, 0]", "[0, -2, 0]").detail.find("not a rotation"), std::string::npos);
-  EXPECT_NE(errorOf("[0, 0, 1]]\ntrans", "[0, 0, -1]]\ntrans").detail.find("mirrors"),
+  EXPECT_EQ(errorOfCamera("500.0", "nan").field, "cam_0.matrix");
+  EXPECT_EQ(errorOfCamera("500.0", "nan").file, "rig.toml");
+  EXPECT_EQ(errorOfCamera("500.0", "0.0").field, "cam_0.matrix");
+  EXPECT_NE(errorOfCamera("500.0", "0.0").detail.find("focal"), std::string::npos);
+  EXPECT_NE(errorOfCamera("[0, -1, 0]", "[0, -2, 0]").detail.find("not a rotation"),
             std::string::npos);
-  EXPECT_EQ(errorOf("[1.0, 2.0, 3.0]", "[1.0, inf, 3.0]").field, "cam_0.translation");
-  EXPECT_EQ(errorOf("[0.1, -0.2, 0.001, 0.002, 0.3]", "[0.1, 0.2, 0.3]").field,
+  EXPECT_NE(errorOfCamera("[0, 0, 1]]\ntrans", "[0, 0, -1]]\ntrans").detail.find("mirrors"),
+            std::string::npos);
+  EXPECT_EQ(errorOfCamera("[1.0, 2.0, 3.0]", "[1.0, inf, 3.0]").field, "cam_0.translation");
+  EXPECT_EQ(errorOfCamera("[0.1, -0.2, 0.001, 0.002, 0.3]", "[0.1, 0.2, 0.3]").field,
             "cam_0.distortions");
-  EXPECT_EQ(errorOf("size = [640, 480]", "").code, ErrorCode::MissingKey);
-  EXPECT_EQ(errorOf("size", "sizes = [1]\nsize").code, ErrorCode::UnknownKey);
+  EXPECT_EQ(errorOfCamera("size = [640, 480]", "").code, ErrorCode::MissingKey);
+  EXPECT_EQ(errorOfCamera("size", "sizes = [1]\nsize").code, ErrorCode::UnknownKey);
 }
 
 TEST(CalibrationFile, ComesBackAsItWas) {

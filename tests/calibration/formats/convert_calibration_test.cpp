@@ -16,8 +16,9 @@
 namespace dewpoint::tests {
 namespace {
 
-Camera cameraAt(const char* name, const Eigen::Vector3d& position,
-                const std::array<double, 8>& distortion, LensModel lens = LensModel::Pinhole) {
+Camera cameraWithLens(const char* name, const Eigen::Vector3d& position,
+                      const std::array<double, 8>& distortion,
+                      LensModel lens = LensModel::Pinhole) {
   Camera camera;
   camera.name = name;
   camera.intrinsics = {1280, 720, 903.5, 907.25, 618.3, 394.2};
@@ -29,8 +30,8 @@ Camera cameraAt(const char* name, const Eigen::Vector3d& position,
 
 /// Four coefficients: every format holds them.
 CameraRig plainRig() {
-  return {cameraAt("left", {2.0, -1.5, 1.4}, {-0.33, 0.16, -0.0043, 0.0041}),
-          cameraAt("right", {1.9, 1.7, 1.2}, {0.1, -0.22, 0.0004, -0.0026})};
+  return {cameraWithLens("left", {2.0, -1.5, 1.4}, {-0.33, 0.16, -0.0043, 0.0041}),
+          cameraWithLens("right", {1.9, 1.7, 1.2}, {0.1, -0.22, 0.0004, -0.0026})};
 }
 
 CalibrationTarget target(const CalibrationFormat& format) {
@@ -121,8 +122,8 @@ TEST(LensRefit, IsMuchBetterThanDroppingTheCoefficient) {
 }
 
 TEST(LensRefit, AMildFisheyeFitsAPinholeOfEight) {
-  const Camera camera = cameraAt("round", {2, 0, 1}, {0.02, -0.012, 0.003, -0.001},
-                                 LensModel::Fisheye); // 35 degrees to the corner
+  const Camera camera = cameraWithLens("round", {2, 0, 1}, {0.02, -0.012, 0.003, -0.001},
+                                       LensModel::Fisheye); // 35 degrees to the corner
   const LensRefit refit = refitLens(camera, {8, false});
   EXPECT_EQ(refit.camera.lens, LensModel::Pinhole);
   EXPECT_LT(refit.largestPixels, 0.01);

@@ -103,8 +103,8 @@ TEST(FormatGolden, EveryFilePutsItsPointsWhereItsToolDoes) {
 }
 
 /// The error of a golden file with one piece of its text replaced.
-Error errorOf(const std::string& file, const std::string& from, const std::string& to,
-              const CalibrationHints& hints = {}) {
+Error errorOfGolden(const std::string& file, const std::string& from, const std::string& to,
+                    const CalibrationHints& hints = {}) {
   std::ifstream stream(kGolden / file);
   std::stringstream buffer;
   buffer << stream.rdbuf();
@@ -137,7 +137,7 @@ TEST(FormatGolden, WhatAFileDoesNotSayIsAskedFor) {
   expectSentence(refusalOf("mc_calib.yml"), "unit", "--unit");
   expectSentence(refusalOf("multical.json"), "unit", "--unit");
   // Coefficients without the key that tells them apart.
-  expectSentence(errorOf("anipose_fisheye_mm.toml", "fisheye = true", "", unit(0.001)),
+  expectSentence(errorOfGolden("anipose_fisheye_mm.toml", "fisheye = true", "", unit(0.001)),
                  "cam_0.distortions", "--lens");
   const auto pair = readCalibration(kGolden / "intrinsics.yml", unit(0.025));
   ASSERT_FALSE(pair);
@@ -146,10 +146,11 @@ TEST(FormatGolden, WhatAFileDoesNotSayIsAskedFor) {
 
 TEST(FormatGolden, WrongUnitsAreNamedWithTheLikelyCause) {
   // Pose2Sim's meters written in mm: one camera hundreds of "m" away.
-  expectSentence(errorOf("pose2sim.toml", "0.37092653", "370.92653"), "translation",
+  expectSentence(errorOfGolden("pose2sim.toml", "0.37092653", "370.92653"), "translation",
                  "likely in mm");
   // Ours reads meters; the same file in mm without Anipose's mark.
-  expectSentence(errorOf("anipose_mm.toml", "adjusted", "remark"), "translation", "likely in mm");
+  expectSentence(errorOfGolden("anipose_mm.toml", "adjusted", "remark"), "translation",
+                 "likely in mm");
   // Qualisys' mm, of a file that somebody scaled to meters.
   auto scaled = readCalibration(kGolden / "session.qca.txt", unit(0.001));
   ASSERT_TRUE(scaled);
@@ -183,22 +184,22 @@ TEST(FormatGolden, PosesTheWrongWayRoundAreSuspected) {
 }
 
 TEST(FormatGolden, BrokenFilesNameFileAndField) {
-  const auto missing = errorOf("camchain.yaml", "resolution", "resolutions");
+  const auto missing = errorOfGolden("camchain.yaml", "resolution", "resolutions");
   EXPECT_EQ(missing.code, ErrorCode::MissingKey);
   EXPECT_EQ(missing.field, "cam0.resolution");
   EXPECT_NE(missing.file.find("wrong_camchain.yaml"), std::string::npos);
-  EXPECT_EQ(errorOf("camera_array.toml", "-0.3321", "nan").field, "cameras.0.distortions");
-  EXPECT_EQ(errorOf("mc_calib.yml", "9.0350000000000000e+02", ".Nan").field,
+  EXPECT_EQ(errorOfGolden("camera_array.toml", "-0.3321", "nan").field, "cameras.0.distortions");
+  EXPECT_EQ(errorOfGolden("mc_calib.yml", "9.0350000000000000e+02", ".Nan").field,
             "camera_0.camera_matrix");
-  EXPECT_EQ(errorOf("session.qca.txt", "focalLengthU=", "focalLengthX=").field,
+  EXPECT_EQ(errorOfGolden("session.qca.txt", "focalLengthU=", "focalLengthX=").field,
             "camera 26578.intrinsic.focalLengthU");
-  EXPECT_EQ(errorOf("session.qca.txt", "</cameras>", "").code, ErrorCode::NotParsed);
-  EXPECT_EQ(errorOf("camchain.yaml", "radtan", "fov").field, "cam0.distortion_model");
-  EXPECT_EQ(errorOf("opencv_sample.yml", "image_width", "image_w").field, "image_width");
-  EXPECT_EQ(errorOf("multical.json", "\"right_to_left\"", "\"right_to_up\"").field,
+  EXPECT_EQ(errorOfGolden("session.qca.txt", "</cameras>", "").code, ErrorCode::NotParsed);
+  EXPECT_EQ(errorOfGolden("camchain.yaml", "radtan", "fov").field, "cam0.distortion_model");
+  EXPECT_EQ(errorOfGolden("opencv_sample.yml", "image_width", "image_w").field, "image_width");
+  EXPECT_EQ(errorOfGolden("multical.json", "\"right_to_left\"", "\"right_to_up\"").field,
             "camera_poses.right");
   // A matrix of another resolution than the size.
-  expectSentence(errorOf("camera_array.toml", "size = [1280, 720]", "size = [320, 240]"),
+  expectSentence(errorOfGolden("camera_array.toml", "size = [1280, 720]", "size = [320, 240]"),
                  "cam_0.matrix", "different resolutions");
 }
 

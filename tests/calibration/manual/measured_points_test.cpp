@@ -11,7 +11,7 @@
 namespace dewpoint::tests {
 namespace {
 
-Camera cameraAt(const Eigen::Vector3d& position, const std::string& name) {
+Camera measuringCamera(const Eigen::Vector3d& position, const std::string& name) {
   Camera camera;
   camera.name = name;
   camera.intrinsics = {640, 480, 520.0, 515.0, 326.0, 231.0};
@@ -57,7 +57,7 @@ double apart(const Camera& a, const Camera& b) {
 }
 
 CameraRig twoCameras() {
-  return {cameraAt({-2.0, -3.0, 1.8}, "left"), cameraAt({2.2, -2.5, 2.1}, "right")};
+  return {measuringCamera({-2.0, -3.0, 1.8}, "left"), measuringCamera({2.2, -2.5, 2.1}, "right")};
 }
 
 TEST(MeasuredPoints, ExactPointsGiveTheCamerasBack) {
@@ -78,7 +78,7 @@ TEST(MeasuredPoints, ExactPointsGiveTheCamerasBack) {
 }
 
 TEST(MeasuredPoints, TheFocalLengthComesBackToo) {
-  const CameraRig rig{cameraAt({-2.0, -3.0, 1.8}, "left")};
+  const CameraRig rig{measuringCamera({-2.0, -3.0, 1.8}, "left")};
   CameraRig wrong{zoomed(rig[0], 0.85)};
   PointSettings settings;
   settings.alsoFocal = true;
@@ -88,7 +88,7 @@ TEST(MeasuredPoints, TheFocalLengthComesBackToo) {
 }
 
 TEST(MeasuredPoints, ResidualsAreInPixelsAndMeters) {
-  const CameraRig rig{cameraAt({0.0, -3.0, 1.0}, "only")};
+  const CameraRig rig{measuringCamera({0.0, -3.0, 1.0}, "only")};
   auto points = pointsSeenBy(rig, 5);
   // A click 5 px beside, at the point's distance d: 5 d / f meters from the ray, roughly.
   points[2].clicks[0].pixel.x() += 5.0;
@@ -128,7 +128,7 @@ TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
 }
 
 TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {
-  const CameraRig rig{cameraAt({0.0, -3.0, 1.0}, "only")};
+  const CameraRig rig{measuringCamera({0.0, -3.0, 1.0}, "only")};
   const auto few = solveFromPoints(displaced(rig), pointsSeenBy(rig, 3));
   EXPECT_EQ(few.cameras.at(0).status, PoseStatus::TooFew);
   EXPECT_TRUE(few.rig == displaced(rig)) << "it stays as it was";
@@ -143,7 +143,7 @@ TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {
 }
 
 TEST(MeasuredPoints, AFarSmallPlaneIsAmbiguous) {
-  CameraRig rig{cameraAt({0.0, -12.0, 8.0}, "far")};
+  CameraRig rig{measuringCamera({0.0, -12.0, 8.0}, "far")};
   std::vector<MeasuredPoint> plane;
   for (const auto& [x, y] : {std::pair(-0.1, -0.1), {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}}) {
     const Eigen::Vector3d place(x, y, 0.0);
@@ -152,8 +152,8 @@ TEST(MeasuredPoints, AFarSmallPlaneIsAmbiguous) {
   }
   EXPECT_EQ(solveFromPoints(rig, plane).cameras.at(0).status, PoseStatus::Ambiguous);
   // Seen from near, perspective decides.
-  const auto near = solveFromPoints({cameraAt({0, -3, 2}, "near")},
-                                    pointsSeenBy({cameraAt({0, -3, 2}, "near")}, 4));
+  const auto near = solveFromPoints({measuringCamera({0, -3, 2}, "near")},
+                                    pointsSeenBy({measuringCamera({0, -3, 2}, "near")}, 4));
   EXPECT_EQ(near.cameras.at(0).status, PoseStatus::None);
 }
 
@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(All, Symmetries, testing::Range(0, 8));
 
 TEST(MeasuredPoints, AMirroredFloorIsSeenFromBelow) {
   // Points of one plane fit mirrored as well; but nobody looks through the floor.
-  const CameraRig rig{cameraAt({-2.0, -3.0, 1.8}, "left")};
+  const CameraRig rig{measuringCamera({-2.0, -3.0, 1.8}, "left")};
   auto points = pointsSeenBy(rig, 4);
   for (MeasuredPoint& point : points) {
     point.clicks[0].pixel = transformed({0, true}, point.clicks[0].pixel, 640, 480);

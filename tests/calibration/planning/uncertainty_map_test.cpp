@@ -11,7 +11,7 @@
 namespace dewpoint::tests {
 namespace {
 
-Camera cameraAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
+Camera cameraToward(const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
   Camera camera;
   camera.intrinsics = {640, 480, 500.0, 500.0, 319.5, 239.5};
   camera.cameraFromWorld = lookAt(position, target);
@@ -24,7 +24,7 @@ TEST(UncertaintyMap, TwoCamerasAtRightAnglesAreWorkedByHand) {
   // Along +x and along +y at 2 m and 500 px: one pixel is 4 mm across. x is seen by one camera only
   // and y by the other: 4 mm each; z by both: 4 / sqrt(2).
   UncertaintyMap map(kOneCell, 1.0);
-  map.setRig({cameraAt({-2, 0, 1}, {0, 0, 1}), cameraAt({0, -2, 1}, {0, 0, 1})});
+  map.setRig({cameraToward({-2, 0, 1}, {0, 0, 1}), cameraToward({0, -2, 1}, {0, 0, 1})});
   EXPECT_EQ(map.cameraCounts()[0], 2);
   EXPECT_NEAR(map.axisSigmas()[0][0], 0.004, 1e-6);
   EXPECT_NEAR(map.axisSigmas()[0][1], 0.004, 1e-6);
@@ -37,7 +37,7 @@ TEST(UncertaintyMap, ErrorsOfThePoseAddUp) {
   // does nothing on the axis.
   const auto pose = poseCovariance(1e-3, 3e-3);
   UncertaintyMap map(kOneCell, 1.0);
-  map.setRig({cameraAt({-2, 0, 1}, {0, 0, 1}), cameraAt({0, -2, 1}, {0, 0, 1})},
+  map.setRig({cameraToward({-2, 0, 1}, {0, 0, 1}), cameraToward({0, -2, 1}, {0, 0, 1})},
              std::array{pose, pose});
   EXPECT_NEAR(map.axisSigmas()[0][0], std::sqrt(16.0 + 4.0 + 9.0) * 1e-3, 1e-6);
 }
@@ -46,28 +46,28 @@ TEST(UncertaintyMap, UnseenCellsHaveNoValue) {
   const VolumeGrid grid{{-1, -1, 0}, {1, 1, 2}, {2, 2, 2}};
   UncertaintyMap map(grid, 1.0);
   EXPECT_TRUE(std::isnan(map.largestSigmas()[0]));
-  map.setRig({cameraAt({-3, 0, 1}, {0, 0, 1})});
+  map.setRig({cameraToward({-3, 0, 1}, {0, 0, 1})});
   EXPECT_EQ(map.cameraCounts()[0], 1);
   EXPECT_TRUE(std::isnan(map.largestSigmas()[0])); // one camera knows no depth
   // Two cameras that look at each other past the only cell between them: nothing along their line.
   UncertaintyMap line(kOneCell, 1.0);
-  line.setRig({cameraAt({-3, 0, 1}, {0, 0, 1}), cameraAt({3, 0, 1}, {0, 0, 1})});
+  line.setRig({cameraToward({-3, 0, 1}, {0, 0, 1}), cameraToward({3, 0, 1}, {0, 0, 1})});
   EXPECT_EQ(line.cameraCounts()[0], 2);
   EXPECT_TRUE(std::isnan(line.largestSigmas()[0]));
   // Behind a camera.
   UncertaintyMap behind(kOneCell, 1.0);
-  behind.setRig({cameraAt({-3, 0, 1}, {-9, 0, 1}), cameraAt({3, 0, 1}, {0, 0, 1})});
+  behind.setRig({cameraToward({-3, 0, 1}, {-9, 0, 1}), cameraToward({3, 0, 1}, {0, 0, 1})});
   EXPECT_EQ(behind.cameraCounts()[0], 1);
   EXPECT_EQ(behind.shareWithin(1.0), 0.0);
 }
 
 TEST(UncertaintyMap, AMovedCameraGivesWhatTheWholeRigGives) {
   const VolumeGrid grid{{-1, -1, 0}, {1, 1, 2}, {5, 4, 3}};
-  CameraRig rig = {cameraAt({-3, 0, 2}, {0, 0, 1}), cameraAt({0, -3, 2}, {0, 0, 1}),
-                   cameraAt({3, 1, 2}, {0, 0, 1})};
+  CameraRig rig = {cameraToward({-3, 0, 2}, {0, 0, 1}), cameraToward({0, -3, 2}, {0, 0, 1}),
+                   cameraToward({3, 1, 2}, {0, 0, 1})};
   UncertaintyMap moved(grid, 0.5);
   moved.setRig(rig);
-  rig[1] = cameraAt({1, -3, 1.5}, {0.2, 0, 1});
+  rig[1] = cameraToward({1, -3, 1.5}, {0.2, 0, 1});
   moved.setCamera(1, rig[1]);
   UncertaintyMap whole(grid, 0.5);
   whole.setRig(rig);
@@ -106,8 +106,8 @@ Eigen::Vector3d triangulated(const std::vector<Projector>& cameras,
 }
 
 TEST(UncertaintyMap, PredictsWhatNoisyTriangulationDoes) {
-  CameraRig rig = {cameraAt({-3, 0.5, 2}, {0, 0, 1}), cameraAt({0.5, -2.5, 1.2}, {0, 0, 1}),
-                   cameraAt({2, 2, 2}, {0, 0, 1})};
+  CameraRig rig = {cameraToward({-3, 0.5, 2}, {0, 0, 1}), cameraToward({0.5, -2.5, 1.2}, {0, 0, 1}),
+                   cameraToward({2, 2, 2}, {0, 0, 1})};
   for (Camera& camera : rig) {
     camera.distortion = {-0.2, 0.05, 0.001, -0.002};
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
-#include "core/calibration/bundle/bundle_cost.h"
 #include "core/calibration/wand/time_offset_search.h"
 #include "core/calibration/wand/wand_calibration.h"
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/geometry/sphere_image.h"
+#include "tests/calibration/moved_cameras.h"
 
 #include <gtest/gtest.h>
 
@@ -28,41 +28,26 @@ CameraRig trueRig() {
   return rig;
 }
 
-/// Every camera moved by `place` meters and turned by `turn` radians, in directions of its own.
-CameraRig moved(CameraRig rig, double place, double turn, std::uint32_t seed = 0) {
-  const RandomStream random(5, seed, 0, RandomPurpose::Noise);
-  for (std::size_t c = 0; c < rig.size(); ++c) {
-    const auto a = random.normal4(std::uint32_t(c));
-    const auto b = random.normal4(std::uint32_t(c), 1);
-    const Eigen::Vector3d center =
-        rig[c].center() + place * Eigen::Vector3d(a[0], a[1], a[2]).normalized();
-    auto& pose = rig[c].cameraFromWorld;
-    pose.linear() =
-        turnRotation(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
-    pose.translation() = -pose.linear() * center;
-  }
-  return rig;
-}
-
-constexpr double kStick = 0.6;
-constexpr double kRadius = 0.04;
+constexpr double kWandLength = 0.6;
+constexpr double kWandRadius = 0.04;
 
 Eigen::Vector3d wavedAt(double t, std::size_t ball) {
   const Eigen::Vector3d middle(0.8 * std::sin(1.3 * t), 0.8 * std::sin(1.7 * t + 0.5),
                                1.0 + 0.5 * std::sin(1.1 * t + 1.0));
   const Eigen::Vector3d along(std::cos(0.9 * t), std::sin(0.9 * t) * std::cos(0.7 * t),
                               std::sin(0.9 * t) * std::sin(0.7 * t));
-  return middle + (ball == 0 ? -0.5 : 0.5) * kStick * along;
+  return middle + (ball == 0 ? -0.5 : 0.5) * kWandLength * along;
 }
 
 using Path = Eigen::Vector3d (*)(double, std::size_t);
 
-WandProblem wave(const CameraRig& rig, std::size_t balls, double noise, int frames = 200,
-                 const std::vector<double>& offsets = {0.0, 0.0, 0.0, 0.0}, Path path = wavedAt) {
+WandProblem waveWand(const CameraRig& rig, std::size_t balls, double noise, int frames = 200,
+                     const std::vector<double>& offsets = {0.0, 0.0, 0.0, 0.0},
+                     Path path = wavedAt) {
   WandProblem problem;
   problem.views.resize(rig.size());
-  problem.ballRadius = {kRadius, kRadius};
-  problem.stickLength = balls == 2 ? kStick : 0.0;
+  problem.ballRadius = {kWandRadius, kWandRadius};
+  problem.stickLength = balls == 2 ? kWandLength : 0.0;
   const RandomStream random(9, 0, 0, RandomPurpose::Noise);
   std::uint32_t count = 0;
   for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -70,7 +55,7 @@ WandProblem wave(const CameraRig& rig, std::size_t balls, double noise, int fram
     for (int f = 0; f < frames; ++f) {
       for (std::size_t ball = 0; ball < balls; ++ball) {
         const double time = f / 15.0;
-        const auto image = projector.project(path(time + offsets[c], ball), kRadius);
+        const auto image = projector.project(path(time + offsets[c], ball), kWandRadius);
         const auto draw = random.normal4(count++);
         if (image && image->center.x() > 0 && image->center.x() < 640 && image->center.y() > 0 &&
             image->center.y() < 480) {
@@ -96,8 +81,8 @@ double misplacement(const CameraRig& found, const CameraRig& truth) {
 
 TEST(WandCalibration, AStickGivesTheRigBack) {
   const CameraRig rig = trueRig();
-  WandProblem problem = wave(rig, 2, 0.0);
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  WandProblem problem = waveWand(rig, 2, 0.0);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 1e-5);
@@ -111,8 +96,8 @@ TEST(WandCalibration, AStickGivesTheRigBack) {
 
 TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
   const CameraRig rig = trueRig();
-  WandProblem problem = wave(rig, 2, 0.3);
-  problem.initialRig = moved(rig, 0.3, 10.0 / 180.0 * std::numbers::pi);
+  WandProblem problem = waveWand(rig, 2, 0.3);
+  problem.initialRig = movedCameras(rig, 0.3, 10.0 / 180.0 * std::numbers::pi, 0);
   problem.initialPositionError = 0.3;
   problem.initialTurnError = 0.17;
   const auto result = calibrateFromWand(problem);
@@ -123,7 +108,7 @@ TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
 
 TEST(WandCalibration, GrossErrorsAreDropped) {
   const CameraRig rig = trueRig();
-  WandProblem problem = wave(rig, 2, 0.2);
+  WandProblem problem = waveWand(rig, 2, 0.2);
   const RandomStream random(13, 0, 0, RandomPurpose::Noise);
   std::size_t wrong = 0;
   std::size_t total = 0;
@@ -137,7 +122,7 @@ TEST(WandCalibration, GrossErrorsAreDropped) {
       ++total;
     }
   }
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 3e-3);
@@ -152,8 +137,8 @@ TEST(WandCalibration, GrossErrorsAreDropped) {
 TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
   const CameraRig rig = trueRig();
   const std::vector<double> offsets{0.0, 0.016, -0.016, 0.007};
-  WandProblem problem = wave(rig, 2, 0.1, 300, offsets);
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  WandProblem problem = waveWand(rig, 2, 0.1, 300, offsets);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   for (Camera& camera : problem.initialRig) {
     camera.intrinsics.focalX *= 0.98;
     camera.intrinsics.focalY *= 0.98;
@@ -174,13 +159,13 @@ TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
 TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
   const CameraRig rig = trueRig();
   const std::vector<double> phases{0.0, 0.021, -0.027, 0.009}; // of 1/15 s
-  WandProblem problem = wave(rig, 2, 0.1, 300, phases);
+  WandProblem problem = waveWand(rig, 2, 0.1, 300, phases);
   for (std::size_t c = 0; c < rig.size(); ++c) {
     for (MarkerObservation& view : problem.views[c]) {
       view.time += phases[c];
     }
   }
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
@@ -196,8 +181,8 @@ TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
 TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
   const CameraRig rig = trueRig();
   const std::vector<double> offsets{0.0, 0.21, -0.34, 0.05}; // at 15 images per second
-  WandProblem problem = wave(rig, 1, 0.1, 300, offsets);
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  WandProblem problem = waveWand(rig, 1, 0.1, 300, offsets);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto roughly = searchTimeOffsets(problem);
   problem.findOffsets = true;
   const auto result = calibrateFromWand(problem);
@@ -212,9 +197,9 @@ TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
 TEST(WandCalibration, ClocksStayWhereNothingIsClear) {
   const CameraRig rig = trueRig();
   const std::vector<double> none(rig.size(), 0.0);
-  WandProblem problem = wave(rig, 1, 0.1, 100, none,
-                             [](double, std::size_t) { return Eigen::Vector3d(0.1, 0.2, 1.0); });
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  WandProblem problem = waveWand(
+      rig, 1, 0.1, 100, none, [](double, std::size_t) { return Eigen::Vector3d(0.1, 0.2, 1.0); });
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   EXPECT_EQ(searchTimeOffsets(problem), none);
   problem.views[1].clear();
   EXPECT_EQ(searchTimeOffsets(problem), none);
@@ -222,8 +207,8 @@ TEST(WandCalibration, ClocksStayWhereNothingIsClear) {
 
 TEST(WandCalibration, TheSizeComesFromADistanceOrTheDiameter) {
   const CameraRig rig = trueRig();
-  WandProblem problem = wave(rig, 1, 0.05);
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  WandProblem problem = waveWand(rig, 1, 0.05);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   problem.scale = WandScale::Distance;
   problem.distance = {2.0, 8.0, 0.0};
   const auto mean = [](double time) { // of the places within a tenth of a second: three frames
@@ -249,16 +234,16 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
   const Path path = [](double t, std::size_t) -> Eigen::Vector3d {
     if (t < 6.0) {
       const double angle = 2.0 * std::numbers::pi / 3.0 * std::floor(t / 2.0);
-      return {0.5 * std::cos(angle), 0.5 * std::sin(angle), kRadius};
+      return {0.5 * std::cos(angle), 0.5 * std::sin(angle), kWandRadius};
     }
     if (t < 18.0) {
       return wavedAt(t, 0);
     }
     const double fallen = t - 18.0;
-    return {0.1, 0.1, std::max(kRadius, 1.6 - 0.5 * 9.81 * fallen * fallen)};
+    return {0.1, 0.1, std::max(kWandRadius, 1.6 - 0.5 * 9.81 * fallen * fallen)};
   };
-  WandProblem problem = wave(rig, 1, 0.05, 300, {0.0, 0.0, 0.0, 0.0}, path);
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  WandProblem problem = waveWand(rig, 1, 0.05, 300, {0.0, 0.0, 0.0, 0.0}, path);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   problem.scale = WandScale::Distance;
   problem.distance = {1.0, 3.0, std::sqrt(0.75)}; // of two corners of the triangle
   problem.floorTimes = {1.0, 3.0, 5.0};
@@ -286,23 +271,23 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
 
 TEST(WandCalibration, SaysWhatIsMissing) {
   const CameraRig rig = trueRig();
-  WandProblem problem = wave(rig, 2, 0.1, 60);
-  problem.initialRig = moved(rig, 0.1, 0.05);
+  WandProblem problem = waveWand(rig, 2, 0.1, 60);
+  problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   problem.views[1].clear();
   EXPECT_EQ(calibrateFromWand(problem).error().field, "camera 2");
-  problem = wave(rig, 1, 0.1, 60);
+  problem = waveWand(rig, 1, 0.1, 60);
   problem.initialRig = rig;
-  problem.stickLength = kStick; // but its second ball is never seen
+  problem.stickLength = kWandLength; // but its second ball is never seen
   EXPECT_EQ(calibrateFromWand(problem).error().field, "stick");
-  problem = wave(rig, 1, 0.0, 60, {0.0, 0.0, 0.0, 0.0},
-                 [](double, std::size_t) { return Eigen::Vector3d(0.0, 0.0, 1.0); });
+  problem = waveWand(rig, 1, 0.0, 60, {0.0, 0.0, 0.0, 0.0},
+                     [](double, std::size_t) { return Eigen::Vector3d(0.0, 0.0, 1.0); });
   problem.initialRig = rig;
   EXPECT_EQ(calibrateFromWand(problem).error().code, ErrorCode::Undetermined);
-  EXPECT_EQ(calibrateFromWand(wave(rig, 2, 0.1, 60), [](const WandProgress&) { return false; })
+  EXPECT_EQ(calibrateFromWand(waveWand(rig, 2, 0.1, 60), [](const WandProgress&) { return false; })
                 .error()
                 .code,
             ErrorCode::Undetermined); // no initial rig at all
-  problem = wave(rig, 2, 0.1, 60);
+  problem = waveWand(rig, 2, 0.1, 60);
   problem.initialRig = rig;
   EXPECT_EQ(calibrateFromWand(problem, [](const WandProgress&) { return false; }).error().code,
             ErrorCode::Canceled);
