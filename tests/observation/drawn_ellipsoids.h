@@ -14,6 +14,10 @@
 
 namespace dewpoint::tests::drawn {
 
+/// What tests paint into the images by hand.
+inline const cv::Scalar kRedPaint(0, 0, 230);
+inline const cv::Scalar kSomethingNew(200, 40, 40);
+
 /// An ellipsoid of these semi-axes (meters), rotated by `angle` radians about `axis`.
 inline Ellipsoid ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& semiAxes,
                            double angle = 0.0, const Eigen::Vector3d& axis = {0.3, 1.0, 0.5}) {

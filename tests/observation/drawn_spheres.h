@@ -16,10 +16,13 @@
 
 namespace dewpoint::tests::drawn {
 
+/// Of a ball, meters: about 20 pixels of VGA a meter away.
+inline constexpr double kRadius = 0.035;
+
 /// A ball of one flat color.
 struct Ball {
   Eigen::Vector3d center;
-  double radius = 0.035;
+  double radius = kRadius;
   cv::Vec3b color{0, 0, 230}; // blue, green, red
 };
 
@@ -28,6 +31,8 @@ struct Ball {
 inline const ColorRange kRed{340.0, 20.0, 0.5, 1.0, 0.1, 0.9};
 inline constexpr int kWall = 80; ///< gray level
 inline const Eigen::Vector3d kMiddle(0.5, 0.5, 0.2);
+inline constexpr int kVga = 2;               ///< the `scale` of rigAround()
+inline constexpr double kFrame = 1.0 / 30.0; ///< between two images, seconds
 
 /// `count` cameras one meter around the middle of the desk, none opposite another, all looking at
 /// it from above; `scale` 2 is VGA, 1 is QVGA.

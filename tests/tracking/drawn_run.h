@@ -18,6 +18,9 @@
 
 namespace dewpoint::tests::drawn {
 
+/// QVGA a meter away: a pixel is 3.3 mm wide; an estimate is a fraction of it off.
+inline constexpr double kClose = 3e-3;
+
 using Changes = std::initializer_list<std::pair<const char*, double>>;
 
 inline ParameterValues parametersOf(const char* method, Changes changes = {}) {
@@ -28,7 +31,7 @@ inline ParameterValues parametersOf(const char* method, Changes changes = {}) {
   return values;
 }
 
-inline Target redBall(double radius = 0.035) {
+inline Target redBall(double radius = kRadius) {
   return {"ball", radius, kRed};
 }
 

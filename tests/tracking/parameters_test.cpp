@@ -12,12 +12,12 @@
 namespace dewpoint::tests {
 namespace {
 
-ParameterValues barrera() {
+ParameterValues barreraValues() {
   return ParameterValues(methodParameters("barrera"));
 }
 
 TEST(Parameters, DefaultsAreThePapers) {
-  const ParameterValues values = barrera();
+  const ParameterValues values = barreraValues();
   // Barrera et al. 2005, section 3: 200 particles, sigma 0.03 m, started at (0.4, 0.1, 0.2).
   EXPECT_EQ(values.at("particles"), 200);
   EXPECT_EQ(values.at("motion_sigma"), 0.03);
@@ -77,12 +77,12 @@ TEST(Parameters, AValueAboveItsBoundIsNoticed) {
 }
 
 TEST(Parameters, WhatWasGivenCanBeLeftToTheCamerasAgain) {
-  ParameterValues values = barrera();
+  ParameterValues values = barreraValues();
   ASSERT_TRUE(values.set("start_x", 3.0));
   ASSERT_TRUE(values.set("particles", 300.0));
   values.leaveToCameras();
   EXPECT_FALSE(values.isGiven("start_x"));
-  EXPECT_EQ(values.at("start_x"), barrera().at("start_x"));
+  EXPECT_EQ(values.at("start_x"), barreraValues().at("start_x"));
   EXPECT_EQ(values.at("particles"), 300.0);
 }
 
@@ -126,7 +126,7 @@ TEST(Parameters, AFamilyAnswersWhatMustBeKnownBeforeARun) {
 }
 
 TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {
-  ParameterValues values = barrera();
+  ParameterValues values = barreraValues();
   for (const double bad :
        {9.0, 1000001.0, 20.5, std::nan(""), std::numeric_limits<double>::infinity()}) {
     const Status status = values.set("particles", bad);
@@ -134,7 +134,7 @@ TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {
     EXPECT_EQ(status.error().code, ErrorCode::BadValue);
     EXPECT_EQ(status.error().field, "particles");
   }
-  EXPECT_EQ(values, barrera());
+  EXPECT_EQ(values, barreraValues());
   EXPECT_EQ(sentence(values.set("particles", 9).error()),
             "particles: not a usable value (9 is not a whole number from 10 to 1000000)");
   EXPECT_EQ(sentence(values.set("motion_sigma", 0.7).error()),
@@ -142,7 +142,7 @@ TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {
 }
 
 TEST(Parameters, UnknownKeysAreNamedWithTheKnownOnes) {
-  ParameterValues values = barrera();
+  ParameterValues values = barreraValues();
   const Status status = values.set("partikel", 20);
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::UnknownKey);
@@ -152,18 +152,18 @@ TEST(Parameters, UnknownKeysAreNamedWithTheKnownOnes) {
 }
 
 TEST(Parameters, TextIsTakenWholeOrNotAtAll) {
-  ParameterValues values = barrera();
+  ParameterValues values = barreraValues();
   EXPECT_TRUE(values.setText("motion_sigma", "5e-2"));
   EXPECT_EQ(values.at("motion_sigma"), 0.05);
   for (const char* bad : {"", "x", "0.05m", " 0.05", "0,05", "nan", "inf"}) {
     EXPECT_FALSE(values.setText("motion_sigma", bad)) << bad;
   }
   EXPECT_EQ(values.at("motion_sigma"), 0.05);
-  EXPECT_FALSE(values == barrera());
+  EXPECT_FALSE(values == barreraValues());
 }
 
 TEST(MakeTracker, UnknownMethodOrParametersOfAnotherAreRefused) {
-  const auto unknown = makeTracker("kalman", barrera(), {}, {});
+  const auto unknown = makeTracker("kalman", barreraValues(), {}, {});
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
   EXPECT_NE(unknown.error().detail.find("barrera"), std::string::npos);

@@ -11,13 +11,12 @@ namespace {
 
 using drawn::Ball;
 using drawn::DrawnRun;
+using drawn::kClose;
 using drawn::redBall;
 using drawn::rigAround;
 
 const Eigen::Vector3d kLeft = drawn::kMiddle + Eigen::Vector3d(-0.1, 0.1, 0.0);
 const Eigen::Vector3d kRight = drawn::kMiddle + Eigen::Vector3d(0.1, -0.1, 0.0);
-/// QVGA a meter away: a pixel is 3.3 mm wide; an estimate is a fraction of it off.
-constexpr double kClose = 3e-3;
 
 Gaussian3 around(const Eigen::Vector3d& position, double sigma = 0.01) {
   return {position, sigma * sigma * Eigen::Matrix3d::Identity()};

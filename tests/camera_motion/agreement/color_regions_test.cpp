@@ -12,12 +12,12 @@ namespace {
 const ColorRange kRed{340.0, 20.0, 0.5, 1.0, 0.1, 0.9};
 const cv::Scalar kRedBgr(30, 30, 220);
 
-cv::Mat wall() {
+cv::Mat grayWall() {
   return {240, 320, CV_8UC3, cv::Scalar::all(100)};
 }
 
 TEST(ColorRegions, TheCenterOfADiscIsKnownToLessThanAPixel) {
-  cv::Mat image = wall();
+  cv::Mat image = grayWall();
   cv::circle(image, {120, 80}, 15, kRedBgr, cv::FILLED);
   const auto regions = ColorRegionSearch(kRed).find(image);
   ASSERT_EQ(regions.size(), 1U);
@@ -29,7 +29,7 @@ TEST(ColorRegions, TheCenterOfADiscIsKnownToLessThanAPixel) {
 
 // The centroid of half a disc is 4 / (3 pi) = 0.42 radii from the middle of the whole one.
 TEST(ColorRegions, OfHalfADiscTheCenterIsUncertainByWhatItIsOff) {
-  cv::Mat image = wall();
+  cv::Mat image = grayWall();
   cv::circle(image, {120, 80}, 20, kRedBgr, cv::FILLED);
   image(cv::Rect(120, 0, 200, 240)) = cv::Scalar::all(100);
   const auto regions = ColorRegionSearch(kRed).find(image);
@@ -40,7 +40,7 @@ TEST(ColorRegions, OfHalfADiscTheCenterIsUncertainByWhatItIsOff) {
 }
 
 TEST(ColorRegions, WhatTheBorderCutsIsUncertainByItsSize) {
-  cv::Mat image = wall();
+  cv::Mat image = grayWall();
   cv::circle(image, {0, 120}, 20, kRedBgr, cv::FILLED);
   const auto regions = ColorRegionSearch(kRed).find(image);
   ASSERT_EQ(regions.size(), 1U);
@@ -48,7 +48,7 @@ TEST(ColorRegions, WhatTheBorderCutsIsUncertainByItsSize) {
 }
 
 TEST(ColorRegions, ABallWithAStripeIsOneAndTwoBallsAreTwo) {
-  cv::Mat image = wall();
+  cv::Mat image = grayWall();
   cv::circle(image, {80, 80}, 15, kRedBgr, cv::FILLED);
   image(cv::Rect(78, 0, 5, 240)) = cv::Scalar::all(100);
   cv::circle(image, {220, 150}, 10, kRedBgr, cv::FILLED);
@@ -59,7 +59,7 @@ TEST(ColorRegions, ABallWithAStripeIsOneAndTwoBallsAreTwo) {
 }
 
 TEST(ColorRegions, SpecksAndOtherImagesHaveNone) {
-  cv::Mat image = wall();
+  cv::Mat image = grayWall();
   image.at<cv::Vec3b>(50, 50) = {30, 30, 220};
   image(cv::Rect(100, 100, 3, 3)) = kRedBgr;
   ColorRegionSearch search(kRed);

@@ -12,13 +12,13 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr int kWidth = 80;
-constexpr int kHeight = 60;
+constexpr int kModelWidth = 80;
+constexpr int kModelHeight = 60;
 /// Far more frames than it takes to learn a pixel, or to replace it.
 constexpr int kMany = 400;
 
 cv::Mat plain(int blue, int green, int red) {
-  return {kHeight, kWidth, CV_8UC3, cv::Scalar(blue, green, red)};
+  return {kModelHeight, kModelWidth, CV_8UC3, cv::Scalar(blue, green, red)};
 }
 
 void learn(BackgroundModel& model, const cv::Mat& image, int frames = kMany,
@@ -41,7 +41,7 @@ cv::Mat labelsOf(const BackgroundModel& model, const cv::Mat& image) {
 int count(const cv::Mat& labels, PixelLabel label) {
   return cv::countNonZero(labels == static_cast<int>(label));
 }
-constexpr int kAll = kWidth * kHeight;
+constexpr int kAll = kModelWidth * kModelHeight;
 
 TEST(BackgroundModel, KnowsNothingAtFirstAndAfterReset) {
   BackgroundModel model;
@@ -144,8 +144,8 @@ TEST(BackgroundModel, HiddenCirclesAreNotLearned) {
     const cv::Mat image = plain(90, 100, 110);
     learn(model, image, kMany, cases[k]);
     const cv::Mat labels = labelsOf(model, image);
-    for (int row = 0; row < kHeight; ++row) {
-      for (int column = 0; column < kWidth; ++column) {
+    for (int row = 0; row < kModelHeight; ++row) {
+      for (int column = 0; column < kModelWidth; ++column) {
         const double outside = outsideOf(cases[k], column, row);
         const auto label = static_cast<PixelLabel>(labels.at<std::uint8_t>(row, column));
         if (outside < -1e-9) {
@@ -245,7 +245,7 @@ TEST(BackgroundModel, NovelShareIsTheShareOfThePicture) {
   BackgroundModel model;
   cv::Mat image = plain(90, 100, 110);
   learn(model, image);
-  image(cv::Rect(0, 0, kWidth / 4, kHeight)) = cv::Scalar(0, 0, 0);
+  image(cv::Rect(0, 0, kModelWidth / 4, kModelHeight)) = cv::Scalar(0, 0, 0);
   model.learn(image, {});
   EXPECT_NEAR(model.novelShare(), 0.25, 1e-9);
 }
@@ -264,9 +264,9 @@ TEST(BackgroundModel, ANewSizeStartsAnewAndNoImageChangesNothing) {
 
 /// A wall with a pattern, so that light and things can be told apart.
 cv::Mat checkered() {
-  cv::Mat image(kHeight, kWidth, CV_8UC3);
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
+  cv::Mat image(kModelHeight, kModelWidth, CV_8UC3);
+  for (int row = 0; row < kModelHeight; ++row) {
+    for (int column = 0; column < kModelWidth; ++column) {
       const int shade = 60 + 20 * ((row / 10 + column / 10) % 5);
       image.at<cv::Vec3b>(row, column) =
           cv::Vec3b(static_cast<std::uint8_t>(shade - 10), static_cast<std::uint8_t>(shade),
@@ -312,15 +312,15 @@ TEST(BackgroundModel, FollowsALampAndATint) {
   EXPECT_EQ(count(labelsOf(model, now), PixelLabel::Background), kAll);
 }
 
-std::array<std::uint8_t, kWidth> matchedRow(const BackgroundModel& model, const cv::Mat& image,
-                                            int row) {
-  std::array<std::uint8_t, kWidth> labels{};
-  std::array<std::uint8_t, kWidth> matched{};
+std::array<std::uint8_t, kModelWidth> matchedRow(const BackgroundModel& model, const cv::Mat& image,
+                                                 int row) {
+  std::array<std::uint8_t, kModelWidth> labels{};
+  std::array<std::uint8_t, kModelWidth> matched{};
   matched.fill(255);
-  model.labelRow(image, 0, row, kWidth, matched.data(), labels.data());
+  model.labelRow(image, 0, row, kModelWidth, matched.data(), labels.data());
   return labels;
 }
-bool all(const std::array<std::uint8_t, kWidth>& labels, PixelLabel label) {
+bool all(const std::array<std::uint8_t, kModelWidth>& labels, PixelLabel label) {
   return std::ranges::all_of(labels, [&](auto one) { return one == std::uint8_t(label); });
 }
 
@@ -363,7 +363,7 @@ TEST(BackgroundModel, IsNotMisledByWhatIsNoLight) {
   BackgroundModel model;
   learn(model, checkered());
   cv::Mat hand = checkered(); // a hand before half of the image
-  hand(cv::Rect(0, 0, kWidth, kHeight / 2 + 5)) = cv::Scalar(120, 150, 200);
+  hand(cv::Rect(0, 0, kModelWidth, kModelHeight / 2 + 5)) = cv::Scalar(120, 150, 200);
   cv::Mat moved; // a camera that was turned
   cv::flip(checkered(), moved, 1);
   moved = lit(moved, cv::Scalar(1.3, 0.8, 0.6));

@@ -10,14 +10,14 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
-const cv::Scalar kGray(80, 80, 80);
+constexpr int kLabelWidth = 64;
+constexpr int kLabelHeight = 48;
+const cv::Scalar kGrayPaint(80, 80, 80);
 const cv::Scalar kRedPixel(0, 0, 230);
 const cv::Scalar kBluePixel(230, 0, 0);
 
 cv::Mat grayImage() {
-  return {kHeight, kWidth, CV_8UC3, kGray};
+  return {kLabelHeight, kLabelWidth, CV_8UC3, kGrayPaint};
 }
 
 /// Gray with a red and a blue part, before a wall known to be gray.
@@ -42,8 +42,8 @@ protected:
 
 TEST_F(LabelImageTest, LabelsAsDocumented) {
   labels_.requireAll();
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
+  for (int row = 0; row < kLabelHeight; ++row) {
+    for (int column = 0; column < kLabelWidth; ++column) {
       const cv::Point at(column, row);
       const PixelLabel expected = red_.contains(at)    ? PixelLabel::Target
                                   : blue_.contains(at) ? PixelLabel::Unknown
@@ -69,8 +69,8 @@ TEST_F(LabelImageTest, OutsideWhatIsCoveredNothingIsEvidence) {
   labels_.require({10, 8, 4, 4});
   EXPECT_EQ(labels_.at(12, 10), PixelLabel::Target);
   labels_.requireAll();
-  for (const cv::Point& at : {cv::Point(-1, 10), cv::Point(10, -1), cv::Point(kWidth, 10),
-                              cv::Point(10, kHeight), cv::Point(-1000000, 1000000)}) {
+  for (const cv::Point& at : {cv::Point(-1, 10), cv::Point(10, -1), cv::Point(kLabelWidth, 10),
+                              cv::Point(10, kLabelHeight), cv::Point(-1000000, 1000000)}) {
     EXPECT_EQ(labels_.at(at.x, at.y), PixelLabel::Explained);
   }
 }
@@ -85,7 +85,7 @@ TEST_F(LabelImageTest, CoversWhatIsRequiredCutToTheImage) {
   EXPECT_EQ(labels_.covered() & cv::Rect(0, 40, 15, 8), cv::Rect(0, 40, 15, 8));
   EXPECT_EQ(labels_.covered() & cv::Rect(30, 10, 5, 5), cv::Rect(30, 10, 5, 5));
   labels_.requireAll();
-  EXPECT_EQ(labels_.covered(), cv::Rect(0, 0, kWidth, kHeight));
+  EXPECT_EQ(labels_.covered(), cv::Rect(0, 0, kLabelWidth, kLabelHeight));
 }
 
 TEST_F(LabelImageTest, PartsMadeLazilyEqualTheWhole) {
@@ -106,7 +106,7 @@ TEST_F(LabelImageTest, PartsMadeLazilyEqualTheWhole) {
       continue;
     }
     const cv::Rect covered = labels_.covered();
-    EXPECT_EQ((covered & parts[k]), (cv::Rect(0, 0, kWidth, kHeight) & parts[k]));
+    EXPECT_EQ((covered & parts[k]), (cv::Rect(0, 0, kLabelWidth, kLabelHeight) & parts[k]));
     for (int row = covered.y; row < covered.y + covered.height; ++row) {
       for (int column = covered.x; column < covered.x + covered.width; ++column) {
         ASSERT_EQ(labels_.at(column, row), whole.at(column, row)) << column << ", " << row;
@@ -122,8 +122,8 @@ TEST_F(LabelImageTest, ExplainsMatchingPixelsOfACircleButForTheException) {
   labels_.explain(other, except);
   int explained = 0;
   int kept = 0;
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
+  for (int row = 0; row < kLabelHeight; ++row) {
+    for (int column = 0; column < kLabelWidth; ++column) {
       const Eigen::Vector2d at(column, row);
       const double toOther = (at - other.center).norm() - other.radius;
       const double toExcept = (at - except.center).norm() - except.radius;
@@ -147,8 +147,8 @@ TEST_F(LabelImageTest, ExplainsMatchingPixelsOfACircleButForTheException) {
 TEST_F(LabelImageTest, WithoutAnExceptionTheWholeCircleIsExplained) {
   labels_.requireAll();
   labels_.explain({{20.0, 16.0}, 100.0}, {});
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
+  for (int row = 0; row < kLabelHeight; ++row) {
+    for (int column = 0; column < kLabelWidth; ++column) {
       EXPECT_NE(labels_.at(column, row), PixelLabel::Target);
     }
   }
@@ -183,8 +183,8 @@ TEST_F(LabelImageTest, KnowsTheColorInOtherLight) {
   }
   labels_.begin(dark, background_, classifier_);
   labels_.requireAll();
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
+  for (int row = 0; row < kLabelHeight; ++row) {
+    for (int column = 0; column < kLabelWidth; ++column) {
       const cv::Point at(column, row);
       EXPECT_EQ(labels_.at(column, row), red_.contains(at)    ? PixelLabel::Target
                                          : blue_.contains(at) ? PixelLabel::Unknown
@@ -196,7 +196,7 @@ TEST_F(LabelImageTest, KnowsTheColorInOtherLight) {
 
 TEST_F(LabelImageTest, ClearLeavesNoImage) {
   EXPECT_FALSE(labels_.empty());
-  EXPECT_EQ(labels_.size(), cv::Size(kWidth, kHeight));
+  EXPECT_EQ(labels_.size(), cv::Size(kLabelWidth, kLabelHeight));
   labels_.requireAll();
   labels_.clear();
   EXPECT_TRUE(labels_.empty());

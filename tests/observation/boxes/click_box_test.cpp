@@ -13,8 +13,8 @@
 namespace dewpoint::tests {
 namespace {
 
-const cv::Scalar kPink(140, 70, 220);
-const Eigen::Vector2d kCenter(160.0, 120.0);
+const cv::Scalar kPinkPaint(140, 70, 220);
+const Eigen::Vector2d kBoxCenter(160.0, 120.0);
 
 /// A wall that gets darker to the right with a ball on it, lit from the upper left (Lambert, 0.35
 /// of it ambient) with a white highlight, a dark seam across, and noise of 4 gray levels.
@@ -23,8 +23,8 @@ cv::Mat ball(double radius) {
   const RandomStream stream(3, 0, 0, RandomPurpose::Simulation);
   for (int y = 0; y < image.rows; ++y) {
     for (int x = 0; x < image.cols; ++x) {
-      const double u = (x + 0.5 - kCenter.x()) / radius;
-      const double v = (y + 0.5 - kCenter.y()) / radius;
+      const double u = (x + 0.5 - kBoxCenter.x()) / radius;
+      const double v = (y + 0.5 - kBoxCenter.y()) / radius;
       const double inside = 1.0 - u * u - v * v;
       const double facing =
           inside < 0.0 ? 0.0 : std::max(0.0, -0.5 * u - 0.6 * v + 0.62 * std::sqrt(inside));
@@ -32,7 +32,7 @@ cv::Mat ball(double radius) {
       const auto words = stream.words(std::uint32_t(320 * y + x));
       for (int c = 0; c < 3; ++c) {
         const double clean = inside < 0.0 ? 150.0 + 8.0 * c - x / 5.0
-                                          : seam * kPink[c] * (0.35 + 0.75 * facing) +
+                                          : seam * kPinkPaint[c] * (0.35 + 0.75 * facing) +
                                                 250.0 * std::pow(facing, 60.0);
         const double noise = double(words[std::size_t(c)] % 15) - 7.0; // uniform: deviation 4.3
         image.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<std::uint8_t>(clean + noise);
@@ -49,12 +49,12 @@ class ClickBoxTest : public ::testing::TestWithParam<double> {};
 TEST_P(ClickBoxTest, FindsABallWhereverItIsClicked) {
   const double radius = GetParam();
   const cv::Mat image = ball(radius);
-  const ImageBox truth = ImageBox::around(kCenter, 2.0 * radius, 2.0 * radius);
+  const ImageBox truth = ImageBox::around(kBoxCenter, 2.0 * radius, 2.0 * radius);
   for (const double r : {0.0, 0.25, 0.5}) {
     for (int direction = 0; direction < 8; ++direction) {
       const double angle = 0.25 * M_PI * direction;
       const Eigen::Vector2d click =
-          kCenter + r * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+          kBoxCenter + r * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       const auto box = clickBox(image, click);
       ASSERT_TRUE(box);
       EXPECT_GE(overlap(*box, truth), 0.5) << click.transpose() << ": " << box->x << ' ' << box->y
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(Radii, ClickBoxTest, ::testing::Values(6.0, 14.0, 30.0,
 
 TEST(ClickBox, OfSomethingLongIsLong) {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
-  cv::rectangle(image, {150, 90, 20, 60}, kPink, cv::FILLED);
+  cv::rectangle(image, {150, 90, 20, 60}, kPinkPaint, cv::FILLED);
   EXPECT_GT(overlap(*clickBox(image, {158.0, 112.0}), {150.0, 90.0, 20.0, 60.0}), 0.8);
 }
 
@@ -99,7 +99,7 @@ TEST(ClickBox, OfABallInAHandIsNotTheHand) {
 
 TEST(ClickBox, LiesInTheImage) {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
-  cv::circle(image, {316, 4}, 14, kPink, cv::FILLED);
+  cv::circle(image, {316, 4}, 14, kPinkPaint, cv::FILLED);
   const auto box = clickBox(image, {315.0, 5.0});
   ASSERT_TRUE(box);
   EXPECT_EQ(commonArea(*box, {0.0, 0.0, 320.0, 240.0}), box->area());
@@ -113,7 +113,7 @@ TEST(ClickBox, IsNoneWhereNothingStandsOut) {
 
 TEST(FigureContrast, IsGreatestForTheThingItself) {
   cv::Mat image(80, 80, CV_8UC3, cv::Scalar(150, 150, 150));
-  cv::circle(image, {40, 40}, 8, kPink, cv::FILLED);
+  cv::circle(image, {40, 40}, 8, kPinkPaint, cv::FILLED);
   const FigureContrast contrast(image, {40.0, 40.0});
   const double itself = contrast.at(ImageBox::around({40.5, 40.5}, 17.0, 17.0));
   EXPECT_GT(itself, 0.5); // of 1: three bands are not quite a disc, its rim is in the ring too
@@ -127,8 +127,8 @@ TEST(FigureContrast, IsGreatestForTheThingItself) {
 
 TEST(ColorPalette, TellsColorsApartAndMindsLittleShading) {
   cv::Mat image(20, 40, CV_8UC3, cv::Scalar(150, 150, 150));
-  image.colRange(0, 10).setTo(kPink);
-  image.colRange(10, 20).setTo(0.8 * kPink);
+  image.colRange(0, 10).setTo(kPinkPaint);
+  image.colRange(10, 20).setTo(0.8 * kPinkPaint);
   const ColorPalette palette(image, {0, 0});
   const auto label = [&](int x) { return std::size_t(palette.labels().at<std::uint8_t>(5, x)); };
   EXPECT_NE(label(5), label(30));

@@ -60,8 +60,8 @@ TEST(TargetColors, DoNotLearnTheGroundInTheBox) {
     colors.adaptTarget(empty, box, 0.2);
   }
   const BinShares shares = colors.shares(0);
-  constexpr std::size_t kGray = 5 * 256 + 5 * 16 + 5; // 90 / 16 = 5 in each of 16 levels
-  EXPECT_EQ(shares[kGray], 0);                        // the ground is not taken for the target
+  constexpr std::size_t kGrayBin = 5 * 256 + 5 * 16 + 5; // 90 / 16 = 5 in each of 16 levels
+  EXPECT_EQ(shares[kGrayBin], 0);                        // the ground is not taken for the target
 }
 
 } // namespace

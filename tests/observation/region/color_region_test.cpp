@@ -8,12 +8,11 @@
 namespace dewpoint::tests {
 namespace {
 
+using drawn::kRedPaint;
+using drawn::kSomethingNew;
 using drawn::RegionScene;
 
-const cv::Scalar kRedPaint(0, 0, 230);
-const cv::Scalar kSomethingNew(200, 40, 40);
-
-LabelImage& labelsOf(RegionScene& scene) {
+LabelImage& firstLabels(RegionScene& scene) {
   return scene.observation().views()[0].labels;
 }
 
@@ -21,7 +20,7 @@ LabelImage& labelsOf(RegionScene& scene) {
 TEST(ColorRegion, HasTheMomentsOfARectangle) {
   RegionScene scene(drawn::rigAround(1));
   cv::rectangle(scene.image(0), cv::Rect(100, 50, 40, 20), kRedPaint, cv::FILLED);
-  const auto regions = findRegions(labelsOf(scene), {80, 30, 100, 100}, 4.0);
+  const auto regions = findRegions(firstLabels(scene), {80, 30, 100, 100}, 4.0);
   ASSERT_EQ(regions.size(), 1U);
   const ColorRegion& region = regions[0];
   EXPECT_EQ(region.area, 800.0);
@@ -40,7 +39,7 @@ TEST(ColorRegion, JoinsPiecesThatAreNearAndLeavesNoiseOut) {
   cv::rectangle(scene.image(0), cv::Rect(123, 50, 20, 10), kRedPaint, cv::FILLED); // 3 px apart
   cv::rectangle(scene.image(0), cv::Rect(160, 50, 10, 10), kRedPaint, cv::FILLED);
   cv::rectangle(scene.image(0), cv::Rect(200, 90, 1, 2), kRedPaint, cv::FILLED);
-  const auto regions = findRegions(labelsOf(scene), {0, 0, 320, 240}, 4.0);
+  const auto regions = findRegions(firstLabels(scene), {0, 0, 320, 240}, 4.0);
   ASSERT_EQ(regions.size(), 2U);
   EXPECT_EQ(regions[0].area, 400.0);
   EXPECT_EQ(regions[1].area, 100.0);
@@ -50,9 +49,9 @@ TEST(ColorRegion, JoinsPiecesThatAreNearAndLeavesNoiseOut) {
 TEST(ColorRegion, JoinedMomentsAreThoseOfTheWhole) {
   RegionScene scene(drawn::rigAround(1));
   cv::rectangle(scene.image(0), cv::Rect(100, 50, 40, 20), kRedPaint, cv::FILLED);
-  const auto left = findRegions(labelsOf(scene), {90, 30, 30, 100}, 4.0);
-  const auto right = findRegions(labelsOf(scene), {120, 30, 30, 100}, 4.0);
-  const auto whole = findRegions(labelsOf(scene), {90, 30, 60, 100}, 4.0);
+  const auto left = findRegions(firstLabels(scene), {90, 30, 30, 100}, 4.0);
+  const auto right = findRegions(firstLabels(scene), {120, 30, 30, 100}, 4.0);
+  const auto whole = findRegions(firstLabels(scene), {90, 30, 60, 100}, 4.0);
   ASSERT_TRUE(left.size() == 1U && right.size() == 1U && whole.size() == 1U);
   const ColorRegion both = joined(left[0], right[0]);
   EXPECT_EQ(both.area, whole[0].area);
@@ -67,7 +66,7 @@ TEST(ColorRegion, KnowsWhereItsRimIsNotItsOwn) {
   cv::rectangle(scene.image(0), cv::Rect(0, 50, 20, 20), kRedPaint, cv::FILLED);
   cv::rectangle(scene.image(0), cv::Rect(200, 50, 20, 20), kRedPaint, cv::FILLED);
   cv::rectangle(scene.image(0), cv::Rect(220, 50, 20, 20), kSomethingNew, cv::FILLED);
-  const auto regions = findRegions(labelsOf(scene), {0, 0, 320, 240}, 4.0);
+  const auto regions = findRegions(firstLabels(scene), {0, 0, 320, 240}, 4.0);
   ASSERT_EQ(regions.size(), 2U);
   EXPECT_EQ(regions[0].cutRim, 20);
   EXPECT_EQ(regions[0].hiddenRim, 0);

@@ -11,13 +11,13 @@
 namespace dewpoint::tests {
 namespace {
 
+using drawn::kSomethingNew;
+using drawn::kVga;
 using drawn::RegionScene;
 
-constexpr int kVga = 2;
-const cv::Scalar kSomethingNew(200, 40, 40);
-
 /// A start that is off by `off` meters, as a ball, with next to nothing known.
-EllipsoidPrior startAt(const Ellipsoid& truth, const Eigen::Vector3d& off, double radius = 0.05) {
+EllipsoidPrior ellipsoidStart(const Ellipsoid& truth, const Eigen::Vector3d& off,
+                              double radius = 0.05) {
   EllipsoidPrior prior;
   prior.ellipsoid = {truth.center + off, ballExtent(radius)};
   prior.information = Eigen::Matrix3d::Identity() / (0.1 * 0.1);
@@ -35,7 +35,7 @@ TEST(EllipsoidFit, FindsCenterAndExtentFromThreeCameras) {
     const Ellipsoid truth = drawn::ellipsoid(drawn::placeNear(k, 0.05), {0.1, 0.05, 0.03}, 0.4 * k);
     scene.show({truth});
     const EllipsoidFit fit =
-        fitEllipsoid(scene.observation(), startAt(truth, 0.03 * drawn::directionOf(k)));
+        fitEllipsoid(scene.observation(), ellipsoidStart(truth, 0.03 * drawn::directionOf(k)));
     ASSERT_TRUE(fit.found) << k;
     EXPECT_EQ(fit.seeing, 3);
     EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 1e-3) << k;
@@ -54,7 +54,7 @@ TEST(EllipsoidFit, FindsTheCenterFromTwoCameras) {
         drawn::ellipsoid(drawn::placeNear(k, 0.05), {0.12, 0.02, 0.02}, 0.5 * k);
     scene.show({truth});
     const EllipsoidFit fit =
-        fitEllipsoid(scene.observation(), startAt(truth, 0.03 * drawn::directionOf(k)));
+        fitEllipsoid(scene.observation(), ellipsoidStart(truth, 0.03 * drawn::directionOf(k)));
     ASSERT_TRUE(fit.found) << k;
     EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 0.012) << k;
     EXPECT_EQ(fit.freedoms, 1);
@@ -68,7 +68,7 @@ TEST(EllipsoidFit, WhatIsHiddenDoesNotPull) {
   RegionScene scene(drawn::rigAround(3, kVga));
   const Ellipsoid truth = drawn::ellipsoid(drawn::kMiddle, {0.06, 0.04, 0.04});
   scene.show({truth});
-  EllipsoidPrior prior = startAt(truth, {0.002, 0.0, 0.0});
+  EllipsoidPrior prior = ellipsoidStart(truth, {0.002, 0.0, 0.0});
   prior.ellipsoid.extent = truth.extent;
   prior.extentSigma = 0.05;
   const EllipsoidFit whole = fitEllipsoid(scene.observation(), prior);
@@ -89,7 +89,8 @@ TEST(EllipsoidFit, OneCameraSaysNothingAboutDepth) {
   RegionScene scene(drawn::rigAround(1, kVga));
   const Ellipsoid truth = drawn::ellipsoid(drawn::kMiddle, {0.06, 0.04, 0.04});
   scene.show({truth});
-  const EllipsoidFit fit = fitEllipsoid(scene.observation(), startAt(truth, {0.0, 0.0, 0.0}));
+  const EllipsoidFit fit =
+      fitEllipsoid(scene.observation(), ellipsoidStart(truth, {0.0, 0.0, 0.0}));
   ASSERT_TRUE(fit.found);
   EXPECT_EQ(fit.freedoms, 0);
   const Eigen::Vector3d along = drawn::rigAround(1, kVga)[0].opticalAxis();
@@ -99,7 +100,8 @@ TEST(EllipsoidFit, OneCameraSaysNothingAboutDepth) {
 TEST(EllipsoidFit, IsNotFoundWhereThereIsNoColor) {
   RegionScene scene(drawn::rigAround(2));
   const Ellipsoid truth = drawn::ellipsoid(drawn::kMiddle, {0.06, 0.04, 0.04});
-  const EllipsoidFit fit = fitEllipsoid(scene.observation(), startAt(truth, {0.0, 0.0, 0.0}));
+  const EllipsoidFit fit =
+      fitEllipsoid(scene.observation(), ellipsoidStart(truth, {0.0, 0.0, 0.0}));
   EXPECT_FALSE(fit.found);
   EXPECT_EQ(fit.views.size(), 2U);
 }

@@ -8,10 +8,10 @@
 namespace dewpoint::tests {
 namespace {
 
+using drawn::kRedPaint;
+using drawn::kSomethingNew;
 using drawn::RegionScene;
 
-const cv::Scalar kRedPaint(0, 0, 230);
-const cv::Scalar kSomethingNew(200, 40, 40);
 const Eigen::Matrix2d kExact = Eigen::Matrix2d::Zero();
 
 /// An upright ellipse.
@@ -19,7 +19,7 @@ EllipseImage ellipse(double x, double y, double a, double b) {
   return {{x, y}, Eigen::Vector2d(a * a, b * b).asDiagonal().toDenseMatrix()};
 }
 
-void paint(RegionScene& scene, double x, double y, int a, int b, const cv::Scalar& color) {
+void paintEllipse(RegionScene& scene, double x, double y, int a, int b, const cv::Scalar& color) {
   cv::ellipse(scene.image(0), cv::Point2d(x, y), {a, b}, 0.0, 0.0, 360.0, color, cv::FILLED);
 }
 
@@ -29,7 +29,7 @@ RegionMeasurement measured(RegionScene& scene, const EllipseImage& expected) {
 
 TEST(RegionMeasurement, SeesAllOfWhatIsAsExpected) {
   RegionScene scene(drawn::rigAround(1));
-  paint(scene, 150, 120, 40, 20, kRedPaint);
+  paintEllipse(scene, 150, 120, 40, 20, kRedPaint);
   const RegionMeasurement result = measured(scene, ellipse(150, 120, 40, 20));
   EXPECT_TRUE(result.inView);
   ASSERT_TRUE(result.region);
@@ -44,7 +44,7 @@ TEST(RegionMeasurement, SeesAllOfWhatIsAsExpected) {
 TEST(RegionMeasurement, FollowsARegionAsFarAsItGoes) {
   RegionScene scene(drawn::rigAround(1));
   cv::rectangle(scene.image(0), cv::Rect(20, 110, 240, 20), kRedPaint, cv::FILLED);
-  paint(scene, 140, 60, 10, 10, kRedPaint);
+  paintEllipse(scene, 140, 60, 10, 10, kRedPaint);
   const RegionMeasurement result = measured(scene, ellipse(140, 120, 10, 10));
   ASSERT_TRUE(result.region);
   EXPECT_EQ(result.region->area, 4800.0);
@@ -53,7 +53,7 @@ TEST(RegionMeasurement, FollowsARegionAsFarAsItGoes) {
 TEST(RegionMeasurement, ComparesTheVisiblePartOfWhatIsCut) {
   RegionScene scene(drawn::rigAround(1));
   // Half of it is to the left of the image.
-  paint(scene, 0, 120, 40, 40, kRedPaint);
+  paintEllipse(scene, 0, 120, 40, 40, kRedPaint);
   const RegionMeasurement result = measured(scene, ellipse(0, 120, 40, 40));
   ASSERT_TRUE(result.region);
   EXPECT_NEAR(result.visible, 0.5, 0.02);
@@ -63,7 +63,7 @@ TEST(RegionMeasurement, ComparesTheVisiblePartOfWhatIsCut) {
 
 TEST(RegionMeasurement, WhatMayHideItSaysNothing) {
   RegionScene scene(drawn::rigAround(1));
-  paint(scene, 150, 120, 60, 60, kSomethingNew);
+  paintEllipse(scene, 150, 120, 60, 60, kSomethingNew);
   const RegionMeasurement hidden = measured(scene, ellipse(150, 120, 40, 20));
   EXPECT_FALSE(hidden.region);
   EXPECT_NEAR(regionEvidence(hidden, 1.0), 0.0, 0.5);

@@ -14,13 +14,13 @@ namespace dewpoint::tests {
 namespace {
 
 const ColorRange kGreen{90.0, 150.0, 0.3, 0.9, 0.2, 0.7};
-const cv::Scalar kBall(60.0, 180.0, 40.0); // hue 129, saturation 0.57, intensity 0.37
-const SphereImage kOutline{{80.0, 60.0}, 14.0};
+const cv::Scalar kGreenBall(60.0, 180.0, 40.0); // hue 129, saturation 0.57, intensity 0.37
+const SphereImage kBallOutline{{80.0, 60.0}, 14.0};
 constexpr double kShare = 0.05;
 
 /// A green disc on a gray wall, all lit by `gain` (BGR), with sensor noise.
 cv::Mat scene(const cv::Scalar& gain, std::uint32_t frame, const cv::Scalar& wall = {90, 90, 90},
-              const cv::Scalar& ball = kBall) {
+              const cv::Scalar& ball = kGreenBall) {
   cv::Mat image(120, 160, CV_8UC3, wall.mul(gain));
   cv::circle(image, {80, 60}, 14, ball.mul(gain), cv::FILLED);
   drawn::addNoise(image, 2.0, frame);
@@ -34,14 +34,14 @@ cv::Scalar gray(double gain) {
 AdaptiveColor begun() {
   AdaptiveColor color(kGreen, 2);
   for (int k = 0; k < AdaptiveColor::kReferenceUpdates; ++k) {
-    EXPECT_FALSE(color.follow(0, scene(gray(1.0), std::uint32_t(k)), kOutline, {}, kShare));
+    EXPECT_FALSE(color.follow(0, scene(gray(1.0), std::uint32_t(k)), kBallOutline, {}, kShare));
   }
   EXPECT_TRUE(color.rangesInUse().empty());
   return color;
 }
 
 /// Share of the disc that the range in use takes in.
-double taken(const AdaptiveColor& color, const cv::Mat& image) {
+double takenInUse(const AdaptiveColor& color, const cv::Mat& image) {
   cv::Mat disc = cv::Mat::zeros(image.size(), CV_8UC1);
   cv::circle(disc, {80, 60}, 13, cv::Scalar(255), cv::FILLED);
   return double(cv::countNonZero(matchImage(image, color.inUse(0)) & disc)) /
@@ -75,27 +75,27 @@ TEST(AdaptiveColor, FollowsEachOfSeveralColors) {
   const ColorRange blue{200.0, 240.0, 0.3, 0.9, 0.2, 0.7};
   AdaptiveColor color(ColorRanges(kGreen, {blue}), 1);
   for (std::uint32_t k = 0; k < 10; ++k) {
-    EXPECT_FALSE(color.follow(0, twoColored(1.0, k), kOutline, {}, kShare));
+    EXPECT_FALSE(color.follow(0, twoColored(1.0, k), kBallOutline, {}, kShare));
   }
   EXPECT_TRUE(color.rangesInUse().empty());
-  EXPECT_GT(taken(color, twoColored(1.0, 11)), 0.97);
+  EXPECT_GT(takenInUse(color, twoColored(1.0, 11)), 0.97);
   double light = 1.0;
   for (std::uint32_t k = 0; k < 200; ++k) {
     light = 1.0 - 0.55 * k / 200.0;
-    color.follow(0, twoColored(light, k), kOutline, {}, kShare);
+    color.follow(0, twoColored(light, k), kBallOutline, {}, kShare);
   }
   const ColorRanges ranges = color.rangesInUse(0);
   ASSERT_EQ(ranges.size(), 2U);
   EXPECT_LT(ranges[0].intensityMin, 0.65 * kGreen.intensityMin);
   EXPECT_LT(ranges[1].intensityMin, 0.65 * blue.intensityMin);
-  EXPECT_GT(taken(color, twoColored(light, 201)), 0.97);
+  EXPECT_GT(takenInUse(color, twoColored(light, 201)), 0.97);
 }
 
 TEST(AdaptiveColor, AColorThatIsNotSeenStaysWhereItWas) {
   const ColorRange blue{200.0, 240.0, 0.3, 0.9, 0.2, 0.7};
   AdaptiveColor color(ColorRanges(kGreen, {blue}), 1);
   for (std::uint32_t k = 0; k < 200; ++k) {
-    color.follow(0, scene(gray(1.0 - 0.5 * k / 200.0), k), kOutline, {}, kShare);
+    color.follow(0, scene(gray(1.0 - 0.5 * k / 200.0), k), kBallOutline, {}, kShare);
   }
   EXPECT_LT(color.rangesInUse(0)[0].intensityMin, 0.7 * kGreen.intensityMin);
   EXPECT_EQ(color.rangesInUse(0)[1], blue);
@@ -104,7 +104,7 @@ TEST(AdaptiveColor, AColorThatIsNotSeenStaysWhereItWas) {
 TEST(AdaptiveColor, StaysAsLearnedInSteadyLight) {
   AdaptiveColor color = begun();
   for (std::uint32_t k = 0; k < 300; ++k) {
-    color.follow(0, scene(gray(1.0), k), kOutline, {}, kShare);
+    color.follow(0, scene(gray(1.0), k), kBallOutline, {}, kShare);
   }
   // The quantiles of 400 noisy pixels are off by less than a gray level.
   const ColorRange range = color.rangesInUse(0)[0];
@@ -120,7 +120,7 @@ TEST(AdaptiveColor, FollowsLightThatFadesByTheSameFactor) {
   double gain = 1.0;
   for (std::uint32_t k = 0; k < 400; ++k) {
     gain = std::pow(0.25, (k + 1) / 400.0);
-    color.follow(0, scene(gray(gain), k), kOutline, {}, kShare);
+    color.follow(0, scene(gray(gain), k), kBallOutline, {}, kShare);
   }
   const cv::Mat dark = scene(gray(gain), 1000);
   const ColorRange range = color.rangesInUse(0)[0];
@@ -129,8 +129,8 @@ TEST(AdaptiveColor, FollowsLightThatFadesByTheSameFactor) {
   // before.
   EXPECT_NEAR(range.intensityMin / (kGreen.intensityMin * gain), 1.07 * 0.95, 0.03);
   EXPECT_NEAR(range.intensityMax / (kGreen.intensityMax * gain), 1.07 * 1.05, 0.03);
-  EXPECT_GT(taken(color, dark), 0.98);
-  EXPECT_LT(taken(AdaptiveColor(kGreen, 1), dark), 0.02); // 0.37 / 4 is below 0.2
+  EXPECT_GT(takenInUse(color, dark), 0.98);
+  EXPECT_LT(takenInUse(AdaptiveColor(kGreen, 1), dark), 0.02); // 0.37 / 4 is below 0.2
 }
 
 TEST(AdaptiveColor, FollowsATintInItsHue) {
@@ -139,7 +139,7 @@ TEST(AdaptiveColor, FollowsATintInItsHue) {
   for (std::uint32_t k = 0; k < 400; ++k) {
     const double way = (k + 1) / 400.0;
     gain = {1.0 - 0.3 * way, 1.0, 1.0 + 0.6 * way, 0.0};
-    color.follow(0, scene(gain, k), kOutline, {}, kShare);
+    color.follow(0, scene(gain, k), kBallOutline, {}, kShare);
   }
   const Hsi before = hsiFromBgr(60, 180, 40);
   const Hsi after = hsiFromBgr(42, 180, 64);
@@ -152,8 +152,8 @@ TEST(AdaptiveColor, IsNotTakenAlongByWhatHidesTheTarget) {
   AdaptiveColor color = begun();
   const cv::Scalar skin(90.0, 120.0, 190.0);
   for (std::uint32_t k = 0; k < 200; ++k) {
-    color.follow(0, scene(gray(1.0), k, {90, 90, 90}, skin), kOutline, {}, kShare);
-    color.follow(1, cv::Mat(), kOutline, {}, kShare);
+    color.follow(0, scene(gray(1.0), k, {90, 90, 90}, skin), kBallOutline, {}, kShare);
+    color.follow(1, cv::Mat(), kBallOutline, {}, kShare);
   }
   EXPECT_TRUE(color.rangesInUse().empty());
 }
@@ -164,8 +164,8 @@ TEST(AdaptiveColor, TakesNoStepOntoTheBackground) {
   AdaptiveColor color(kGreen, 1);
   for (std::uint32_t k = 0; k < 500; ++k) {
     const double gain = k < 20 ? 1.0 : std::max(0.4, 1.0 - 0.002 * (k - 20));
-    cv::Mat image = scene(gray(1.0), k, wall, kBall.mul(gray(gain)));
-    color.follow(0, image, kOutline, {}, kShare);
+    cv::Mat image = scene(gray(1.0), k, wall, kGreenBall.mul(gray(gain)));
+    color.follow(0, image, kBallOutline, {}, kShare);
     const double matched = cv::countNonZero(matchImage(image, color.inUse(0)));
     const double disc = M_PI * 15.0 * 15.0;
     ASSERT_LT(matched, disc + 0.01 * double(image.total())) << k;
@@ -178,8 +178,8 @@ TEST(AdaptiveColor, ForgetsAndCopies) {
   AdaptiveColor color = begun();
   AdaptiveColor copy = color;
   for (std::uint32_t k = 0; k < 50; ++k) {
-    EXPECT_TRUE(color.follow(0, scene(gray(0.8), k), kOutline, {}, kShare));
-    copy.follow(0, scene(gray(0.8), k), kOutline, {}, kShare);
+    EXPECT_TRUE(color.follow(0, scene(gray(0.8), k), kBallOutline, {}, kShare));
+    copy.follow(0, scene(gray(0.8), k), kBallOutline, {}, kShare);
   }
   EXPECT_EQ(copy.rangesInUse(0)[0], color.rangesInUse(0)[0]);
   EXPECT_FALSE(color.rangesInUse(0)[0] == kGreen);

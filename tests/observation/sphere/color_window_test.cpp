@@ -13,14 +13,14 @@ namespace {
 
 static_assert(ObservationModel<ColorWindow>);
 
-constexpr int kWidth = 40;
-constexpr int kHeight = 30;
-const ColorRange kRed{340.0, 20.0, 0.5, 1.0, 0.1, 0.9}; // pure red is hue 0, S 1, I 1/3
+constexpr int kWindowWidth = 40;
+constexpr int kWindowHeight = 30;
+const ColorRange kPureRed{340.0, 20.0, 0.5, 1.0, 0.1, 0.9}; // pure red is hue 0, S 1, I 1/3
 
 /// At the world origin, looking along +z: the point (x, y, 1) is pixel (100 x + 20, 100 y + 15).
 Camera simpleCamera() {
   Camera camera;
-  camera.intrinsics = {kWidth, kHeight, 100.0, 100.0, 20.0, 15.0};
+  camera.intrinsics = {kWindowWidth, kWindowHeight, 100.0, 100.0, 20.0, 15.0};
   return camera;
 }
 
@@ -29,12 +29,12 @@ Eigen::Vector3d atPixel(double column, double row) {
 }
 
 cv::Mat blankImage() {
-  return {kHeight, kWidth, CV_8UC3, cv::Scalar(255, 255, 255)};
+  return {kWindowHeight, kWindowWidth, CV_8UC3, cv::Scalar(255, 255, 255)};
 }
 cv::Mat redImage() {
-  return {kHeight, kWidth, CV_8UC3, cv::Scalar(0, 0, 255)};
+  return {kWindowHeight, kWindowWidth, CV_8UC3, cv::Scalar(0, 0, 255)};
 }
-void paint(cv::Mat& image, int column, int row) {
+void paintPixel(cv::Mat& image, int column, int row) {
   image.at<cv::Vec3b>(row, column) = cv::Vec3b(0, 0, 255);
 }
 
@@ -47,7 +47,7 @@ double likelihood(const ColorWindow& window, const Eigen::Vector3d& point) {
 }
 
 ColorWindow oneCamera(const cv::Mat& image) {
-  ColorWindow window({simpleCamera()}, ColorClassifier(kRed));
+  ColorWindow window({simpleCamera()}, ColorClassifier(kPureRed));
   window.setImage(0, image);
   return window;
 }
@@ -56,10 +56,10 @@ ColorWindow oneCamera(const cv::Mat& image) {
 TEST(ColorWindow, CountsTheMatchesInFiveByFive) {
   cv::Mat image = blankImage();
   for (int column = 9; column < 12; ++column) {
-    paint(image, column, 10);
+    paintPixel(image, column, 10);
   }
-  paint(image, 13, 10); // 3 away from column 10: outside its window
-  paint(image, 10, 7);  // 3 above
+  paintPixel(image, 13, 10); // 3 away from column 10: outside its window
+  paintPixel(image, 10, 7);  // 3 above
   const ColorWindow window = oneCamera(image);
   EXPECT_EQ(window.matchCount(0, atPixel(10, 10)), 3);
   EXPECT_NEAR(likelihood(window, atPixel(10, 10)), 3.0 / 25.0, 1e-15);
@@ -79,7 +79,7 @@ TEST(ColorWindow, OutsideOrBehindIsOneTwentyFifth) {
   const ColorWindow window = oneCamera(redImage());
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   for (const Eigen::Vector3d& point :
-       {atPixel(-1, 10), atPixel(kWidth, 10), atPixel(10, -1), atPixel(10, kHeight),
+       {atPixel(-1, 10), atPixel(kWindowWidth, 10), atPixel(10, -1), atPixel(10, kWindowHeight),
         Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e300, 0, 1e-300),
         Eigen::Vector3d(notANumber, 0, 1)}) {
     EXPECT_FALSE(window.matchCount(0, point));
@@ -95,14 +95,14 @@ TEST(ColorWindow, BorderCutsTheWindowButNotTheDivisor) {
   EXPECT_NEAR(likelihood(window, atPixel(0, 10)), 15.0 / 25.0, 1e-15);
   EXPECT_NEAR(likelihood(window, atPixel(1, 10)), 20.0 / 25.0, 1e-15);
   EXPECT_NEAR(likelihood(window, atPixel(2, 2)), 1.0, 1e-15);
-  EXPECT_NEAR(likelihood(window, atPixel(kWidth - 1, kHeight - 1)), 9.0 / 25.0, 1e-15);
-  EXPECT_NEAR(likelihood(window, atPixel(kWidth - 2, kHeight - 1)), 12.0 / 25.0, 1e-15);
+  EXPECT_NEAR(likelihood(window, atPixel(kWindowWidth - 1, kWindowHeight - 1)), 9.0 / 25.0, 1e-15);
+  EXPECT_NEAR(likelihood(window, atPixel(kWindowWidth - 2, kWindowHeight - 1)), 12.0 / 25.0, 1e-15);
 }
 
 // Pixel centers lie at integers, so pixel 0 begins at -0.5 and pixel 39 ends at 39.5.
 TEST(ColorWindow, ProjectionIsRoundedToTheNearestPixel) {
   cv::Mat image = blankImage();
-  paint(image, 10, 10);
+  paintPixel(image, 10, 10);
   const ColorWindow window = oneCamera(image);
   EXPECT_EQ(window.matchCount(0, atPixel(12.4, 10)), 1);
   EXPECT_EQ(window.matchCount(0, atPixel(12.6, 10)), 0);
@@ -118,11 +118,11 @@ TEST(ColorWindow, ProjectionIsRoundedToTheNearestPixel) {
 TEST(ColorWindow, CamerasMultiply) {
   Camera shifted = simpleCamera();
   shifted.intrinsics.centerX = -100.0;
-  ColorWindow window({simpleCamera(), shifted, simpleCamera()}, ColorClassifier(kRed));
+  ColorWindow window({simpleCamera(), shifted, simpleCamera()}, ColorClassifier(kPureRed));
   cv::Mat image = blankImage();
-  paint(image, 9, 10);
-  paint(image, 10, 11);
-  paint(image, 12, 12);
+  paintPixel(image, 9, 10);
+  paintPixel(image, 10, 11);
+  paintPixel(image, 12, 12);
   window.setImage(0, image);
   EXPECT_NEAR(likelihood(window, atPixel(10, 10)), 3.0 / 25.0, 1e-15);
   window.setImage(1, redImage());
@@ -150,9 +150,9 @@ TEST(ColorWindow, AddsToWhatIsThere) {
 TEST(ColorWindow, LazyAndIntegralAgreeToTheBit) {
   const RandomStream stream(5, 0, 0, RandomPurpose::Noise);
   cv::Mat image = blankImage();
-  for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+  for (int pixel = 0; pixel < kWindowWidth * kWindowHeight; ++pixel) {
     const auto word = stream.words(static_cast<std::uint32_t>(pixel));
-    image.at<cv::Vec3b>(pixel / kWidth, pixel % kWidth) = cv::Vec3b(
+    image.at<cv::Vec3b>(pixel / kWindowWidth, pixel % kWindowWidth) = cv::Vec3b(
         static_cast<std::uint8_t>(word[0] % 128), static_cast<std::uint8_t>(word[1] % 128),
         static_cast<std::uint8_t>(word[2] % 256));
   }
@@ -177,7 +177,7 @@ TEST(ColorWindow, LazyAndIntegralAgreeToTheBit) {
   window.setClassifier(ColorClassifier(ColorRange{100.0, 101.0, 0.99, 1.0, 0.9, 1.0}));
   window.prepare(4000);
   EXPECT_TRUE((evaluate() == std::log(1.0 / 25.0)).all());
-  window.setClassifier(ColorClassifier(kRed));
+  window.setClassifier(ColorClassifier(kPureRed));
   window.setImage(0, redImage());
   window.prepare(4000);
   EXPECT_EQ(evaluate().maxCoeff(), 0.0);

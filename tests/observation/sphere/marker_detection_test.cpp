@@ -9,7 +9,7 @@
 namespace dewpoint::tests {
 namespace {
 
-const ColorRange kRed{340.0, 20.0, 0.4, 1.0, 0.1, 0.9};
+const ColorRange kMarkerRed{340.0, 20.0, 0.4, 1.0, 0.1, 0.9};
 
 /// A gray image with a red disk, anti-aliased by 8 x 8 samples per pixel.
 cv::Mat disk(double column, double row, double radius) {
@@ -33,7 +33,7 @@ cv::Mat disk(double column, double row, double radius) {
 }
 
 TEST(MarkerDetector, FindsTheMiddleToFewHundredthsOfAPixel) {
-  MarkerDetector finder{ColorClassifier(kRed)};
+  MarkerDetector finder{ColorClassifier(kMarkerRed)};
   double sum = 0.0;
   for (int k = 0; k < 40; ++k) {
     const double x = 70.0 + 0.37 * k;
@@ -49,7 +49,7 @@ TEST(MarkerDetector, FindsTheMiddleToFewHundredthsOfAPixel) {
 }
 
 TEST(MarkerDetector, LeavesOutWhatIsNotAWholeBall) {
-  MarkerDetector finder{ColorClassifier(kRed)};
+  MarkerDetector finder{ColorClassifier(kMarkerRed)};
   EXPECT_FALSE(finder.find(disk(3.0, 50.0, 7.0)));  // cut by the border
   EXPECT_FALSE(finder.find(disk(80.0, 50.0, 1.0))); // too small
   EXPECT_FALSE(finder.find(cv::Mat(120, 160, CV_8UC3, cv::Scalar(120, 120, 120))));

@@ -13,12 +13,11 @@ namespace {
 
 using drawn::Ball;
 using drawn::FitScene;
-
-constexpr double kRadius = 0.035; // about 20 pixels a meter away
-constexpr int kVga = 2;
+using drawn::kRadius;
+using drawn::kVga;
 
 /// A start that is off by `radii`, with next to nothing known of the place (a meter).
-OutlinePrior startAt(const Eigen::Vector3d& center, std::uint32_t index, double radii) {
+OutlinePrior outlineStart(const Eigen::Vector3d& center, std::uint32_t index, double radii) {
   OutlinePrior prior;
   prior.center = center + radii * kRadius * drawn::directionOf(index);
   prior.radius = kRadius;
@@ -41,7 +40,7 @@ Errors errorsOf(int cameras, double startRadii, double reach) {
   for (std::uint32_t k = 0; k < kPlaces; ++k) {
     const Eigen::Vector3d truth = drawn::placeNear(k, reach);
     scene.show({Ball{truth, kRadius}});
-    const OutlineFit fit = fitOutline(scene.views(), startAt(truth, k, startRadii));
+    const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, startRadii));
     EXPECT_TRUE(fit.found) << k;
     EXPECT_NEAR(fit.radius, kRadius, 1e-6 * kRadius) << k; // known, so it stays
     EXPECT_EQ(fit.edges.size(), static_cast<std::size_t>(cameras));
@@ -80,7 +79,7 @@ TEST(OutlineFit, OneCameraKnowsTheDirectionAndLittleOfTheDepth) {
   for (std::uint32_t k = 0; k < 30; ++k) {
     const Eigen::Vector3d truth = drawn::placeNear(k, 0.2);
     scene.show({Ball{truth, kRadius}});
-    const OutlineFit fit = fitOutline(scene.views(), startAt(truth, k, 0.5));
+    const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.5));
     ASSERT_TRUE(fit.found);
     const Eigen::Vector3d from = drawn::rigAround(1, kVga)[0].center();
     const Eigen::Vector3d along = (truth - from).normalized();
@@ -95,7 +94,7 @@ TEST(OutlineFit, CovarianceIsPositiveDefiniteAndLargerAlongTheAxisOfOneCamera) {
     FitScene scene(drawn::rigAround(cameras, kVga));
     const Eigen::Vector3d truth = drawn::placeNear(3, 0.1);
     scene.show({Ball{truth, kRadius}});
-    const OutlineFit fit = fitOutline(scene.views(), startAt(truth, 3, 0.2));
+    const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, 3, 0.2));
     ASSERT_TRUE(fit.found);
     EXPECT_LT((fit.covariance - fit.covariance.transpose()).cwiseAbs().maxCoeff(), 1e-15);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(fit.covariance);
@@ -129,7 +128,7 @@ TEST(OutlineFit, HalfOfTheDiscCutOffInOneCamera) {
       const Eigen::Vector3d truth = drawn::placeNear(k, 0.15);
       scene.show({Ball{truth, kRadius}});
       cut(scene, 0, truth, newThing);
-      const OutlineFit fit = fitOutline(scene.views(), startAt(truth, k, 0.2));
+      const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.2));
       ASSERT_TRUE(fit.found);
       EXPECT_LT((fit.center - truth).norm(), 1.5e-3) << k << (newThing ? " new" : " wall");
     }
@@ -140,9 +139,9 @@ TEST(OutlineFit, AHiddenHalfMakesTheCovarianceLarger) {
   FitScene scene(drawn::rigAround(2, kVga));
   const Eigen::Vector3d truth = drawn::placeNear(1, 0.1);
   scene.show({Ball{truth, kRadius}});
-  const OutlineFit whole = fitOutline(scene.views(), startAt(truth, 1, 0.1));
+  const OutlineFit whole = fitOutline(scene.views(), outlineStart(truth, 1, 0.1));
   cut(scene, 0, truth, true);
-  const OutlineFit half = fitOutline(scene.views(), startAt(truth, 1, 0.1));
+  const OutlineFit half = fitOutline(scene.views(), outlineStart(truth, 1, 0.1));
   ASSERT_TRUE(whole.found && half.found);
   EXPECT_GT(half.covariance.trace(), whole.covariance.trace());
   EXPECT_LT(half.edges[0], whole.edges[0]);
@@ -163,7 +162,7 @@ TEST(OutlineFit, ATwinThatTouchesInOneCamera) {
     for (std::uint32_t k = 0; k < 10; ++k) {
       const Eigen::Vector3d truth = drawn::placeNear(k, 0.1);
       scene.show({Ball{truth, kRadius}, Ball{besideIn(rig, truth, radii), kRadius}});
-      const OutlineFit fit = fitOutline(scene.views(), startAt(truth, k, 0.15));
+      const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.15));
       ASSERT_TRUE(fit.found);
       EXPECT_LT((fit.center - truth).norm(), 1.5e-3) << k << " at " << radii;
     }
@@ -177,7 +176,7 @@ TEST(OutlineFit, UnknownRadiusIsFoundWithTwoCameras) {
     const Eigen::Vector3d truth = drawn::placeNear(k, 0.15);
     for (const double guess : {0.85, 1.0, 1.15}) {
       scene.show({Ball{truth, kRadius}});
-      OutlinePrior prior = startAt(truth, k, 0.2);
+      OutlinePrior prior = outlineStart(truth, k, 0.2);
       prior.radius = guess * kRadius;
       prior.logRadiusVariance = 0.04;
       const OutlineFit fit = fitOutline(scene.views(), prior);
@@ -195,7 +194,7 @@ TEST(OutlineFit, NoiseOfACameraKeepsItBelowAMillimeter) {
   for (std::uint32_t k = 0; k < 10; ++k) {
     const Eigen::Vector3d truth = drawn::placeNear(k, 0.2);
     scene.show({Ball{truth, kRadius}}, 6.0, k);
-    const OutlineFit fit = fitOutline(scene.views(), startAt(truth, k, 0.5));
+    const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.5));
     ASSERT_TRUE(fit.found);
     EXPECT_LT((fit.center - truth).norm(), 1e-3) << k;
   }
@@ -203,7 +202,7 @@ TEST(OutlineFit, NoiseOfACameraKeepsItBelowAMillimeter) {
 
 TEST(OutlineFit, FindsNothingInAnEmptyImage) {
   FitScene scene(drawn::rigAround(2, kVga));
-  const OutlineFit fit = fitOutline(scene.views(), startAt(drawn::kMiddle, 0, 0.0));
+  const OutlineFit fit = fitOutline(scene.views(), outlineStart(drawn::kMiddle, 0, 0.0));
   EXPECT_FALSE(fit.found);
   EXPECT_EQ(fit.edges, (std::vector<int>{0, 0}));
 }
@@ -211,12 +210,12 @@ TEST(OutlineFit, FindsNothingInAnEmptyImage) {
 TEST(OutlineFit, FindsNothingWhereNoCameraLooksOrNoneHasAnImage) {
   FitScene scene(drawn::rigAround(2, kVga));
   scene.show({Ball{drawn::kMiddle, kRadius}});
-  EXPECT_FALSE(fitOutline({}, startAt(drawn::kMiddle, 0, 0.0)).found);
+  EXPECT_FALSE(fitOutline({}, outlineStart(drawn::kMiddle, 0, 0.0)).found);
   auto views = scene.views();
-  EXPECT_FALSE(fitOutline(views, startAt({5.0, 5.0, 50.0}, 0, 0.0)).found);
+  EXPECT_FALSE(fitOutline(views, outlineStart({5.0, 5.0, 50.0}, 0, 0.0)).found);
   scene.labels(0).clear();
   scene.labels(1).clear();
-  EXPECT_FALSE(fitOutline(views, startAt(drawn::kMiddle, 0, 0.0)).found);
+  EXPECT_FALSE(fitOutline(views, outlineStart(drawn::kMiddle, 0, 0.0)).found);
 }
 
 TEST(OutlineFit, ACameraWithoutAnImageIsLeftOut) {
@@ -225,7 +224,7 @@ TEST(OutlineFit, ACameraWithoutAnImageIsLeftOut) {
   scene.show({Ball{truth, kRadius}});
   auto views = scene.views();
   scene.labels(1).clear();
-  const OutlineFit fit = fitOutline(views, startAt(truth, 2, 0.3));
+  const OutlineFit fit = fitOutline(views, outlineStart(truth, 2, 0.3));
   ASSERT_TRUE(fit.found);
   EXPECT_EQ(fit.edges[1], 0);
   EXPECT_GT(fit.edges[0], 0);
@@ -243,7 +242,7 @@ TEST(OutlineFit, OffsetsMoveTheBallToWhenACameraLooked) {
   scene.image(1) = drawn::draw(rig[1], {Ball{truth + offset, kRadius}});
   auto views = scene.views();
   views[1].offset = offset;
-  const OutlineFit fit = fitOutline(views, startAt(truth, 4, 0.3));
+  const OutlineFit fit = fitOutline(views, outlineStart(truth, 4, 0.3));
   ASSERT_TRUE(fit.found);
   EXPECT_LT((fit.center - truth).norm(), 0.9e-3);
 }
@@ -253,7 +252,7 @@ TEST(OutlineFit, ASurePriorIsKept) {
   FitScene scene(drawn::rigAround(1, kVga));
   const Eigen::Vector3d truth = drawn::placeNear(6, 0.1);
   scene.show({Ball{truth, kRadius}});
-  OutlinePrior prior = startAt(truth, 6, 0.1);
+  OutlinePrior prior = outlineStart(truth, 6, 0.1);
   prior.information = 1e12 * Eigen::Matrix3d::Identity();
   const OutlineFit fit = fitOutline(scene.views(), prior);
   ASSERT_TRUE(fit.found);
@@ -288,20 +287,20 @@ TEST(OutlineFit, TellsHowMuchTheCamerasDisagree) {
   for (std::uint32_t k = 0; k < kPlaces; ++k) {
     const Eigen::Vector3d truth = drawn::placeNear(k, 0.1);
     scene.show({Ball{truth, kRadius}}, 3.0, k);
-    const OutlineFit fit = fitOutline(scene.views(), startAt(truth, k, 0.1));
+    const OutlineFit fit = fitOutline(scene.views(), outlineStart(truth, k, 0.1));
     ASSERT_EQ(fit.freedoms, 3); // two coordinates in each of three images, against three in space
     agreeing += fit.disagreement / fit.freedoms / kPlaces;
     const cv::Mat before = scene.image(2).clone();
     before(cv::Rect(6, 0, before.cols - 6, before.rows))
         .copyTo(scene.image(2)(cv::Rect(0, 0, before.cols - 6, before.rows)));
-    const OutlineFit turned = fitOutline(scene.views(), startAt(truth, k, 0.1));
+    const OutlineFit turned = fitOutline(scene.views(), outlineStart(truth, k, 0.1));
     EXPECT_GT(turned.disagreement / turned.freedoms, 20.0) << k;
   }
   EXPECT_LT(agreeing, 1.5);
   EXPECT_GT(agreeing, 0.05);
   FitScene alone(drawn::rigAround(1, kVga));
   alone.show({Ball{drawn::kMiddle, kRadius}});
-  const OutlineFit fit = fitOutline(alone.views(), startAt(drawn::kMiddle, 0, 0.1));
+  const OutlineFit fit = fitOutline(alone.views(), outlineStart(drawn::kMiddle, 0, 0.1));
   EXPECT_EQ(fit.freedoms, 0);
   EXPECT_EQ(fit.disagreement, 0.0);
 }

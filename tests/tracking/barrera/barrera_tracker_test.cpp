@@ -2,6 +2,7 @@
 #include "core/base/thread_team.h"
 #include "core/tracking/barrera/barrera_parameters.h"
 #include "core/tracking/barrera/barrera_tracker.h"
+#include "tests/tracking/drawn_run.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -12,8 +13,10 @@
 namespace dewpoint::tests {
 namespace {
 
-const Eigen::Vector3d kBall(0.5, 0.5, 0.15);
-constexpr double kRadius = 0.035;
+using drawn::kRadius;
+using drawn::redBall;
+
+const Eigen::Vector3d kBallCenter(0.5, 0.5, 0.15);
 
 /// The cameras of Barrera et al. 2005, camera 2 in portrait. The paper gives neither their
 /// directions nor focal lengths: along +y and +x, which both see the ball, and 300 px, usual for a
@@ -55,10 +58,6 @@ FrameSetPtr ballFrames(const CameraRig& rig, const Eigen::Vector3d& ball, std::i
   return set;
 }
 
-Target redBall() {
-  return {"ball", kRadius, {340.0, 20.0, 0.5, 1.0, 0.1, 0.9}};
-}
-
 ParameterValues parameters(std::initializer_list<std::pair<const char*, double>> changes = {}) {
   ParameterValues values(barreraParameters());
   for (const auto& [key, value] : changes) {
@@ -67,8 +66,8 @@ ParameterValues parameters(std::initializer_list<std::pair<const char*, double>>
   return values;
 }
 
-std::unique_ptr<BarreraTracker> barrera(const ParameterValues& values, const CameraRig& rig,
-                                        std::uint64_t seed = 1) {
+std::unique_ptr<BarreraTracker> startedBarrera(const ParameterValues& values, const CameraRig& rig,
+                                               std::uint64_t seed = 1) {
   auto tracker = std::make_unique<BarreraTracker>(values, rig, redBall());
   tracker->restart(seed);
   return tracker;
@@ -80,13 +79,13 @@ TEST(BarreraTracker, ConvergesFromThePapersStart) {
   const CameraRig rig = barreraRig();
   ThreadTeam team;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const auto tracker = barrera(parameters(), rig, seed);
-    tracker->beginFrame(ballFrames(rig, kBall));
+    const auto tracker = startedBarrera(parameters(), rig, seed);
+    tracker->beginFrame(ballFrames(rig, kBallCenter));
     SphereEstimate estimate;
     for (int iteration = 0; iteration < 100; ++iteration) {
       estimate = tracker->iterate(team);
     }
-    EXPECT_LT((estimate.mean - kBall).norm(), 0.03) << "seed " << seed;
+    EXPECT_LT((estimate.mean - kBallCenter).norm(), 0.03) << "seed " << seed;
     EXPECT_EQ(estimate.camerasSeeing, 2);
     EXPECT_TRUE(estimate.valid);
     EXPECT_FALSE(estimate.degenerate);
@@ -98,10 +97,10 @@ TEST(BarreraTracker, ConvergesFromThePapersStart) {
 
 TEST(BarreraTracker, SameBitsForAnyNumberOfThreadsAndOnlyForTheSameSeed) {
   const CameraRig rig = barreraRig();
-  const FrameSetPtr frames = ballFrames(rig, kBall, 3);
+  const FrameSetPtr frames = ballFrames(rig, kBallCenter, 3);
   const auto run = [&](int threads, std::uint64_t seed) {
     ThreadTeam team(threads);
-    const auto tracker = barrera(parameters({{"particles", 5000}}), rig, seed);
+    const auto tracker = startedBarrera(parameters({{"particles", 5000}}), rig, seed);
     tracker->beginFrame(frames);
     SphereEstimate estimate;
     for (int iteration = 0; iteration < 8; ++iteration) {
@@ -122,9 +121,9 @@ TEST(BarreraTracker, SameBitsForAnyNumberOfThreadsAndOnlyForTheSameSeed) {
 
 TEST(BarreraTracker, RestartRepeatsTheRunAndIterationsDiffer) {
   const CameraRig rig = barreraRig();
-  const FrameSetPtr frames = ballFrames(rig, kBall);
+  const FrameSetPtr frames = ballFrames(rig, kBallCenter);
   ThreadTeam team;
-  const auto tracker = barrera(parameters(), rig, 5);
+  const auto tracker = startedBarrera(parameters(), rig, 5);
   tracker->beginFrame(frames);
   const Eigen::Vector3d first = tracker->iterate(team).mean;
   const Eigen::Vector3d second = tracker->iterate(team).mean;
@@ -138,14 +137,14 @@ TEST(BarreraTracker, StartIsAPointOrABox) {
   const CameraRig rig = barreraRig();
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  barrera(parameters(), rig)->particles(1000, positions, weights);
+  startedBarrera(parameters(), rig)->particles(1000, positions, weights);
   ASSERT_EQ(positions.rows(), 200);
   EXPECT_TRUE((positions.col(0) == 0.4).all() && (positions.col(1) == 0.1).all() &&
               (positions.col(2) == 0.2).all());
   EXPECT_NEAR(weights.sum(), 1.0, 1e-12);
 
   const auto box = parameters({{"particles", 20000}, {"start_half_x", 2.0}, {"start_half_z", 0.5}});
-  barrera(box, rig)->particles(20000, positions, weights);
+  startedBarrera(box, rig)->particles(20000, positions, weights);
   EXPECT_GE(positions.col(0).minCoeff(), -1.6); // 0.4 - 2
   EXPECT_LE(positions.col(0).maxCoeff(), 2.4);
   EXPECT_TRUE((positions.col(1) == 0.1).all());
@@ -160,8 +159,8 @@ TEST(BarreraTracker, StartIsAPointOrABox) {
 TEST(BarreraTracker, StaysInTheVolumeOfInterest) {
   const CameraRig rig = barreraRig();
   const WorldBox volume{{0.45, 0.3, 0.1}, {0.6, 0.45, 0.25}};
-  const auto tracker =
-      barrera(parameters({{"start_half_x", 1.0}, {"start_half_y", 1.0}, {"particles", 500}}), rig);
+  const auto tracker = startedBarrera(
+      parameters({{"start_half_x", 1.0}, {"start_half_y", 1.0}, {"particles", 500}}), rig);
   tracker->setVolumeOfInterest(volume);
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
@@ -171,7 +170,7 @@ TEST(BarreraTracker, StaysInTheVolumeOfInterest) {
     EXPECT_TRUE(volume.contains(positions.row(k).transpose().matrix(), 1e-12));
   }
   ThreadTeam team;
-  tracker->beginFrame(ballFrames(rig, kBall));
+  tracker->beginFrame(ballFrames(rig, kBallCenter));
   for (int iteration = 0; iteration < 30; ++iteration) {
     const SphereEstimate estimate = tracker->iterate(team);
     EXPECT_TRUE(volume.contains(estimate.mean, 1e-9)) << iteration;
@@ -186,8 +185,8 @@ TEST(BarreraTracker, StaysInTheVolumeOfInterest) {
 TEST(BarreraTracker, NewParticleCountActsAtTheNextIterationAndKeepsThePlace) {
   const CameraRig rig = barreraRig();
   ThreadTeam team;
-  const auto tracker = barrera(parameters({{"start_y", 0.5}, {"start_x", 0.5}}), rig);
-  tracker->beginFrame(ballFrames(rig, kBall));
+  const auto tracker = startedBarrera(parameters({{"start_y", 0.5}, {"start_x", 0.5}}), rig);
+  tracker->beginFrame(ballFrames(rig, kBallCenter));
   for (int iteration = 0; iteration < 20; ++iteration) {
     tracker->iterate(team);
   }
@@ -195,7 +194,7 @@ TEST(BarreraTracker, NewParticleCountActsAtTheNextIterationAndKeepsThePlace) {
     tracker->configure(parameters({{"particles", double(count)}}));
     const SphereEstimate estimate = tracker->iterate(team);
     EXPECT_EQ(estimate.particleCount, count);
-    EXPECT_LT((estimate.mean - kBall).norm(), 0.03);
+    EXPECT_LT((estimate.mean - kBallCenter).norm(), 0.03);
     Eigen::ArrayXXd positions;
     Eigen::ArrayXd weights;
     tracker->particles(1 << 20, positions, weights);
@@ -210,10 +209,10 @@ TEST(BarreraTracker, NewParticleCountActsAtTheNextIterationAndKeepsThePlace) {
 TEST(BarreraTracker, ValidNeedsTwoCamerasUnlessThereIsOne) {
   const CameraRig rig = barreraRig();
   ThreadTeam team;
-  const auto onBall =
-      parameters({{"start_x", kBall.x()}, {"start_y", kBall.y()}, {"start_z", kBall.z()}});
-  const auto tracker = barrera(onBall, rig);
-  auto half = std::make_shared<FrameSet>(*ballFrames(rig, kBall));
+  const auto onBall = parameters(
+      {{"start_x", kBallCenter.x()}, {"start_y", kBallCenter.y()}, {"start_z", kBallCenter.z()}});
+  const auto tracker = startedBarrera(onBall, rig);
+  auto half = std::make_shared<FrameSet>(*ballFrames(rig, kBallCenter));
   half->frames[1] = nullptr;
   tracker->beginFrame(half);
   SphereEstimate estimate = tracker->iterate(team);
@@ -221,8 +220,8 @@ TEST(BarreraTracker, ValidNeedsTwoCamerasUnlessThereIsOne) {
   EXPECT_FALSE(estimate.valid);
 
   const CameraRig single(rig.begin(), rig.begin() + 1);
-  const auto alone = barrera(onBall, single);
-  alone->beginFrame(ballFrames(single, kBall));
+  const auto alone = startedBarrera(onBall, single);
+  alone->beginFrame(ballFrames(single, kBallCenter));
   estimate = alone->iterate(team);
   EXPECT_EQ(estimate.camerasSeeing, 1);
   EXPECT_TRUE(estimate.valid);
@@ -230,7 +229,7 @@ TEST(BarreraTracker, ValidNeedsTwoCamerasUnlessThereIsOne) {
 
 TEST(BarreraTracker, WithoutImagesAllParticlesAreEqual) {
   ThreadTeam team;
-  const auto tracker = barrera(parameters(), barreraRig());
+  const auto tracker = startedBarrera(parameters(), barreraRig());
   tracker->beginFrame(nullptr);
   const SphereEstimate estimate = tracker->iterate(team);
   EXPECT_NEAR(estimate.effectiveSampleSize, 200.0, 1e-9);
@@ -242,9 +241,11 @@ TEST(BarreraTracker, WithoutImagesAllParticlesAreEqual) {
 TEST(BarreraTracker, AnotherTargetColorIsNotSeen) {
   const CameraRig rig = barreraRig();
   ThreadTeam team;
-  const auto tracker = barrera(
-      parameters({{"start_x", kBall.x()}, {"start_y", kBall.y()}, {"start_z", kBall.z()}}), rig);
-  tracker->beginFrame(ballFrames(rig, kBall));
+  const auto tracker = startedBarrera(parameters({{"start_x", kBallCenter.x()},
+                                                  {"start_y", kBallCenter.y()},
+                                                  {"start_z", kBallCenter.z()}}),
+                                      rig);
+  tracker->beginFrame(ballFrames(rig, kBallCenter));
   EXPECT_TRUE(tracker->iterate(team).valid);
   Target blue = redBall();
   blue.color.hueMin = 220.0;
@@ -254,7 +255,7 @@ TEST(BarreraTracker, AnotherTargetColorIsNotSeen) {
 }
 
 TEST(BarreraTracker, IterationsPerFrameComeFromTheParameters) {
-  const auto tracker = barrera(parameters({{"iterations_per_frame", 7}}), barreraRig());
+  const auto tracker = startedBarrera(parameters({{"iterations_per_frame", 7}}), barreraRig());
   EXPECT_EQ(tracker->iterationsPerFrame(), 7);
 }
 

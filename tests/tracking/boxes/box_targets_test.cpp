@@ -33,7 +33,7 @@ Target boxed(const char* name, std::int64_t frame) {
   return target;
 }
 
-std::unique_ptr<Tracker> made(const char* method, const std::vector<Target>& targets) {
+std::unique_ptr<Tracker> startedTracker(const char* method, const std::vector<Target>& targets) {
   auto tracker =
       makeTracker(method, ParameterValues(methodParameters(method)), CameraRig{}, targets);
   EXPECT_TRUE(tracker);
@@ -76,7 +76,7 @@ class BoxTargetsTest : public ::testing::TestWithParam<const char*> {};
 
 // Each is what a filter of its own on the images of its camera is, to the bit.
 TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
-  auto tracker = made(GetParam(), {boxed("early", 0), boxed("late", 4)});
+  auto tracker = startedTracker(GetParam(), {boxed("early", 0), boxed("late", 4)});
   go(*tracker, 0, 3);
   EXPECT_TRUE(boxOf(*tracker, 0));
   EXPECT_FALSE(boxOf(*tracker, 1));
@@ -104,7 +104,7 @@ TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
 
 // What is drawn in 3D is drawn of estimates with a position.
 TEST_P(BoxTargetsTest, TheColorsOfTheGivenBoxAreKept) {
-  const auto tracker = made(GetParam(), {boxed("patch", 2)});
+  const auto tracker = startedTracker(GetParam(), {boxed("patch", 2)});
   const auto* const colors = capability<ReferenceColors>(std::as_const(*tracker));
   ASSERT_NE(colors, nullptr);
   go(*tracker, 0, 1);
@@ -117,7 +117,7 @@ TEST_P(BoxTargetsTest, TheColorsOfTheGivenBoxAreKept) {
 }
 
 TEST_P(BoxTargetsTest, NothingIsKnownInSpace) {
-  auto tracker = made(GetParam(), {boxed("one", 0)});
+  auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
   EXPECT_EQ(capability<ParticleCloud>(*tracker), nullptr);
   EXPECT_EQ(capability<CameraCalibrated>(*tracker), nullptr);
@@ -125,7 +125,7 @@ TEST_P(BoxTargetsTest, NothingIsKnownInSpace) {
 }
 
 TEST_P(BoxTargetsTest, ACopyGoesOnWithTheSameBits) {
-  auto tracker = made(GetParam(), {boxed("one", 0)});
+  auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 4);
   auto copy = capability<Copying>(*tracker)->clone();
   copy->beginFrame(nullptr);
@@ -137,8 +137,8 @@ TEST_P(BoxTargetsTest, ACopyGoesOnWithTheSameBits) {
 }
 
 TEST_P(BoxTargetsTest, ABoxOfTheFrameShownStartsAtOnceAndOthersGoOn) {
-  auto tracker = made(GetParam(), {boxed("one", 0)});
-  auto undisturbed = made(GetParam(), {boxed("one", 0)});
+  auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
+  auto undisturbed = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 5);
   capability<TargetFollowing>(*tracker)->setTargets({boxed("zero", 5), boxed("one", 0)});
   ASSERT_TRUE(capability<TargetFollowing>(*tracker)->takesAnyNumber());
@@ -155,7 +155,7 @@ TEST_P(BoxTargetsTest, ABoxOfTheFrameShownStartsAtOnceAndOthersGoOn) {
 }
 
 TEST_P(BoxTargetsTest, ParametersHoldFromTheNextImageOn) {
-  auto tracker = made(GetParam(), {boxed("one", 0)});
+  auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
   ParameterValues more{methodParameters(GetParam())};
   ASSERT_TRUE(more.set("particles", 700));
@@ -166,7 +166,7 @@ TEST_P(BoxTargetsTest, ParametersHoldFromTheNextImageOn) {
 }
 
 TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
-  auto tracker = made(GetParam(), {boxed("one", 0)});
+  auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
   ThreadTeam team;
   tracker->beginFrame(frameSet(4, false));
@@ -182,7 +182,7 @@ TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
 TEST_P(BoxTargetsTest, ABoxBesideTheImageIsNotFollowed) {
   Target beside = boxed("beside", 0);
   beside.box->box.x = 5000.0;
-  auto tracker = made(GetParam(), {beside});
+  auto tracker = startedTracker(GetParam(), {beside});
   go(*tracker, 0, 2);
   EXPECT_FALSE(boxOf(*tracker, 0));
 }

@@ -37,7 +37,7 @@ std::shared_ptr<FrameSet> framesAt(const CameraRig& rig, int frame, bool hidden 
 const Changes kOn{{"start_x", 0.6}, {"start_y", 0.5}, {"color_adaptation", 1.0}};
 const Changes kOff{{"start_x", 0.6}, {"start_y", 0.5}};
 
-std::unique_ptr<Tracker> made(const CameraRig& rig, Changes changes) {
+std::unique_ptr<Tracker> changedTracker(const CameraRig& rig, Changes changes) {
   auto tracker =
       makeTracker("dewpoint", drawn::parametersOf("dewpoint", changes), rig, {drawn::redBall()});
   (*tracker)->restart(4);
@@ -46,7 +46,7 @@ std::unique_ptr<Tracker> made(const CameraRig& rig, Changes changes) {
 
 TEST(ColorAdaptation, FollowsTheLightInEachCamera) {
   const CameraRig rig = drawn::rigAround(2);
-  const auto tracker = made(rig, kOn);
+  const auto tracker = changedTracker(rig, kOn);
   ThreadTeam team;
   for (int frame = 0; frame < kFrames; ++frame) {
     tracker->beginFrame(framesAt(rig, frame));
@@ -67,8 +67,8 @@ TEST(ColorAdaptation, FollowsTheLightInEachCamera) {
 
 TEST(ColorAdaptation, OffNothingIsFollowed) {
   const CameraRig rig = drawn::rigAround(2);
-  const auto tracker = made(rig, kOff);
-  const auto switchedOff = made(rig, kOn);
+  const auto tracker = changedTracker(rig, kOff);
+  const auto switchedOff = changedTracker(rig, kOn);
   ParameterValues off = drawn::parametersOf("dewpoint", kOff);
   capability<Configurable>(*switchedOff)->configure(off);
   ThreadTeam team;
@@ -84,7 +84,7 @@ TEST(ColorAdaptation, OffNothingIsFollowed) {
 
 TEST(ColorAdaptation, AHiddenTargetsColorIsKept) {
   const CameraRig rig = drawn::rigAround(2);
-  const auto tracker = made(rig, kOn);
+  const auto tracker = changedTracker(rig, kOn);
   ThreadTeam team;
   std::vector<ColorRanges> before;
   for (int frame = 0; frame < 200; ++frame) {
@@ -103,8 +103,8 @@ TEST(ColorAdaptation, AHiddenTargetsColorIsKept) {
 
 TEST(ColorAdaptation, CopiesAndThreadsGiveTheSameBits) {
   const CameraRig rig = drawn::rigAround(2);
-  const auto straight = made(rig, kOn);
-  auto copied = made(rig, kOn);
+  const auto straight = changedTracker(rig, kOn);
+  auto copied = changedTracker(rig, kOn);
   ThreadTeam one(1);
   ThreadTeam three(3);
   for (int frame = 0; frame < 160; ++frame) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Method `dewpoint` where things are not as they should be, and what it promises of its numbers.
 #include "tests/tracking/drawn_run.h"
+#include "tests/tracking/sphere_of.h"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +18,6 @@ using drawn::rigAround;
 
 Eigen::Vector3d moving(int frame) {
   return drawn::kMiddle + Eigen::Vector3d(-0.15 + 0.006 * frame, 0.05, 0.02);
-}
-
-bool isFinite(const SphereEstimate& e) {
-  return e.mean.allFinite() && e.best.allFinite() && e.covariance.allFinite() &&
-         std::isfinite(e.existenceProbability) && std::isfinite(e.effectiveSampleSize) &&
-         e.existenceProbability >= 0.0 && e.existenceProbability <= 1.0;
 }
 
 /// Every kind of frame set without use: each in the midst of good ones.

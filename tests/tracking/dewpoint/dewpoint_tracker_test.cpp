@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/dewpoint_tracker.h"
 #include "tests/tracking/drawn_run.h"
+#include "tests/tracking/sphere_of.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -14,11 +15,9 @@ namespace {
 
 using drawn::Ball;
 using drawn::DrawnRun;
+using drawn::kClose;
 using drawn::redBall;
 using drawn::rigAround;
-
-/// QVGA a meter away: a pixel is 3.3 mm wide; an estimate is a fraction of it off.
-constexpr double kClose = 3e-3;
 
 Eigen::Vector3d onCircle(int frame) {
   const double angle = 2.0 * std::numbers::pi * frame / 60.0; // a turn in 2 s: 0.38 m/s
@@ -35,12 +34,6 @@ void followCircle(DrawnRun& run, int count) {
 
 double errorOf(const SphereEstimate& estimate, const Eigen::Vector3d& truth) {
   return (estimate.mean - truth).norm();
-}
-
-bool isFinite(const SphereEstimate& e) {
-  return e.mean.allFinite() && e.best.allFinite() && e.covariance.allFinite() &&
-         std::isfinite(e.existenceProbability) && std::isfinite(e.effectiveSampleSize) &&
-         std::isfinite(e.radius) && e.existenceProbability >= 0.0 && e.existenceProbability <= 1.0;
 }
 
 TEST(DewpointTracker, ConvergesInTwoFramesFromAUniformStart) {

@@ -11,7 +11,7 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr int kVga = 2;
+using drawn::kVga;
 
 /// A stick of 20 cm x 3 cm that drifts and tumbles.
 Ellipsoid stickAt(int frame) {

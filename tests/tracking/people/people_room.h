@@ -21,6 +21,8 @@ namespace dewpoint::tests::bodies {
 
 inline constexpr double kRate = 15.0; ///< frames per second
 inline constexpr double kHeight = 1.72;
+/// On the grid of 0.2 m around the middle of the area.
+inline const Eigen::Vector2d kPlace(0.4, -0.2);
 
 inline CameraRig room() {
   CameraRig rig;

@@ -10,6 +10,7 @@ namespace dewpoint::tests {
 namespace {
 
 using bodies::kHeight;
+using bodies::kPlace;
 using bodies::kRate;
 
 constexpr double kBirthTime = 0.2; ///< seconds: three intervals of 1/15 s
@@ -58,8 +59,6 @@ protected:
   ThreadTeam team_;
   std::int64_t frame_ = 0;
 };
-
-const Eigen::Vector2d kPlace(0.4, -0.2); ///< on the grid of 0.2 m around the middle of the area
 
 // Seen for 0 s in the first frame, for 1/15, 2/15 and 3/15 s in the next: 0.2 s in the fourth.
 TEST_F(PeopleBirthsTest, SomebodyIsBornWhoIsSeenForTheBirthTime) {

@@ -13,6 +13,7 @@ namespace dewpoint::tests {
 namespace {
 
 using bodies::kHeight;
+using bodies::kPlace;
 
 /// People who stand where they were put: what is left is who comes and who goes.
 class StandingPeople : public PeopleTrackLifecycle {
@@ -41,7 +42,7 @@ protected:
   bool sharesMasks() const override { return masksAreShared; }
 };
 
-ParameterValues parametersOf(bool births) {
+ParameterValues lifecycleValues(bool births) {
   ParameterValues values(peopleParameters());
   EXPECT_TRUE(values.set("image_width", 0.0)); // images as they are
   EXPECT_TRUE(values.set("births", births ? 1.0 : 0.0));
@@ -59,7 +60,7 @@ constexpr double kExact = 1e-8;
 class PeopleLifeTest : public ::testing::Test {
 protected:
   explicit PeopleLifeTest(bool births = false, CameraRig rig = bodies::room())
-      : rig_(std::move(rig)), life_(parametersOf(births), rig_) {
+      : rig_(std::move(rig)), life_(lifecycleValues(births), rig_) {
     life_.setBackgroundImages(bodies::backgroundImages(rig_));
     life_.restart(1);
   }
@@ -83,7 +84,6 @@ protected:
   std::int64_t frame_ = 0;
 };
 
-const Eigen::Vector2d kPlace(0.4, -0.2);
 const Eigen::Vector2d kOther(-0.8, 0.6);
 
 // Unseen for 1/30 + (n - 1) / 15 s after n frames; existence is what that leaves of 0.6 s. After

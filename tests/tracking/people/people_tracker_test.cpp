@@ -3,11 +3,11 @@
 #include "core/observation/people/body_silhouette.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/tracker_capabilities.h"
+#include "tests/tracking/people/people_room.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <map>
@@ -17,19 +17,8 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kRate = 15.0;
-
-CameraRig room() {
-  CameraRig rig;
-  for (const auto& corner : {std::array{-3.0, -3.0}, {3.0, -3.0}, {3.0, 3.0}, {-3.0, 3.0}}) {
-    Camera camera;
-    camera.name = "camera " + std::to_string(rig.size() + 1);
-    camera.intrinsics = {320, 240, 230.0, 230.0, 159.5, 119.5};
-    camera.cameraFromWorld = lookAt({corner[0], corner[1], 2.4}, {0.0, 0.0, 0.8});
-    rig.push_back(camera);
-  }
-  return rig;
-}
+using bodies::kRate;
+using bodies::room;
 
 struct Person {
   Eigen::Vector2d place;
@@ -37,13 +26,14 @@ struct Person {
 };
 
 /// A gray room in which flat bodies stand.
-FrameSetPtr draw(const CameraRig& rig, std::int64_t frame, const std::vector<Person>& people) {
+FrameSetPtr drawPeople(const CameraRig& rig, std::int64_t frame,
+                       const std::vector<Person>& people) {
   FrameSet set{frame, timeStamp(static_cast<double>(frame) / kRate), {}};
   for (const Camera& camera : rig) {
-    cv::Mat image(240, 320, CV_8UC3, cv::Scalar(120, 125, 130));
+    cv::Mat image = bodies::emptyRoom();
     const SilhouetteMaker maker(camera);
     for (const Person& person : people) {
-      for (const cv::Rect& piece : maker.of(person.place, 0.0, 1.72).pieces) {
+      for (const cv::Rect& piece : maker.of(person.place, 0.0, bodies::kHeight).pieces) {
         const cv::Rect body(piece.x + piece.width / 6, piece.y, piece.width - piece.width / 3,
                             piece.height);
         image(body & cv::Rect(0, 0, 320, 240)).setTo(person.color);
@@ -95,13 +85,13 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
   ThreadTeam team(1);
   std::int64_t frame = 0;
   for (; frame < 12; ++frame) { // 0.8 s: longer than it learns
-    tracker->step(draw(rig, frame, {}), team);
+    tracker->step(drawPeople(rig, frame, {}), team);
     EXPECT_TRUE(tracker->people().empty());
   }
   EXPECT_EQ(tracker->found().cameraStates()[0].learned, 1.0);
   for (; frame < 42; ++frame) { // 2 s at 0.6 m/s
     const Eigen::Vector2d place(-0.6 + 0.04 * static_cast<double>(frame - 12), 0.3);
-    tracker->step(draw(rig, frame, {{place, kBlue}}), team);
+    tracker->step(drawPeople(rig, frame, {{place, kBlue}}), team);
     if (frame >= 24) { // 0.8 s after it came
       ASSERT_EQ(tracker->people().size(), 1U) << frame;
       EXPECT_EQ(tracker->people()[0].identity, 1);
@@ -113,7 +103,7 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
   EXPECT_NEAR(body.weights.sum(), 1.0, 1e-9);
   EXPECT_EQ(tracker->found().body(99).points.rows(), 0);
   for (; frame < 57; ++frame) { // 1 s
-    tracker->step(draw(rig, frame, {}), team);
+    tracker->step(drawPeople(rig, frame, {}), team);
   }
   EXPECT_TRUE(tracker->people().empty());
 }
@@ -126,8 +116,8 @@ TEST_P(PeopleMethods, GiveTheSameBitsForAnyNumberOfThreads) {
     ThreadTeam team(threads);
     for (std::int64_t frame = 0; frame < 30; ++frame) {
       const double x = 0.02 * static_cast<double>(frame);
-      tracker->step(frame < 10 ? draw(rig, frame, {})
-                               : draw(rig, frame, {{{x, -0.6}, kBlue}, {{-x, 0.7}, kRed}}),
+      tracker->step(frame < 10 ? drawPeople(rig, frame, {})
+                               : drawPeople(rig, frame, {{{x, -0.6}, kBlue}, {{-x, 0.7}, kRed}}),
                     team);
     }
     ASSERT_EQ(tracker->people().size(), 2U);
@@ -150,7 +140,7 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   ASSERT_NE(placing, nullptr);
   // The background image is known: nothing is learned first.
   std::vector<cv::Mat> rooms;
-  const FrameSetPtr empty = draw(rig, 0, {});
+  const FrameSetPtr empty = drawPeople(rig, 0, {});
   for (const auto& frame : empty->frames) {
     rooms.push_back(frame->image);
   }
@@ -159,7 +149,7 @@ TEST_P(PeopleMethods, TakeAPersonPutThereByHand) {
   ThreadTeam team(1);
   EXPECT_EQ(placing->addPerson({0.4, 0.1, 0.85}), 1);
   for (std::int64_t frame = 0; frame < 8; ++frame) {
-    tracker->step(draw(rig, frame, {{{0.5, 0.1}, kRed}, {{-1.0, -1.0}, kBlue}}), team);
+    tracker->step(drawPeople(rig, frame, {{{0.5, 0.1}, kRed}, {{-1.0, -1.0}, kBlue}}), team);
   }
   ASSERT_EQ(tracker->people().size(), 1U); // the other one is not born
   EXPECT_NEAR(tracker->people()[0].position.x(), 0.5, 0.15);
@@ -174,9 +164,10 @@ TEST_P(PeopleMethods, MapTheLikelihoodOfMotion) {
   ASSERT_NE(mapping, nullptr);
   ThreadTeam team(1);
   for (std::int64_t frame = 0; frame < 13; ++frame) { // 0.8 s: longer than it learns
-    run.step(draw(rig, frame,
-                  frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}}),
-             team);
+    run.step(
+        drawPeople(rig, frame,
+                   frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}}),
+        team);
   }
   const auto maps = mapping->motionLikelihoods();
   ASSERT_EQ(maps.size(), rig.size());
@@ -196,7 +187,7 @@ TEST_P(PeopleMethods, LiveWithoutSomeCamera) {
   const auto tracker = trackerOf(GetParam());
   ThreadTeam team(1);
   for (std::int64_t frame = 0; frame < 40; ++frame) {
-    FrameSet set = *draw(
+    FrameSet set = *drawPeople(
         rig, frame, frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}});
     set.frames[1] = nullptr;
     if (frame > 30) {
@@ -223,7 +214,7 @@ TEST(PeopleMethod, KeepsTwoInTheSameClothesApart) {
   ThreadTeam team(1);
   std::int64_t frame = 0;
   for (; frame < 10; ++frame) {
-    tracker->step(draw(rig, frame, {}), team);
+    tracker->step(drawPeople(rig, frame, {}), team);
   }
   // They pass each other at 0.5 m, at 0.6 m/s: one along y = -0.25 from left to right, the other
   // along y = 0.25 from right to left.
@@ -233,8 +224,9 @@ TEST(PeopleMethod, KeepsTwoInTheSameClothesApart) {
   };
   std::map<int, bool> fromTheLeft; // by identity, as it was long before they meet
   for (; frame < 75; ++frame) {
-    tracker->step(draw(rig, frame, {{placeOf(true, frame), kBlue}, {placeOf(false, frame), kBlue}}),
-                  team);
+    tracker->step(
+        drawPeople(rig, frame, {{placeOf(true, frame), kBlue}, {placeOf(false, frame), kBlue}}),
+        team);
     if (frame == 26) { // 1.1 s after they came, 1.4 m apart
       ASSERT_EQ(tracker->people().size(), 2U);
       for (const PersonEstimate& person : tracker->people()) {

@@ -12,7 +12,7 @@ namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
-constexpr double kRadius = 0.035;
+using drawn::kRadius;
 
 /// Cameras around the desk and what they see.
 class SearchScene {

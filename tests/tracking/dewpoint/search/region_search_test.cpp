@@ -7,9 +7,8 @@
 namespace dewpoint::tests {
 namespace {
 
+using drawn::kVga;
 using drawn::RegionScene;
-
-constexpr int kVga = 2;
 
 TEST(RegionSearch, FindsTheLargestThingFirst) {
   RegionScene scene(drawn::rigAround(3, kVga));

@@ -9,8 +9,8 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kFrame = 1.0 / 30.0;
-constexpr ConstantVelocity kAllowed{kFrame, 8.0};
+constexpr double kInterval = 1.0 / 30.0;
+constexpr ConstantVelocity kAllowed{kInterval, 8.0};
 
 /// The standard deviation along X after so many steps from a position and velocity known exactly.
 double spreadAfter(AdaptiveProcessNoise& processNoise, int steps) {
@@ -26,7 +26,7 @@ double spreadAfter(AdaptiveProcessNoise& processNoise, int steps) {
 TEST(AdaptiveProcessNoise, AllowsEverythingAtFirst) {
   AdaptiveProcessNoise processNoise;
   EXPECT_EQ(processNoise.next(kAllowed).accelerationSigma, 8.0);
-  EXPECT_EQ(processNoise.next(kAllowed).interval, kFrame);
+  EXPECT_EQ(processNoise.next(kAllowed).interval, kInterval);
   EXPECT_EQ(processNoise.unseenSteps(), 0);
 }
 
@@ -50,7 +50,7 @@ TEST(AdaptiveProcessNoise, LearnsCalmWithinASecondAndUnrestAtOnce) {
 
 TEST(AdaptiveProcessNoise, WhatIsAsUncertainAsStatedStaysAsItIs) {
   AdaptiveProcessNoise processNoise;
-  processNoise.next({kFrame, 3.0});
+  processNoise.next({kInterval, 3.0});
   for (int frame = 0; frame < 100; ++frame) {
     processNoise.learn(3.0, Eigen::Vector3d::Zero()); // the mean of chi-square with three degrees
   }
@@ -63,7 +63,7 @@ TEST(AdaptiveProcessNoise, WithoutSightAnAccelerationThatWasSeenLasts) {
   AdaptiveProcessNoise processNoise;
   processNoise.next(kAllowed);
   for (int frame = 0; frame < 120; ++frame) {
-    processNoise.learn(3.0, Eigen::Vector3d::Constant(2.0 * kFrame * frame));
+    processNoise.learn(3.0, Eigen::Vector3d::Constant(2.0 * kInterval * frame));
   }
   processNoise.next(kAllowed);
   processNoise.recordUnseen();

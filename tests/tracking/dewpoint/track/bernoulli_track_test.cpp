@@ -11,10 +11,10 @@ namespace dewpoint::tests {
 namespace {
 
 using drawn::Ball;
+using drawn::kFrame;
+using drawn::kRadius;
 
 const Eigen::Vector3d kThere = drawn::kMiddle;
-constexpr double kRadius = 0.035;
-constexpr double kFrame = 1.0 / 30.0; ///< seconds
 
 /// A track in front of two cameras that have no image until show(): until then it changes by the
 /// passing of time alone, because the likelihood is flat.

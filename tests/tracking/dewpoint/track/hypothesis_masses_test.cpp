@@ -8,13 +8,13 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kRadius = 0.04;
+constexpr double kHypothesisRadius = 0.04;
 
 /// A hypothesis on the x axis, fully seen: its evidence is all it can be.
 TrackHypothesis at(double x, double probability, int updateCount = 5) {
   TrackHypothesis hypothesis;
   hypothesis.gaussian.mean << x, 0.0, 0.0, 0.0, 0.0, 0.0;
-  hypothesis.radius = kRadius;
+  hypothesis.radius = kHypothesisRadius;
   hypothesis.probability = probability;
   hypothesis.outlineFound = true;
   hypothesis.logLikelihoodRatio = 100.0;
@@ -220,10 +220,10 @@ TEST(HypothesisMasses, SixPlacesAreKeptAndNoneThatIsAsGoodAsImpossible) {
 // Radii 4 and 6 cm: centers closer than 0.7 (4 + 6) = 7 cm.
 TEST(HypothesisMasses, SpheresDoNotOverlap) {
   const std::vector<OccupiedSphere> occupied{{{1.0, 0.0, 0.0}, 0.06}, {{0.0, 2.0, 0.0}, 0.06}};
-  EXPECT_TRUE(isOccupied({1.0, 0.0, 0.069}, kRadius, occupied));
-  EXPECT_FALSE(isOccupied({1.0, 0.0, 0.071}, kRadius, occupied));
-  EXPECT_TRUE(isOccupied({0.0, 1.931, 0.0}, kRadius, occupied));
-  EXPECT_FALSE(isOccupied({1.0, 0.0, 0.0}, kRadius, {}));
+  EXPECT_TRUE(isOccupied({1.0, 0.0, 0.069}, kHypothesisRadius, occupied));
+  EXPECT_FALSE(isOccupied({1.0, 0.0, 0.071}, kHypothesisRadius, occupied));
+  EXPECT_TRUE(isOccupied({0.0, 1.931, 0.0}, kHypothesisRadius, occupied));
+  EXPECT_FALSE(isOccupied({1.0, 0.0, 0.0}, kHypothesisRadius, {}));
 }
 
 // 0.6 for the one that is chosen, 0.3 for its rival: wrong with 0.3 / 0.9. The third was seen for

@@ -10,10 +10,9 @@
 namespace dewpoint::tests {
 namespace {
 
+using drawn::kFrame;
+using drawn::kVga;
 using drawn::RegionScene;
-
-constexpr int kVga = 2;
-constexpr double kFrame = 1.0 / 30.0;
 
 BernoulliTrackSettings settings(double direction = 0.0) {
   BernoulliTrackSettings settings;

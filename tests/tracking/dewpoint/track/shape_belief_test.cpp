@@ -7,11 +7,10 @@
 namespace dewpoint::tests {
 namespace {
 
+using drawn::kFrame;
+using drawn::kRadius;
+using drawn::kVga;
 using drawn::RegionScene;
-
-constexpr double kRadius = 0.035;
-constexpr double kFrame = 1.0 / 30.0;
-constexpr int kVga = 2;
 
 Target target(double radius, TargetShape shape = TargetShape::Auto) {
   Target result;
@@ -35,7 +34,7 @@ void look(ShapeBelief& belief, const Ellipsoid& solid, int frames, double radius
   }
 }
 
-const Ellipsoid kBall = drawn::ellipsoid(drawn::kMiddle, {kRadius, kRadius, kRadius});
+const Ellipsoid kRoundBall = drawn::ellipsoid(drawn::kMiddle, {kRadius, kRadius, kRadius});
 const Ellipsoid kStick = drawn::ellipsoid(drawn::kMiddle, {0.12, 0.015, 0.015}, 0.4);
 
 // One look may be spoiled by something that touches a ball; a quarter of a second may not.
@@ -47,7 +46,7 @@ TEST(ShapeBelief, AFewLooksTellAStickFromABallOfUnknownSize) {
   look(belief, kStick, 8);
   EXPECT_FALSE(belief.isBall());
   ShapeBelief other(target(0.0));
-  look(other, kBall, 1);
+  look(other, kRoundBall, 1);
   EXPECT_TRUE(other.isBall());
 }
 
@@ -64,7 +63,7 @@ TEST(ShapeBelief, ABallOfAnotherSizeIsLookedAtAnew) {
 // more of 5 at most each half second to change: three seconds and a half.
 TEST(ShapeBelief, ChangesWithinSeconds) {
   ShapeBelief belief(target(0.0));
-  look(belief, kBall, 300);
+  look(belief, kRoundBall, 300);
   EXPECT_FALSE(belief.isUnclear());
   look(belief, kStick, 15);
   EXPECT_TRUE(belief.isBall());
@@ -94,7 +93,7 @@ TEST(ShapeBelief, DoesAsItWasDefined) {
   look(ball, kStick, 10);
   EXPECT_TRUE(ball.isBall());
   ShapeBelief any(target(0.0, TargetShape::Any));
-  look(any, kBall, 10);
+  look(any, kRoundBall, 10);
   EXPECT_FALSE(any.isBall());
   any.setTarget(target(0.0, TargetShape::Ball));
   EXPECT_TRUE(any.isBall());
