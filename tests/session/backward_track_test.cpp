@@ -12,7 +12,7 @@ namespace {
 using test::drawnInputs;
 using test::DrawnRecording;
 
-constexpr std::int64_t kFrames = 60;
+constexpr std::int64_t kBackwardFrames = 60;
 constexpr std::int64_t kSaidAt = 45;
 
 PositionCorrection saidAt(std::int64_t frame) {
@@ -23,13 +23,13 @@ PositionCorrection saidAt(std::int64_t frame) {
   return correction;
 }
 
-bool always(double /*done*/) {
+bool keepsGoing(double /*done*/) {
   return true;
 }
 
 class BackwardTracking : public testing::TestWithParam<const char*> {
 protected:
-  BackwardTracking() : inputs_(drawnInputs(GetParam(), kFrames)) {
+  BackwardTracking() : inputs_(drawnInputs(GetParam(), kBackwardFrames)) {
     inputs_.project.corrections = {saidAt(kSaidAt)};
   }
   /// As if the run had believed that it is elsewhere in these frames.
@@ -47,7 +47,7 @@ protected:
     return order;
   }
   std::vector<PositionCorrection> found(const BackwardOrder& order) {
-    auto result = trackBackwards(*inputs_.source, order, 1, always);
+    auto result = trackBackwards(*inputs_.source, order, 1, keepsGoing);
     EXPECT_TRUE(result);
     return result ? *result : std::vector<PositionCorrection>();
   }
@@ -75,7 +75,7 @@ TEST_P(BackwardTracking, EndsWhereWhatWasBelievedIsRight) {
   const auto corrections = found(wrongFrom(20));
   ASSERT_FALSE(corrections.empty());
   EXPECT_NEAR(static_cast<double>(corrections.front().frame), 20.0, 2.0);
-  EXPECT_TRUE(found(wrongFrom(kFrames)).empty());
+  EXPECT_TRUE(found(wrongFrom(kBackwardFrames)).empty());
 }
 
 // What was believed may be right for some time, and wrong once more before.
@@ -94,10 +94,10 @@ TEST_P(BackwardTracking, MendsWhatWasWrongBeforeItWasRight) {
 class JumpingRecording final : public FrameSetSource {
 public:
   static constexpr std::int64_t kJump = 20;
-  std::optional<std::int64_t> frameCount() const override { return kFrames; }
+  std::optional<std::int64_t> frameCount() const override { return kBackwardFrames; }
   double framesPerSecond() const override { return 30.0; }
   Result<FrameSetPtr> next() override {
-    const std::int64_t shown = next_ < kJump ? next_ + kFrames : next_;
+    const std::int64_t shown = next_ < kJump ? next_ + kBackwardFrames : next_;
     return tests::drawn::framesOf(DrawnRecording::rig(), {{DrawnRecording::ballAt(shown)}},
                                   next_++);
   }
@@ -113,7 +113,7 @@ private:
 // Where the two part, what was believed goes on evenly: the track back has gone to something else.
 TEST_P(BackwardTracking, EndsWhereItJumpsAwayFromWhatWasBelieved) {
   JumpingRecording recording;
-  const auto corrections = trackBackwards(recording, wrongFrom(kFrames), 1, always);
+  const auto corrections = trackBackwards(recording, wrongFrom(kBackwardFrames), 1, keepsGoing);
   ASSERT_TRUE(corrections);
   EXPECT_TRUE(corrections->empty());
 }
@@ -128,14 +128,14 @@ TEST_P(BackwardTracking, EndsAtWhatAPersonSaidBefore) {
 
 TEST_P(BackwardTracking, HasTheSameBitsForAnyNumberOfThreads) {
   const BackwardOrder order = wrongFrom(10);
-  const auto three = trackBackwards(*inputs_.source, order, 3, always);
+  const auto three = trackBackwards(*inputs_.source, order, 3, keepsGoing);
   ASSERT_TRUE(three);
   EXPECT_EQ(*three, found(order));
 }
 
 TEST_P(BackwardTracking, IsOfRecordingsAndCanBeCanceled) {
-  SessionInputs live = drawnInputs(GetParam(), kFrames, true);
-  const auto nothing = trackBackwards(*live.source, wrongFrom(0), 1, always);
+  SessionInputs live = drawnInputs(GetParam(), kBackwardFrames, true);
+  const auto nothing = trackBackwards(*live.source, wrongFrom(0), 1, keepsGoing);
   ASSERT_TRUE(nothing);
   EXPECT_TRUE(nothing->empty());
   int calls = 0;
@@ -153,7 +153,7 @@ TEST_P(BackwardTracking, OfAProjectReplacesWhatWasFoundBefore) {
   PositionCorrection old = saidAt(30);
   old.trackedFrom = kSaidAt;
   addCorrection(stale, old);
-  const auto project = trackedBackwards(stale, *inputs_.source, {}, 1, always);
+  const auto project = trackedBackwards(stale, *inputs_.source, {}, 1, keepsGoing);
   ASSERT_TRUE(project);
   EXPECT_EQ(project->corrections, inputs_.project.corrections);
 }

@@ -13,7 +13,7 @@ using test::eventually;
 using test::inputs;
 using test::reaches;
 
-Project projectWith(const std::string& method) {
+Project projectWithMethod(const std::string& method) {
   Project project = test::twoCameraProject();
   project.method = method;
   project.parameters = ParameterValues(methodParameters(method));
@@ -41,7 +41,7 @@ void step(Session& session, std::int64_t frames) {
 class Cameras : public testing::TestWithParam<std::string> {};
 
 TEST_P(Cameras, AnotherCalibrationActsAtTheNextStepAndKeepsTheBelief) {
-  const Project project = projectWith(GetParam());
+  const Project project = projectWithMethod(GetParam());
   Session session(inputs({}, project));
   step(session, 4);
   const auto before = session.newest();
@@ -66,7 +66,7 @@ TEST_P(Cameras, AnotherCalibrationActsAtTheNextStepAndKeepsTheBelief) {
 }
 
 TEST_P(Cameras, GoingBackBeforeTheChangeTracksTheSameAgain) {
-  const Project project = projectWith(GetParam());
+  const Project project = projectWithMethod(GetParam());
   Session session(inputs({}, project));
   step(session, 5);
   session.setCameras(shifted(rigOf(project), 0.004));
@@ -82,7 +82,7 @@ TEST_P(Cameras, GoingBackBeforeTheChangeTracksTheSameAgain) {
 }
 
 TEST(OtherCameras, OtherImagesAreAnotherRun) {
-  const Project project = projectWith("dewpoint");
+  const Project project = projectWithMethod("dewpoint");
   Session session(inputs({}, project));
   CameraRig rig = rigOf(project);
   rig[0].intrinsics.width += 2;

@@ -23,7 +23,7 @@ using test::eventually;
 using test::reaches;
 using test::sameBits;
 
-constexpr std::int64_t kFrames = 40;
+constexpr std::int64_t kCorrectedFrames = 40;
 
 /// The target is 15 mm beside the ball at this frame, with a standard deviation of 10 mm.
 PositionCorrection beside(std::int64_t frame) {
@@ -50,7 +50,7 @@ std::vector<std::int64_t> correctedFrames(const Trajectory& trajectory) {
 class CorrectionsOfARun : public testing::TestWithParam<const char*> {
 protected:
   static SessionInputs inputs(std::vector<PositionCorrection> corrections = {}) {
-    SessionInputs result = drawnInputs(GetParam(), kFrames);
+    SessionInputs result = drawnInputs(GetParam(), kCorrectedFrames);
     result.project.corrections = std::move(corrections);
     return result;
   }
@@ -69,7 +69,7 @@ protected:
            eventually([&] {
              const auto shown = session.newest();
              return !shown->rerun && shown->state == PlayState::Ended &&
-                    session.trajectory().samples.size() == kFrames;
+                    session.trajectory().samples.size() == kCorrectedFrames;
            });
   }
   static Trajectory corrected(Session& session,
@@ -94,7 +94,7 @@ protected:
 TEST_P(CorrectionsOfARun, HoldFromTheirFramesOn) {
   const Trajectory without = playedWith({});
   const Trajectory with = playedWith(kTwo);
-  ASSERT_EQ(with.samples.size(), std::size_t{kFrames});
+  ASSERT_EQ(with.samples.size(), std::size_t{kCorrectedFrames});
   EXPECT_TRUE(correctedFrames(without).empty());
   EXPECT_EQ(correctedFrames(with), (std::vector<std::int64_t>{15, 22}));
   EXPECT_FALSE(without.header.hasCorrected);

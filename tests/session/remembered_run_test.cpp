@@ -14,7 +14,7 @@ namespace {
 
 using test::drawnInputs;
 
-constexpr std::int64_t kFrames = 15;
+constexpr std::int64_t kRememberedFrames = 15;
 
 class ARememberedRun : public testing::Test {
 protected:
@@ -37,13 +37,13 @@ protected:
     EXPECT_TRUE(kept_.change(std::move(larger)));
   }
 
-  SessionInputs inputs_ = drawnInputs("dewpoint", kFrames);
+  SessionInputs inputs_ = drawnInputs("dewpoint", kRememberedFrames);
   RememberedRun kept_{RunDefinition::of(inputs_.project), 1};
 };
 
 TEST_F(ARememberedRun, GoesOnFromAnEarlierFrameWithTheSameBits) {
   std::vector<TrajectorySample> first;
-  for (std::int64_t k = 0; k < kFrames; ++k) {
+  for (std::int64_t k = 0; k < kRememberedFrames; ++k) {
     if (k == 5) {
       growTarget(); // a change that must be made again on the way back
     }
@@ -51,11 +51,11 @@ TEST_F(ARememberedRun, GoesOnFromAnEarlierFrameWithTheSameBits) {
     ASSERT_TRUE(frames);
     first.push_back(track(*frames));
   }
-  EXPECT_EQ(kept_.head(), kFrames - 1);
+  EXPECT_EQ(kept_.head(), kRememberedFrames - 1);
   kept_.setThreads(3);
   ASSERT_TRUE(kept_.travel().goBack(kept_.run(), 8, [] { return true; }));
   kept_.travel().forgetFrom(8);
-  for (std::int64_t k = 8; k < kFrames; ++k) {
+  for (std::int64_t k = 8; k < kRememberedFrames; ++k) {
     const auto frames = kept_.travel().frames(k);
     ASSERT_TRUE(frames);
     const TrajectorySample again = track(*frames);
@@ -67,7 +67,7 @@ TEST_F(ARememberedRun, GoesOnFromAnEarlierFrameWithTheSameBits) {
 }
 
 TEST_F(ARememberedRun, CatchesUpWithWhatChangedSinceTheFrameItGoesBackTo) {
-  for (std::int64_t k = 0; k < kFrames; ++k) {
+  for (std::int64_t k = 0; k < kRememberedFrames; ++k) {
     const auto frames = inputs_.source->next();
     ASSERT_TRUE(frames);
     track(*frames);
@@ -83,7 +83,7 @@ TEST_F(ARememberedRun, CatchesUpWithWhatChangedSinceTheFrameItGoesBackTo) {
 }
 
 TEST_F(ARememberedRun, LooksBackWithAsManyThreadsAsItTracksWith) {
-  for (std::int64_t k = 0; k < kFrames; ++k) {
+  for (std::int64_t k = 0; k < kRememberedFrames; ++k) {
     const auto frames = inputs_.source->next();
     ASSERT_TRUE(frames);
     track(*frames);

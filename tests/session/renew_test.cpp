@@ -16,7 +16,7 @@ using test::eventually;
 using test::reaches;
 using test::sameBits;
 
-constexpr std::int64_t kFrames = 60;
+constexpr std::int64_t kRenewedFrames = 60;
 
 /// A change of the settings, and a session that is told of it.
 struct Change {
@@ -63,17 +63,17 @@ class RenewTest : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RenewTest, AChangedRunIsThatOfAFreshOne) {
   for (const Change& change : changes()) {
-    Session session(drawnInputs(GetParam(), kFrames));
+    Session session(drawnInputs(GetParam(), kRenewedFrames));
     session.play();
     ASSERT_TRUE(reaches(session, PlayState::Ended));
     EXPECT_TRUE(session.oldResults().frames.empty());
 
-    SessionInputs fresh = drawnInputs(GetParam(), kFrames);
+    SessionInputs fresh = drawnInputs(GetParam(), kRenewedFrames);
     change.make(fresh.project);
     change.tell(session, fresh.project);
     ASSERT_TRUE(eventually([&] { return !session.oldResults().frames.empty(); })) << change.name;
-    EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, kFrames - 1}}));
-    EXPECT_EQ(session.oldResults().newest, kFrames - 1);
+    EXPECT_EQ(session.oldResults().frames, (std::vector<ResultRange>{{0, kRenewedFrames - 1}}));
+    EXPECT_EQ(session.oldResults().newest, kRenewedFrames - 1);
     EXPECT_GT(session.oldResults().secondsPerFrame, 0.0);
 
     session.renewFrom(0);
@@ -90,7 +90,7 @@ TEST_P(RenewTest, AChangedRunIsThatOfAFreshOne) {
 INSTANTIATE_TEST_SUITE_P(Methods, RenewTest, ::testing::Values("dewpoint", "barrera"));
 
 TEST(Renew, TheFrameShownStaysShown) {
-  Session session(drawnInputs("dewpoint", kFrames));
+  Session session(drawnInputs("dewpoint", kRenewedFrames));
   session.play();
   ASSERT_TRUE(reaches(session, PlayState::Ended));
   session.showFrame(20);
@@ -109,13 +109,13 @@ TEST(Renew, TheFrameShownStaysShown) {
   ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));
   session.onSnapshot({});
   EXPECT_FALSE(showedAnother);
-  EXPECT_EQ(session.newest()->history.head, kFrames - 1);
+  EXPECT_EQ(session.newest()->history.head, kRenewedFrames - 1);
   EXPECT_NE(session.newest()->targets[0].particles.rows(), 0);
   EXPECT_NE(before, session.newest());
 }
 
 TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
-  Session session(drawnInputs("dewpoint", kFrames));
+  Session session(drawnInputs("dewpoint", kRenewedFrames));
   const Project before = drawnInputs("dewpoint", 1).project;
   Project after = before;
   setParameter(after, "particles", 333.0);
@@ -135,7 +135,7 @@ TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
   session.renewFrom(10);
   ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));
 
-  Session other(drawnInputs("dewpoint", kFrames));
+  Session other(drawnInputs("dewpoint", kRenewedFrames));
   for (std::int64_t frame = 0; frame < 20; ++frame) {
     other.stepFrame();
   }
@@ -144,7 +144,7 @@ TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
 }
 
 TEST(Renew, AFrameUnderWayIsNotOld) {
-  Session session(drawnInputs("barrera", kFrames));
+  Session session(drawnInputs("barrera", kRenewedFrames));
   Project project = drawnInputs("barrera", 1).project;
   session.stepIteration();
   setParameter(project, "particles", 333.0);

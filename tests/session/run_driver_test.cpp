@@ -12,7 +12,7 @@ namespace {
 using test::drawnInputs;
 using test::sameBits;
 
-constexpr std::int64_t kFrames = 12;
+constexpr std::int64_t kDrivenFrames = 12;
 
 /// Two frames to track again from, the second one asked for before anything was tracked.
 class ADriverThatGoesBackTwice : public testing::TestWithParam<std::pair<int, int>> {};
@@ -21,16 +21,16 @@ TEST_P(ADriverThatGoesBackTwice, LosesNoFrame) {
   FrameTapSlot tap;
   RunLog log;
   const TruthTable truth{Trajectory()};
-  RunDriver driver(drawnInputs("dewpoint", 2 * kFrames), tap, log, truth);
+  RunDriver driver(drawnInputs("dewpoint", 2 * kDrivenFrames), tap, log, truth);
   driver.start();
-  for (std::int64_t frame = 0; frame < kFrames; ++frame) {
+  for (std::int64_t frame = 0; frame < kDrivenFrames; ++frame) {
     driver.stepFrame();
   }
   const Trajectory first = log.trajectory();
-  ASSERT_EQ(first.samples.size(), std::size_t{kFrames});
+  ASSERT_EQ(first.samples.size(), std::size_t{kDrivenFrames});
   driver.rerun(GetParam().first);
   driver.rerun(GetParam().second);
-  for (std::int64_t frame = 0; frame < kFrames && driver.playback().rerunning(); ++frame) {
+  for (std::int64_t frame = 0; frame < kDrivenFrames && driver.playback().rerunning(); ++frame) {
     driver.advance();
   }
   EXPECT_FALSE(driver.playback().rerunning());
@@ -45,7 +45,7 @@ Trajectory trackAll(bool iterationByIteration) {
   FrameTapSlot tap;
   RunLog log;
   const TruthTable truth{Trajectory()};
-  SessionInputs inputs = drawnInputs("barrera", kFrames);
+  SessionInputs inputs = drawnInputs("barrera", kDrivenFrames);
   inputs.project.parameters.set("iterations_per_frame", 5);
   RunDriver driver(std::move(inputs), tap, log, truth);
   driver.start();
@@ -55,13 +55,13 @@ Trajectory trackAll(bool iterationByIteration) {
     // Also a frame that was begun one by one and is finished at once.
     driver.advance(iterationByIteration && steps != 7);
   }
-  EXPECT_EQ(steps > 2 * kFrames, iterationByIteration);
+  EXPECT_EQ(steps > 2 * kDrivenFrames, iterationByIteration);
   return log.trajectory();
 }
 
 TEST(RunDriver, TracksTheSameIterationByIteration) {
   const Trajectory whole = trackAll(false);
-  ASSERT_EQ(whole.samples.size(), std::size_t{kFrames});
+  ASSERT_EQ(whole.samples.size(), std::size_t{kDrivenFrames});
   EXPECT_TRUE(sameBits(trackAll(true), whole));
 }
 

@@ -2,6 +2,7 @@
 #include "core/session/session.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "tests/session/fake_recording.h"
+#include "tests/session/whole_run.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@ namespace {
 using test::eventually;
 using test::FakeRecording;
 using test::inputs;
+using test::playedToTheEnd;
 using test::reaches;
 using test::showsFrame;
 
@@ -20,17 +22,10 @@ FakeRecording::Options frames(std::optional<std::int64_t> count) {
   return options;
 }
 
-Project projectWith(const char* key, double value) {
+Project projectWithParameter(const char* key, double value) {
   Project project = test::twoCameraProject();
   EXPECT_TRUE(project.parameters.set(key, value));
   return project;
-}
-
-/// Plays from the start to the end once.
-Trajectory played(Session& session) {
-  session.play();
-  EXPECT_TRUE(reaches(session, PlayState::Ended));
-  return session.trajectory();
 }
 
 TEST(Session, ShowsTheFirstFramePausedAndUntracked) {
@@ -53,7 +48,7 @@ TEST(Session, ShowsTheFirstFramePausedAndUntracked) {
 // A day per iteration is kept by any machine, a femtosecond by none.
 TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
   Session without(inputs());
-  played(without);
+  playedToTheEnd(without);
   EXPECT_EQ(without.newest()->budget.milliseconds, 0.0);
   for (const double budget : {1000.0, 1e-12}) {
     Project project = test::twoCameraProject();
@@ -61,7 +56,7 @@ TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
     project.parameters = ParameterValues(methodParameters("dewpoint"));
     EXPECT_TRUE(project.parameters.set("time_budget", budget));
     Session session(inputs({}, project));
-    played(session);
+    playedToTheEnd(session);
     const BudgetFigures figures = session.newest()->budget;
     EXPECT_EQ(figures.milliseconds, budget);
     EXPECT_EQ(figures.iterations, 12);
@@ -71,7 +66,7 @@ TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
 
 TEST(Session, PlaysToTheEndWithOneSamplePerFrame) {
   Session session(inputs());
-  const auto trajectory = played(session);
+  const auto trajectory = playedToTheEnd(session);
   ASSERT_EQ(trajectory.samples.size(), 12U);
   for (std::size_t k = 0; k < trajectory.samples.size(); ++k) {
     EXPECT_EQ(trajectory.samples[k].frame, static_cast<std::int64_t>(k));
@@ -99,7 +94,7 @@ TEST(Session, PauseStops) {
 }
 
 TEST(Session, StepFrameDoesOneFrameWithAllItsIterations) {
-  Session session(inputs({}, projectWith("iterations_per_frame", 7)));
+  Session session(inputs({}, projectWithParameter("iterations_per_frame", 7)));
   for (int step = 1; step <= 3; ++step) {
     session.stepFrame();
     ASSERT_TRUE(eventually([&] { return session.newest()->iterations >= 7 * step; }));
@@ -135,32 +130,32 @@ TEST(Session, IterationsAfterAFrameReplaceItsSample) {
   ASSERT_EQ(after.samples.size(), 1U);
   EXPECT_FALSE(test::sameBits(before, after));
   EXPECT_EQ(session.newest()->targets[0].tail.size(), 1U);
-  EXPECT_EQ(played(session).samples.size(), 12U);
+  EXPECT_EQ(playedToTheEnd(session).samples.size(), 12U);
 }
 
 TEST(Session, SameSeedSameBitsOtherSeedOtherBits) {
   Session session(inputs());
-  const auto first = played(session);
+  const auto first = playedToTheEnd(session);
   session.restart();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
   EXPECT_EQ(session.newest()->frame, 0);
   EXPECT_EQ(session.newest()->iterations, 0);
   EXPECT_TRUE(session.trajectory().samples.empty());
-  EXPECT_TRUE(test::sameBits(played(session), first));
+  EXPECT_TRUE(test::sameBits(playedToTheEnd(session), first));
   session.restart(2);
   ASSERT_TRUE(reaches(session, PlayState::Paused));
   EXPECT_EQ(session.newest()->seed, 2U);
-  const auto other = played(session);
+  const auto other = playedToTheEnd(session);
   EXPECT_EQ(other.samples.size(), first.samples.size());
   EXPECT_FALSE(test::sameBits(other, first));
   session.restart(1);
   ASSERT_TRUE(reaches(session, PlayState::Paused));
-  EXPECT_TRUE(test::sameBits(played(session), first));
+  EXPECT_TRUE(test::sameBits(playedToTheEnd(session), first));
 }
 
 TEST(Session, PlayAtTheEndStartsAgain) {
   Session session(inputs());
-  const auto first = played(session);
+  const auto first = playedToTheEnd(session);
   std::uint64_t generation = 0;
   std::size_t position = 0;
   session.logSince(generation, position);
@@ -176,7 +171,7 @@ TEST(Session, ParametersActOnTheNextStep) {
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
   EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).particleCount, 100);
-  session.setParameters(projectWith("particles", 350).parameters);
+  session.setParameters(projectWithParameter("particles", 350).parameters);
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 2; }));
   EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).particleCount, 350);
@@ -233,7 +228,7 @@ TEST(Session, ABrokenRecordingEndsWithANoticeAndKeepsWhatWasTracked) {
   auto options = frames(12);
   options.failsAt = 5;
   Session session(inputs(options));
-  const auto trajectory = played(session);
+  const auto trajectory = playedToTheEnd(session);
   EXPECT_EQ(trajectory.samples.size(), 5U);
   ASSERT_EQ(session.newest()->notices.size(), 1U);
   EXPECT_EQ(session.newest()->notices[0].code, ErrorCode::EndedEarly);
@@ -302,7 +297,7 @@ TEST(Session, PlaysWithoutTargets) {
   auto project = test::twoCameraProject();
   project.targets.clear();
   Session session(inputs({}, project));
-  EXPECT_TRUE(played(session).samples.empty());
+  EXPECT_TRUE(playedToTheEnd(session).samples.empty());
   EXPECT_EQ(session.newest()->frame, 11);
 }
 

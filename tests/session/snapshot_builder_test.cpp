@@ -11,7 +11,7 @@ using test::drawnInputs;
 using test::DrawnRecording;
 using test::eventually;
 
-void stepTo(Session& session, std::int64_t frame) {
+void iterateTo(Session& session, std::int64_t frame) {
   while (session.newest()->history.head < frame) {
     const std::int64_t before = session.newest()->iterations;
     session.stepFrame();
@@ -30,14 +30,14 @@ TrackSnapshotPtr shown(Session& session, std::int64_t frame) {
 // nor where it stood.
 TEST(SnapshotBuilder, NewBeliefsBeginNewTails) {
   Session session(drawnInputs("dewpoint", 60));
-  stepTo(session, 9);
+  iterateTo(session, 9);
   EXPECT_EQ(session.newest()->targets.at(0).tail.size(), 10U);
   Target second = drawn::redBall();
   second.name = "second";
   session.setTargets({drawn::redBall(), second});
   ASSERT_TRUE(eventually([&] { return session.newest()->targets.size() == 2; }));
   EXPECT_TRUE(session.newest()->targets[0].tail.empty()); // nothing is believed yet
-  stepTo(session, 12);
+  iterateTo(session, 12);
   // The frame they begin in is tracked again: 9, 10, 11, 12.
   EXPECT_EQ(session.newest()->targets.at(0).tail.size(), 4U);
   EXPECT_EQ(session.newest()->targets.at(1).tail.size(), 4U);
@@ -56,10 +56,10 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   }
   Session session(std::move(inputs));
   session.setMasksWanted(true);
-  stepTo(session, 20);
+  iterateTo(session, 20);
   const TrackSnapshotPtr then = session.newest();
   ASSERT_EQ(then->frame, 20);
-  stepTo(session, 21);
+  iterateTo(session, 21);
   const TrackSnapshotPtr later = shown(session, 20);
   EXPECT_FALSE(then->past);
   EXPECT_TRUE(later->past);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/session/drawn_recording.h"
 #include "tests/session/fading_recording.h"
+#include "tests/session/whole_run.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -15,19 +16,14 @@ using test::drawnInputs;
 using test::DrawnRecording;
 using test::eventually;
 using test::FadingRecording;
+using test::playedToTheEnd;
 using test::reaches;
 using test::sameBits;
 
-constexpr std::int64_t kFrames = 90;
+constexpr std::int64_t kTravelFrames = 90;
 
 bool shows(const Session& session, std::int64_t frame) {
   return eventually([&] { return session.newest()->frame == frame && !session.newest()->preview; });
-}
-
-Trajectory playedToTheEnd(Session& session) {
-  session.play();
-  EXPECT_TRUE(reaches(session, PlayState::Ended));
-  return session.trajectory();
 }
 
 bool samePixels(const FrameSet& a, const FrameSet& b) {
@@ -48,12 +44,8 @@ bool sameTail(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Ve
 }
 
 /// Tracks again from this frame, to the end.
-void rerun(Session& session, std::int64_t from, std::size_t samples = kFrames) {
-  std::uint64_t generation = 0;
-  std::size_t position = 0;
-  session.framesSince(generation, position);
-  session.rerunFrom(from);
-  ASSERT_TRUE(eventually([&] { return session.framesSince(generation, position).restarted; }));
+void rerun(Session& session, std::int64_t from, std::size_t samples = kTravelFrames) {
+  ASSERT_NO_FATAL_FAILURE(test::beginRerun(session, from));
   ASSERT_TRUE(eventually([&] { return session.trajectory().samples.size() == samples; }));
 }
 
@@ -69,7 +61,7 @@ using Case = std::pair<const char*, std::size_t>;
 class TimeTravelTest : public ::testing::TestWithParam<Case> {
 protected:
   static SessionInputs inputs(bool live = false) {
-    SessionInputs result = drawnInputs(GetParam().first, kFrames, live);
+    SessionInputs result = drawnInputs(GetParam().first, kTravelFrames, live);
     result.historyBytes = GetParam().second;
     return result;
   }
@@ -78,7 +70,7 @@ protected:
 TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
   Session session(inputs());
   std::map<std::int64_t, TrackSnapshotPtr> seen;
-  for (std::int64_t frame = 0; frame < kFrames; ++frame) {
+  for (std::int64_t frame = 0; frame < kTravelFrames; ++frame) {
     session.stepFrame();
     ASSERT_TRUE(eventually([&] { return session.newest()->history.head == frame; }));
     seen[frame] = session.newest();
@@ -91,8 +83,8 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     EXPECT_TRUE(now->past);
     EXPECT_TRUE(now->tracked);
     EXPECT_EQ(now->state, PlayState::Paused);
-    EXPECT_EQ(now->history.head, kFrames - 1);
-    EXPECT_EQ(now->history.last, kFrames - 1);
+    EXPECT_EQ(now->history.head, kTravelFrames - 1);
+    EXPECT_EQ(now->history.last, kTravelFrames - 1);
     EXPECT_EQ(now->iterations, then->iterations);
     EXPECT_TRUE(samePixels(*now->frames, *then->frames)) << frame;
     ASSERT_EQ(now->targets.size(), 1U);
@@ -114,9 +106,10 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     EXPECT_LE(now->history.bytes, now->history.mostBytes + (std::size_t{1} << 20));
   }
   session.backToHead();
-  ASSERT_TRUE(shows(session, kFrames - 1));
+  ASSERT_TRUE(shows(session, kTravelFrames - 1));
   EXPECT_FALSE(session.newest()->past);
-  EXPECT_EQ(session.trajectory().samples.size(), std::size_t{kFrames}); // looking changes nothing
+  EXPECT_EQ(session.trajectory().samples.size(),
+            std::size_t{kTravelFrames}); // looking changes nothing
 }
 
 TEST_P(TimeTravelTest, ARerunWithNothingChangedGivesTheSameBits) {
@@ -168,7 +161,7 @@ TEST_P(TimeTravelTest, PlayingFromAMomentShowsWhatWasRecorded) {
   ASSERT_TRUE(shows(session, 80));
   session.play();
   ASSERT_TRUE(reaches(session, PlayState::Ended));
-  EXPECT_EQ(session.newest()->frame, kFrames - 1);
+  EXPECT_EQ(session.newest()->frame, kTravelFrames - 1);
   EXPECT_TRUE(sameBits(session.trajectory(), first));
   session.showFrame(80);
   session.stepFrame();
@@ -178,8 +171,8 @@ TEST_P(TimeTravelTest, PlayingFromAMomentShowsWhatWasRecorded) {
 
 TEST(TimeTravelOfColors, RangesThatFollowTheLightAreHeldByTheCopies) {
   const auto inputs = [] {
-    SessionInputs result = drawnInputs("dewpoint", kFrames);
-    result.source = std::make_unique<FadingRecording>(kFrames);
+    SessionInputs result = drawnInputs("dewpoint", kTravelFrames);
+    result.source = std::make_unique<FadingRecording>(kTravelFrames);
     result.historyBytes = std::size_t{100} << 20;
     EXPECT_TRUE(result.project.parameters.set("color_adaptation", 0.5));
     return result;
@@ -221,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, TimeTravelTest,
                          });
 
 TEST(TimeTravel, APreviewStandsInWhileImagesAreDecoded) {
-  SessionInputs inputs = drawnInputs("barrera", kFrames);
+  SessionInputs inputs = drawnInputs("barrera", kTravelFrames);
   inputs.historyBytes = std::size_t{2} << 20; // 512 KB for images: one frame set, and small ones
   Session session(std::move(inputs));
   playedToTheEnd(session);
@@ -234,7 +227,7 @@ TEST(TimeTravel, APreviewStandsInWhileImagesAreDecoded) {
 }
 
 TEST(TimeTravel, AnUntrackedPartIsShownAndTrackedFrom) {
-  Session session(drawnInputs("dewpoint", kFrames));
+  Session session(drawnInputs("dewpoint", kTravelFrames));
   session.showFrame(50);
   ASSERT_TRUE(shows(session, 50));
   EXPECT_FALSE(session.newest()->tracked);
@@ -242,13 +235,14 @@ TEST(TimeTravel, AnUntrackedPartIsShownAndTrackedFrom) {
   EXPECT_TRUE(samePixels(*session.newest()->frames, *DrawnRecording::frame(50)));
   EXPECT_EQ(session.newest()->targets.at(0).particles.rows(), 0);
   const Trajectory played = playedToTheEnd(session);
-  ASSERT_EQ(played.samples.size(), std::size_t{kFrames - 50});
+  ASSERT_EQ(played.samples.size(), std::size_t{kTravelFrames - 50});
   EXPECT_EQ(played.samples.front().frame, 50);
-  EXPECT_LT((played.samples.back().position - DrawnRecording::ballAt(kFrames - 1)).norm(), 0.01);
+  EXPECT_LT((played.samples.back().position - DrawnRecording::ballAt(kTravelFrames - 1)).norm(),
+            0.01);
 }
 
 TEST(TimeTravel, AnotherMethodBeginsAtTheFrame) {
-  Session session(drawnInputs("dewpoint", kFrames));
+  Session session(drawnInputs("dewpoint", kTravelFrames));
   const Trajectory first = playedToTheEnd(session);
   session.setMethodFrom(60, "barrera", drawn::parametersOf("barrera"));
   ASSERT_TRUE(eventually([&] {
@@ -268,7 +262,7 @@ class TimeTravelTwiceTest : public ::testing::TestWithParam<std::pair<int, int>>
 
 TEST_P(TimeTravelTwiceTest, AfterARerunDuringARerunTheRunStandsWhereItStood) {
   constexpr std::int64_t kStood = 24;
-  Session session(drawnInputs("dewpoint", kFrames));
+  Session session(drawnInputs("dewpoint", kTravelFrames));
   for (std::int64_t k = 0; k <= kStood; ++k) {
     session.stepFrame();
   }
@@ -291,7 +285,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, TimeTravelTwiceTest,
                          testing::Values(std::pair(16, 8), std::pair(8, 16), std::pair(8, 8)));
 
 TEST(TimeTravel, MasksAndLikelihoodMapsOfAPastMoment) {
-  Session session(drawnInputs("dewpoint", kFrames));
+  Session session(drawnInputs("dewpoint", kTravelFrames));
   playedToTheEnd(session);
   session.setMasksWanted(true);
   session.setLikelihoodMapsWanted(true);
@@ -321,11 +315,11 @@ TEST(TimeTravel, MasksAndLikelihoodMapsOfAPastMoment) {
 }
 
 TEST(TimeTravel, ALiveRunIsRerunOverItsLastFrames) {
-  SessionInputs live = drawnInputs("dewpoint", kFrames, true);
+  SessionInputs live = drawnInputs("dewpoint", kTravelFrames, true);
   live.historyBytes = std::size_t{200} << 20; // everything fits as it came: 90 x 2 x 230 KB = 41 MB
   Session session(std::move(live));
   session.play();
-  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == kFrames - 1; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == kTravelFrames - 1; }));
   const Trajectory first = session.trajectory();
   session.showFrame(30);
   ASSERT_TRUE(shows(session, 30));
@@ -359,13 +353,13 @@ TEST(TimeTravel, ALiveRunKeepsWithinItsMemory) {
 }
 
 TEST(TimeTravel, TheFrameLogTellsStatusReasonsAndMissingCameras) {
-  Session session(drawnInputs("dewpoint", kFrames));
+  Session session(drawnInputs("dewpoint", kTravelFrames));
   playedToTheEnd(session);
   std::uint64_t generation = 0;
   std::size_t position = 0;
   auto piece = session.framesSince(generation, position);
   EXPECT_TRUE(piece.restarted);
-  ASSERT_EQ(piece.records.size(), std::size_t{kFrames});
+  ASSERT_EQ(piece.records.size(), std::size_t{kTravelFrames});
   for (const FrameRecord& record : piece.records) {
     const bool lost = record.frame % 40 >= 30 && record.frame % 40 < 33;
     EXPECT_EQ(record.missingCameras, lost ? 2U : 0U) << record.frame; // bit 1

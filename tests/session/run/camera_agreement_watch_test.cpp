@@ -7,7 +7,7 @@
 namespace dewpoint::tests {
 namespace {
 
-CameraRig twoCameras() {
+CameraRig watchedCameras() {
   CameraRig rig(2);
   rig[0].name = "left";
   rig[0].cameraFromWorld = lookAt({1.0, 0.2, 0.6}, {0.0, 0.0, 0.0});
@@ -16,7 +16,7 @@ CameraRig twoCameras() {
 }
 
 TEST(CameraAgreementWatch, ARigInMillimetersIsKnownBeforeTheFirstFrame) {
-  CameraRig rig = twoCameras();
+  CameraRig rig = watchedCameras();
   const CameraMotionWatch motion(rig);
   EXPECT_TRUE(CameraAgreementWatch(rig, motion).found(methodFamily("dewpoint")).empty());
   for (Camera& camera : rig) {
@@ -25,7 +25,7 @@ TEST(CameraAgreementWatch, ARigInMillimetersIsKnownBeforeTheFirstFrame) {
   CameraAgreementWatch watch(rig, motion);
   ASSERT_EQ(watch.found(methodFamily("dewpoint")).size(), 1U);
   EXPECT_TRUE(watch.found(methodFamily("histogram")).empty()); // boxes need no calibration
-  watch.setCameras(twoCameras());
+  watch.setCameras(watchedCameras());
   EXPECT_TRUE(watch.found(methodFamily("dewpoint")).empty());
 }
 

@@ -10,11 +10,11 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr std::int64_t kFrames = 6;
+constexpr std::int64_t kFedFrames = 6;
 
 /// The drawn recording's project, whose cameras have no names, with names.
 Project namedProject(const std::string& method) {
-  Project project = test::drawnInputs(method, kFrames).project;
+  Project project = test::drawnInputs(method, kFedFrames).project;
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     project.cameras[k].camera.name = "camera " + std::to_string(k + 1);
   }
@@ -33,7 +33,7 @@ std::vector<cv::Mat> imagesOf(const FrameSet& set) {
 std::vector<TrajectorySample> trackedSets(const Project& project) {
   auto run = TrackingRun::create(project, 1).value();
   std::vector<TrajectorySample> samples;
-  for (std::int64_t k = 0; k < kFrames; ++k) {
+  for (std::int64_t k = 0; k < kFedFrames; ++k) {
     run.beginFrame(test::DrawnRecording::frame(k));
     for (int i = 0; i < run.iterationsPerFrame(); ++i) {
       run.iterate();
@@ -53,13 +53,13 @@ TEST(FrameFeed, GivesTheBitsOfARun) {
     EXPECT_TRUE(feed->samples().empty());
     for (int round = 0; round < 2; ++round) {
       Trajectory fed;
-      for (std::int64_t k = 0; k < kFrames; ++k) {
+      for (std::int64_t k = 0; k < kFedFrames; ++k) {
         const auto set = test::DrawnRecording::frame(k);
         ASSERT_TRUE(feed->step(imagesOf(*set), seconds(set->time)));
         fed.samples.push_back(feed->samples().front());
       }
       EXPECT_TRUE(test::sameBits(fed, tracked)) << method << ", round " << round;
-      EXPECT_EQ(feed->steps(), kFrames);
+      EXPECT_EQ(feed->steps(), kFedFrames);
       feed->restart();
       EXPECT_EQ(feed->steps(), 0);
     }

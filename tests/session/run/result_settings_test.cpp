@@ -10,7 +10,7 @@
 namespace dewpoint::tests {
 namespace {
 
-RunDefinition definition() {
+RunDefinition ballDefinition() {
   Project project;
   project.parameters = ParameterValues(methodParameters(project.method));
   project.targets.push_back({"ball", 0.03, ColorRange{}});
@@ -18,7 +18,7 @@ RunDefinition definition() {
 }
 
 RunDefinitionPtr with(const std::function<void(RunDefinition&)>& change) {
-  RunDefinition changed = definition();
+  RunDefinition changed = ballDefinition();
   change(changed);
   return std::make_shared<const RunDefinition>(std::move(changed));
 }

@@ -5,6 +5,7 @@
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/start_parameters.h"
 #include "tests/session/drawn_recording.h"
+#include "tests/session/whole_run.h"
 
 #include <gtest/gtest.h>
 
@@ -23,10 +24,11 @@ namespace {
 using test::drawnInputs;
 using test::DrawnRecording;
 using test::eventually;
+using test::playedToTheEnd;
 using test::reaches;
 using test::sameBits;
 
-constexpr std::int64_t kFrames = 40;
+constexpr std::int64_t kDefinedFrames = 40;
 
 /// What the cameras of the recording show without the ball.
 std::vector<cv::Mat> backgroundImages() {
@@ -38,33 +40,23 @@ std::vector<cv::Mat> backgroundImages() {
   return rooms;
 }
 
-RunDefinition definition() {
+RunDefinition drawnDefinition() {
   return RunDefinition::of(drawnInputs("dewpoint", 1).project, backgroundImages());
 }
 
-Trajectory played(Session& session) {
-  session.play();
-  EXPECT_TRUE(reaches(session, PlayState::Ended));
-  return session.trajectory();
-}
-
 /// Tracks again from this frame, to the end.
-void rerun(Session& session, std::int64_t from) {
-  std::uint64_t generation = 0;
-  std::size_t position = 0;
-  session.framesSince(generation, position);
-  session.rerunFrom(from);
-  ASSERT_TRUE(eventually([&] { return session.framesSince(generation, position).restarted; }));
+void rerunToTheEnd(Session& session, std::int64_t from) {
+  ASSERT_NO_FATAL_FAILURE(test::beginRerun(session, from));
   ASSERT_TRUE(eventually([&] {
     const auto shown = session.newest();
     return !shown->rerun && shown->state == PlayState::Ended &&
-           session.trajectory().samples.size() == kFrames;
+           session.trajectory().samples.size() == kDefinedFrames;
   }));
 }
 
 TEST(RunDefinition, IsComparedAsAWhole) {
-  const RunDefinition one = definition();
-  EXPECT_TRUE(one == definition()); // other images in memory with the same pixels
+  const RunDefinition one = drawnDefinition();
+  EXPECT_TRUE(one == drawnDefinition()); // other images in memory with the same pixels
   const std::vector<std::function<void(RunDefinition&)>> changes{
       [](RunDefinition& other) { other.method = "barrera"; },
       [](RunDefinition& other) { (void)other.parameters.set("start_x", 0.61); },
@@ -95,7 +87,7 @@ TEST(RunDefinition, IsComparedAsAWhole) {
 
 TEST(RunDefinition, GoesIntoAProjectAndBack) {
   const Project project = drawnInputs("dewpoint", 1).project;
-  RunDefinition other = definition();
+  RunDefinition other = drawnDefinition();
   other.seed = 7;
   other.targets[0].name = "another ball";
   other.backgroundImageFiles[1] = "/rooms/two.png";
@@ -108,7 +100,7 @@ TEST(RunDefinition, GoesIntoAProjectAndBack) {
 }
 
 TEST(RunDefinition, SaysWhatIsOtherwise) {
-  const RunDefinition before = definition();
+  const RunDefinition before = drawnDefinition();
   EXPECT_EQ(differences(before, before), "");
   RunDefinition after = before;
   ASSERT_TRUE(after.parameters.set("start_x", 0.61));
@@ -150,26 +142,26 @@ TEST(RunDefinition, TakesFromTheCamerasWhatNobodyGave) {
 
 // The copy that a run goes back to was made before the background images were known.
 TEST(BackgroundImagesOfARun, ArePartOfWhatGoesOnFromAnEarlierFrame) {
-  Session without(drawnInputs("dewpoint", kFrames));
-  const Trajectory unknown = played(without);
-  SessionInputs known = drawnInputs("dewpoint", kFrames);
+  Session without(drawnInputs("dewpoint", kDefinedFrames));
+  const Trajectory unknown = playedToTheEnd(without);
+  SessionInputs known = drawnInputs("dewpoint", kDefinedFrames);
   known.backgroundImages = backgroundImages();
   Session with(std::move(known));
-  const Trajectory expected = played(with);
+  const Trajectory expected = playedToTheEnd(with);
   ASSERT_FALSE(sameBits(unknown, expected)) << "the rooms must matter";
 
-  Session session(drawnInputs("dewpoint", kFrames));
-  played(session);
+  Session session(drawnInputs("dewpoint", kDefinedFrames));
+  playedToTheEnd(session);
   session.setBackgroundImages({"left.png", "right.png"}, backgroundImages());
-  rerun(session, 20);
+  rerunToTheEnd(session, 20);
   session.restart();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
-  EXPECT_TRUE(sameBits(played(session), expected));
+  EXPECT_TRUE(sameBits(playedToTheEnd(session), expected));
 }
 
 TEST(BackgroundImagesOfARun, AreSaidWhereTheyChange) {
-  Session session(drawnInputs("dewpoint", kFrames));
-  played(session);
+  Session session(drawnInputs("dewpoint", kDefinedFrames));
+  playedToTheEnd(session);
   session.setBackgroundImages({"left.png", "right.png"}, backgroundImages());
   session.rerunFrom(20);
   ASSERT_TRUE(eventually([&] {
@@ -185,11 +177,11 @@ class FilterThreads : public testing::TestWithParam<const char*> {};
 TEST_P(FilterThreads, AnyNumberGivesTheSameBits) {
   std::vector<Trajectory> found;
   for (const int threads : {1, 2, 5}) {
-    SessionInputs inputs = drawnInputs(GetParam(), kFrames);
+    SessionInputs inputs = drawnInputs(GetParam(), kDefinedFrames);
     inputs.threads = threads;
     Session session(std::move(inputs));
-    played(session);
-    rerun(session, 11); // from a copy, too
+    playedToTheEnd(session);
+    rerunToTheEnd(session, 11); // from a copy, too
     found.push_back(session.trajectory());
     const auto folder = std::filesystem::path(testing::TempDir()) / "filter_threads" / GetParam();
     ASSERT_TRUE(session.saveRun(folder));
@@ -219,11 +211,11 @@ std::string reportedThreads(const Session& session) {
 
 // While the run plays, and before a rerun from a copy that another number of threads has made.
 TEST_P(FilterThreads, AnotherNumberTakesOverInTheMiddleOfARun) {
-  SessionInputs inputs = drawnInputs(GetParam(), kFrames);
+  SessionInputs inputs = drawnInputs(GetParam(), kDefinedFrames);
   inputs.threads = 1;
   Session plain(std::move(inputs));
-  const Trajectory expected = played(plain);
-  inputs = drawnInputs(GetParam(), kFrames);
+  const Trajectory expected = playedToTheEnd(plain);
+  inputs = drawnInputs(GetParam(), kDefinedFrames);
   inputs.threads = 1;
   Session session(std::move(inputs));
   for (int k = 0; k < 15; ++k) {
@@ -233,9 +225,9 @@ TEST_P(FilterThreads, AnotherNumberTakesOverInTheMiddleOfARun) {
   EXPECT_EQ(reportedThreads(session), "1");
   session.setFilterThreads(3);
   ASSERT_TRUE(eventually([&] { return reportedThreads(session) == "3"; }));
-  EXPECT_TRUE(sameBits(played(session), expected));
+  EXPECT_TRUE(sameBits(playedToTheEnd(session), expected));
   session.setFilterThreads(2);
-  rerun(session, 11);
+  rerunToTheEnd(session, 11);
   EXPECT_EQ(reportedThreads(session), "2");
   EXPECT_TRUE(sameBits(session.trajectory(), expected));
   session.restart();
@@ -285,8 +277,8 @@ TEST(FrameLoop, TellsOfEveryFrameInOrder) {
 }
 
 TEST(FrameLoop, GivesTheBitsOfASession) {
-  Session session(drawnInputs("dewpoint", kFrames));
-  const Trajectory expected = played(session);
+  Session session(drawnInputs("dewpoint", kDefinedFrames));
+  const Trajectory expected = playedToTheEnd(session);
   class Samples final : public FrameObserver {
   public:
     Status tracked(const TrackingRun& run) override {
@@ -295,7 +287,7 @@ TEST(FrameLoop, GivesTheBitsOfASession) {
     }
     Trajectory trajectory;
   } samples;
-  SessionInputs inputs = drawnInputs("dewpoint", kFrames);
+  SessionInputs inputs = drawnInputs("dewpoint", kDefinedFrames);
   auto run = TrackingRun::create(inputs.project, 3).value();
   const std::array<FrameObserver*, 1> observers{&samples};
   ASSERT_TRUE(trackFrames(*inputs.source, {}, run, observers, [] { return true; }));
