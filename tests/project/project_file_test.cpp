@@ -5,6 +5,7 @@
 #include "core/project/project_check.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
+#include "tests/project/loaded_text.h"
 
 #include <gtest/gtest.h>
 
@@ -40,21 +41,6 @@ matrix = [[500.0, 0, 319.5], [0, 510.0, 239.5], [0, 0, 1]]
 rotation = [0, 0.1, 0]
 translation = [1.0, 2.0, 3.0]
 )";
-
-std::filesystem::path fileNamed(const std::string& name) {
-  // A name of its own per test: tests run side by side.
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(testing::TempDir()) / (std::string(info->name()) + "_" + name);
-}
-
-Result<Project> load(std::string text, const std::string& from = "", const std::string& to = "") {
-  if (const auto at = from.empty() ? std::string::npos : text.find(from); at != std::string::npos) {
-    text.replace(at, from.size(), to);
-  }
-  const auto file = fileNamed("project.toml");
-  EXPECT_TRUE(writeTextFile(file, text));
-  return loadProject(file);
-}
 
 Error errorOf(const std::string& from, const std::string& to) {
   const auto project = load(kGood, from, to);

@@ -4,6 +4,7 @@
 #include "core/project/project_changes.h"
 #include "core/project/project_load.h"
 #include "core/project/project_save.h"
+#include "tests/project/loaded_text.h"
 
 #include <gtest/gtest.h>
 
@@ -44,17 +45,6 @@ pixel = [320.25, 120.5]
 name = "door"
 world = [2, 0, 0]
 )";
-
-Result<Project> load(std::string text, const std::string& from = "", const std::string& to = "") {
-  if (const auto at = from.empty() ? std::string::npos : text.find(from); at != std::string::npos) {
-    text.replace(at, from.size(), to);
-  }
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  const auto file =
-      std::filesystem::path(testing::TempDir()) / (std::string(info->name()) + "_room.toml");
-  EXPECT_TRUE(writeTextFile(file, text));
-  return loadProject(file);
-}
 
 std::string fieldOf(const std::string& from, const std::string& to) {
   const auto project = load(kRoom, from, to);
@@ -114,7 +104,7 @@ TEST(ProjectRoom, RefusesAVolumeOfInterestThatIsNone) {
   EXPECT_EQ(errorOf("2.25", "1e9").field, "volume_of_interest.max");
   const Error empty = errorOf("[2, 3, 2.25]", "[2, 0.5, 2.25]");
   EXPECT_EQ(empty.field, "volume_of_interest.max");
-  EXPECT_NE(empty.file.find("room.toml"), std::string::npos);
+  EXPECT_NE(empty.file.find("project.toml"), std::string::npos);
   EXPECT_EQ(empty.detail, "along y it begins at 0.5 m and ends at 0.5 m");
 }
 

@@ -10,10 +10,7 @@ namespace {
 
 using setup::learnFromClicks;
 
-const color::BgrColor kRed{40, 40, 200};
 const color::BgrColor kWarmRed{26, 60, 168}; // the same ball in a warm, dark camera
-const Eigen::Vector3d kBall(0.1, -0.05, 0.08);
-constexpr double kRadius = 0.1;
 
 PaintedRig ballInTwoColors() {
   PaintedRig scene(2);

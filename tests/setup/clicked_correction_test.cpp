@@ -17,7 +17,7 @@ CameraRig pair() {
   return rig;
 }
 
-PointClick clickOn(int camera, const Eigen::Vector3d& point) {
+PointClick clickSeenBy(int camera, const Eigen::Vector3d& point) {
   return {
       camera,
       {320.0 + 500.0 * (point.x() - camera) / point.z(), 240.0 + 500.0 * point.y() / point.z()}};
@@ -28,11 +28,11 @@ const std::optional<Gaussian3> kEstimate =
     Gaussian3{{0.1, 0.0, 2.5}, 1e-4 * Eigen::Matrix3d::Identity()};
 
 TEST(ClickedCorrection, OfOneImageKeepsTheDepthOfTheEstimate) {
-  const auto made = clickedCorrection({}, pair(), 7, 2, clickOn(0, kThere), kEstimate);
+  const auto made = clickedCorrection({}, pair(), 7, 2, clickSeenBy(0, kThere), kEstimate);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->frame, 7);
   EXPECT_EQ(made->target, 2);
-  EXPECT_EQ(made->clicks, std::vector<PointClick>{clickOn(0, kThere)});
+  EXPECT_EQ(made->clicks, std::vector<PointClick>{clickSeenBy(0, kThere)});
   // On the ray of the click, as far along it as the estimate is.
   const Eigen::Vector3d along = kThere.normalized();
   EXPECT_LT((made->position - along * along.dot(kEstimate->mean)).norm(), 1e-9);
@@ -40,11 +40,11 @@ TEST(ClickedCorrection, OfOneImageKeepsTheDepthOfTheEstimate) {
 
 TEST(ClickedCorrection, OfASecondImageIsWhereTheRaysMeet) {
   Project project;
-  const auto first = clickedCorrection(project, pair(), 7, 0, clickOn(0, kThere), kEstimate);
+  const auto first = clickedCorrection(project, pair(), 7, 0, clickSeenBy(0, kThere), kEstimate);
   ASSERT_TRUE(first);
   EXPECT_GT((first->position - kThere).norm(), 0.1); // its depth was not known
   addCorrection(project, *first);
-  const auto second = clickedCorrection(project, pair(), 7, 0, clickOn(1, kThere), kEstimate);
+  const auto second = clickedCorrection(project, pair(), 7, 0, clickSeenBy(1, kThere), kEstimate);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->clicks.size(), 2U);
   EXPECT_LT((second->position - kThere).norm(), 1e-9);
@@ -54,26 +54,28 @@ TEST(ClickedCorrection, OfASecondImageIsWhereTheRaysMeet) {
 TEST(ClickedCorrection, ReplacesTheClickOfItsCamera) {
   Project project;
   const Eigen::Vector3d wrong(0.2, -0.2, 1.6);
-  for (const PointClick& click : {clickOn(0, wrong), clickOn(1, kThere), clickOn(0, kThere)}) {
+  for (const PointClick& click :
+       {clickSeenBy(0, wrong), clickSeenBy(1, kThere), clickSeenBy(0, kThere)}) {
     const auto made = clickedCorrection(project, pair(), 7, 0, click, std::nullopt);
     ASSERT_TRUE(made) << made.error().detail;
     addCorrection(project, *made);
   }
   ASSERT_EQ(project.corrections.size(), 1U);
   EXPECT_EQ(project.corrections[0].clicks,
-            (std::vector<PointClick>{clickOn(0, kThere), clickOn(1, kThere)}));
+            (std::vector<PointClick>{clickSeenBy(0, kThere), clickSeenBy(1, kThere)}));
   EXPECT_LT((project.corrections[0].position - kThere).norm(), 1e-9);
 }
 
 TEST(ClickedCorrection, KnowsNothingOfOtherFramesAndTargets) {
   Project project;
-  addCorrection(project, *clickedCorrection(project, pair(), 7, 0, clickOn(0, kThere), kEstimate));
+  addCorrection(project,
+                *clickedCorrection(project, pair(), 7, 0, clickSeenBy(0, kThere), kEstimate));
   EXPECT_NE(correctionAt(project, 7, 0), nullptr);
   EXPECT_EQ(correctionAt(project, 8, 0), nullptr);
   EXPECT_EQ(correctionAt(project, 7, 1), nullptr);
   for (const auto& [frame, target] : {std::pair(8, 0), std::pair(7, 1)}) {
     const auto made =
-        clickedCorrection(project, pair(), frame, target, clickOn(1, kThere), kEstimate);
+        clickedCorrection(project, pair(), frame, target, clickSeenBy(1, kThere), kEstimate);
     ASSERT_TRUE(made);
     EXPECT_EQ(made->clicks.size(), 1U);
   }

@@ -12,10 +12,7 @@ using setup::CounterpartLimits;
 using setup::Counterparts;
 using setup::findCounterparts;
 
-const color::BgrColor kRed{40, 40, 200};
 const color::BgrColor kGreen{60, 160, 40};
-const Eigen::Vector3d kBall(0.1, -0.05, 0.08);
-constexpr double kRadius = 0.1; // 15 px at 2 m
 
 bool holds(const cv::Mat& mask, const Eigen::Vector2d& pixel) {
   return !mask.empty() && mask.at<std::uint8_t>(static_cast<int>(std::lround(pixel.y())),

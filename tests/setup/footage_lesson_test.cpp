@@ -9,10 +9,6 @@
 namespace dewpoint::tests {
 namespace {
 
-const color::BgrColor kRed{40, 40, 200};
-const Eigen::Vector3d kBall(0.1, -0.05, 0.08);
-constexpr double kRadius = 0.1;
-
 /// The same painted images in every frame.
 class PaintedFootage final : public FrameSetSource {
 public:

@@ -14,6 +14,11 @@
 
 namespace dewpoint::tests {
 
+/// The ball of most of these pictures: 15 px at 2 m.
+inline const color::BgrColor kRed{40, 40, 200};
+inline const Eigen::Vector3d kBall(0.1, -0.05, 0.08);
+inline constexpr double kRadius = 0.1;
+
 /// Three ideal cameras of 320 x 240 pixels and a focal length of 300 px, two meters from the origin
 /// at right angles, and images of them: a gray wall on which balls are painted as discs, darker
 /// toward their rims.

@@ -7,12 +7,12 @@
 namespace dewpoint::tests {
 namespace {
 
-const ColorRange kRed{340.0, 20.0, 0.4, 1.0, 0.1, 0.9};
-const ColorRange kBlue{220.0, 260.0, 0.4, 1.0, 0.1, 0.9};
+const ColorRange kRedRange{340.0, 20.0, 0.4, 1.0, 0.1, 0.9};
+const ColorRange kBlueRange{220.0, 260.0, 0.4, 1.0, 0.1, 0.9};
 
 Project twoBalls() {
   Project project;
-  project.targets = {{"red", 0.04, kRed}, {"blue", 0.05, kBlue}};
+  project.targets = {{"red", 0.04, kRedRange}, {"blue", 0.05, kBlueRange}};
   project.cameras.resize(2);
   return project;
 }

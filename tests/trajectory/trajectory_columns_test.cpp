@@ -9,7 +9,7 @@
 namespace dewpoint::tests {
 namespace {
 
-TrajectorySample sampleAt(std::int64_t frame, const std::string& target, double x) {
+TrajectorySample fullSample(std::int64_t frame, const std::string& target, double x) {
   TrajectorySample sample;
   sample.frame = frame;
   sample.time = 0.5 * static_cast<double>(frame);
@@ -24,8 +24,8 @@ TrajectorySample sampleAt(std::int64_t frame, const std::string& target, double 
 
 TEST(TrajectoryColumns, HasARowForEachFrame) {
   Trajectory trajectory;
-  trajectory.samples = {sampleAt(2, "a", 1.0), sampleAt(3, "a", 2.0), sampleAt(3, "b", 5.0),
-                        sampleAt(5, "b", 6.0)};
+  trajectory.samples = {fullSample(2, "a", 1.0), fullSample(3, "a", 2.0), fullSample(3, "b", 5.0),
+                        fullSample(5, "b", 6.0)};
   trajectory.samples[1].valid = false;
   trajectory.samples[3].ambiguous = true;
   trajectory.samples[3].best = Eigen::Vector3d(7.0, 8.0, 9.0);
@@ -52,7 +52,7 @@ TEST(TrajectoryColumns, HasARowForEachFrame) {
 
 TEST(TrajectoryColumns, GoesByTimesWhereThereAreNoFrames) {
   Trajectory trajectory;
-  trajectory.samples = {sampleAt(kNoFrame, "a", 1.0), sampleAt(kNoFrame, "a", 2.0)};
+  trajectory.samples = {fullSample(kNoFrame, "a", 1.0), fullSample(kNoFrame, "a", 2.0)};
   trajectory.samples[0].time = 0.25;
   trajectory.samples[1].time = 0.5;
   const TrajectoryColumns columns = columnsOf(trajectory);

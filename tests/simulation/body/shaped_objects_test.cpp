@@ -15,23 +15,24 @@ namespace {
 using simulation::MovingPart;
 using simulation::Vector3f;
 
-const Vector3f kPink{145.0F, 85.0F, 245.0F};
+const Vector3f kPinkBody{145.0F, 85.0F, 245.0F};
 
 TEST(ShapedObjects, WhatHasTheColorIsTheTarget) {
-  for (const auto& parts : {simulation::capOnHead(kPink), simulation::glovedHand(0.5, kPink),
-                            simulation::sleevedArm(kPink), simulation::cone(kPink),
-                            simulation::stick(kPink), simulation::computerMouse(kPink)}) {
+  for (const auto& parts :
+       {simulation::capOnHead(kPinkBody), simulation::glovedHand(0.5, kPinkBody),
+        simulation::sleevedArm(kPinkBody), simulation::cone(kPinkBody),
+        simulation::stick(kPinkBody), simulation::computerMouse(kPinkBody)}) {
     EXPECT_TRUE(std::ranges::any_of(parts, &MovingPart::target));
     for (const MovingPart& part : parts) {
-      EXPECT_EQ(part.target, part.color == kPink);
+      EXPECT_EQ(part.target, part.color == kPinkBody);
     }
     EXPECT_LT(simulation::targetVolume(parts).centroid.norm(), 0.06) << "near the origin";
   }
 }
 
 TEST(ShapedObjects, AFistIsShorterThanAnOpenHand) {
-  const auto open = simulation::openingHand(0.0, kPink);
-  const auto closed = simulation::openingHand(1.0, kPink);
+  const auto open = simulation::openingHand(0.0, kPinkBody);
+  const auto closed = simulation::openingHand(1.0, kPinkBody);
   ASSERT_EQ(open.size(), closed.size());
   const auto reach = [](const std::vector<MovingPart>& parts) {
     float most = 0.0F;
@@ -66,7 +67,7 @@ TEST(ShapedObjects, AGrippingHandTouchesTheBall) {
 
 TEST(ShapedObjects, AShirtIsTrunkAndArms) {
   simulation::Walker walker;
-  walker.clothes.shirt = kPink;
+  walker.clothes.shirt = kPinkBody;
   walker.way = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
   const auto parts = simulation::shirtOnPerson(walker, 1.0);
   EXPECT_EQ(std::ranges::count_if(parts, &MovingPart::target), 5);

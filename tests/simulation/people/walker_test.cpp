@@ -13,7 +13,7 @@ using simulation::Posture;
 using simulation::Walker;
 
 /// Stands at the origin, and faces x.
-Walker standing(double height) {
+Walker standingAtOrigin(double height) {
   Walker walker;
   walker.height = height;
   walker.way = {{0.0, {0.0, 0.0}}};
@@ -21,7 +21,7 @@ Walker standing(double height) {
 }
 
 Walker taking(Posture posture, double height = 1.75) {
-  Walker walker = standing(height);
+  Walker walker = standingAtOrigin(height);
   walker.postures = {{1.0, posture}};
   return walker;
 }
@@ -29,7 +29,7 @@ Walker taking(Posture posture, double height = 1.75) {
 // The body that all scenes had before there were children and postures, which must not change: of
 // 1.75 m its parts are as the source gives them.
 TEST(Walker, AnAdultWhoStandsIsAsEver) {
-  const auto parts = bodyParts(standing(1.75), 0.0);
+  const auto parts = bodyParts(standingAtOrigin(1.75), 0.0);
   ASSERT_EQ(parts.size(), 12U); // head, hair, trunk, hips; per side thigh, shin, arm, forearm
   EXPECT_EQ(parts[0].center, simulation::Vector3f(0.0F, 0.0F, 1.61F));
   EXPECT_EQ(parts[0].halfSize, simulation::Vector3f(0.095F, 0.08F, 0.125F));
@@ -55,7 +55,7 @@ TEST(Walker, HasAChildsHeadBelowAnAdultsHeight) {
   EXPECT_NEAR(simulation::headShare(1.25), 0.5 * (0.19 + 1.0 / 7.0), 1e-12);
   // Of 0.9 m, the head is 0.171 m high and the top of the hair where it is in an adult: 1.755
   // / 1.75 of the height.
-  const auto parts = bodyParts(standing(0.9), 0.0);
+  const auto parts = bodyParts(standingAtOrigin(0.9), 0.0);
   EXPECT_NEAR(2.0F * parts[0].halfSize.z(), 0.171F, 1e-5F);
   EXPECT_NEAR(parts[1].center.z() + parts[1].halfSize.z(), 0.9 * 1.755 / 1.75, 1e-5);
   // The trunk ends below the head: no more of it is covered than in an adult, 0.015 of 1.75 m.
@@ -66,7 +66,7 @@ TEST(Walker, HasAChildsHeadBelowAnAdultsHeight) {
 
 TEST(Walker, IsAsTallAsItStands) {
   for (const double height : {0.9, 1.1, 1.75, 2.0}) {
-    EXPECT_EQ(standing(height).top(0.0), height);
+    EXPECT_EQ(standingAtOrigin(height).top(0.0), height);
   }
 }
 
@@ -107,7 +107,7 @@ TEST(Posture, ChangesSmoothly) {
 }
 
 TEST(Walker, HoldsABoxBeforeTheChest) {
-  Walker walker = standing(1.75);
+  Walker walker = standingAtOrigin(1.75);
   walker.load = simulation::Load();
   const auto parts = bodyParts(walker, 0.0);
   ASSERT_EQ(parts.size(), 13U);
@@ -121,7 +121,7 @@ TEST(Walker, HoldsABoxBeforeTheChest) {
 }
 
 TEST(Walker, CarriesABagBesideTheRightLeg) {
-  Walker walker = standing(1.75);
+  Walker walker = standingAtOrigin(1.75);
   walker.load = simulation::Load();
   walker.load->kind = simulation::Load::Kind::Bag;
   const BodyPart bag = bodyParts(walker, 0.0).back();

@@ -12,7 +12,7 @@ namespace {
 using namespace dewpoint::simulation;
 
 /// 80 x 60 pixels, one meter before the middle of the desk, looking along +Y.
-Camera smallCamera() {
+Camera cameraAtDesk() {
   Camera camera;
   camera.intrinsics = {80, 60, 87.5, 87.5, 39.5, 29.5};
   camera.cameraFromWorld = lookAt({0.5, -0.5, 0.35}, {0.5, 0.5, 0.35});
@@ -47,7 +47,7 @@ TEST(RoomDesign, AddsFurnitureWallsAndALamp) {
   EXPECT_EQ(Room(Furnishing::Desk).lamp(), kLampPosition);
   // From the camera to the front of the box: 1 m less its half size.
   EXPECT_NEAR(room.cast({0.5F, -0.5F, 0.35F}, Vector3f::UnitY()).distance, 0.9F, 1e-5F);
-  const RoomView view(smallCamera(), room);
+  const RoomView view(cameraAtDesk(), room);
   const auto& box = view.background.at<cv::Vec3f>(30, 40);
   EXPECT_GT(box[2], 5.0F * box[0]) << "red";
   const auto& wall = view.background.at<cv::Vec3f>(10, 5);
@@ -56,10 +56,10 @@ TEST(RoomDesign, AddsFurnitureWallsAndALamp) {
 
 TEST(ViewCache, RendersEachViewOnce) {
   ViewCache cache;
-  const auto first = cache.view(smallCamera(), Furnishing::Desk);
-  EXPECT_EQ(cache.view(smallCamera(), Furnishing::Desk), first);
-  EXPECT_NE(cache.view(smallCamera(), Furnishing::Hall), first);
-  Camera moved = smallCamera();
+  const auto first = cache.view(cameraAtDesk(), Furnishing::Desk);
+  EXPECT_EQ(cache.view(cameraAtDesk(), Furnishing::Desk), first);
+  EXPECT_NE(cache.view(cameraAtDesk(), Furnishing::Hall), first);
+  Camera moved = cameraAtDesk();
   moved.cameraFromWorld = lookAt({0.5, -0.6, 0.35}, {0.5, 0.5, 0.35});
   EXPECT_NE(cache.view(moved, Furnishing::Desk), first);
 }

@@ -15,7 +15,7 @@ namespace {
 using namespace dewpoint::simulation;
 
 /// A small camera one meter before (0.5, 0.5, 0.35), looking along +Y: world X is to the right.
-Camera smallCamera() {
+Camera stageCamera() {
   Camera camera;
   camera.name = "small";
   camera.intrinsics = {160, 120, 175.0, 175.0, 79.5, 59.5};
@@ -23,8 +23,8 @@ Camera smallCamera() {
   return camera;
 }
 
-std::shared_ptr<const RoomView> smallView() {
-  static const auto view = std::make_shared<const RoomView>(smallCamera(), Room(Furnishing::Desk));
+std::shared_ptr<const RoomView> stageView() {
+  static const auto view = std::make_shared<const RoomView>(stageCamera(), Room(Furnishing::Desk));
   return view;
 }
 
@@ -32,7 +32,7 @@ std::shared_ptr<const RoomView> smallView() {
 Stage stageWithBall(double speed) {
   Stage stage;
   stage.noiseSigma = 0.0;
-  stage.views = {smallView()};
+  stage.views = {stageView()};
   StageBody& ball = stage.bodies.emplace_back();
   ball.path = [speed](double time) { return Eigen::Vector3d(0.5 + speed * time, 0.5, 0.15); };
   stage.sensors.emplace_back();
@@ -96,7 +96,7 @@ TEST(CameraDrift, ShowsWhatTheRotatedCameraSees) {
   stage.sensors[0].drift = {{0.02, -0.01, 0.03}, 1.0};
   const double late = 100.0; // settled
   const cv::Mat image = renderStage(stage, 0, late, 0);
-  Camera rotated = smallCamera();
+  Camera rotated = stageCamera();
   const Eigen::Vector3d center = rotated.center();
   rotated.cameraFromWorld.linear() =
       rotated.cameraFromWorld.linear() * rotationAt(stage.sensors[0].drift, late);
@@ -121,7 +121,7 @@ TEST(CameraDrift, ShowsWhatTheRotatedCameraSees) {
 }
 
 TEST(Illumination, KnowsTheSurfacesOfTheRoom) {
-  const RoomView& view = *smallView();
+  const RoomView& view = *stageView();
   // Row 110: 50.5 pixels below the axis, so 0.35 m below the camera at 1.21 m: the desk.
   EXPECT_GT(surfaceNormal(view, 80, 110).z(), 0.99F);
   // The far wall, y = 2.3: it faces -Y. Row 40 is above everything on the desk.
@@ -129,7 +129,7 @@ TEST(Illumination, KnowsTheSurfacesOfTheRoom) {
 }
 
 TEST(Illumination, GainAndLampsAddUp) {
-  const RoomView& view = *smallView();
+  const RoomView& view = *stageView();
   Illumination light;
   light.roomGain = 0.5F;
   const RelitBackground half = relit(view, light);
@@ -175,8 +175,8 @@ TEST(Illumination, AShadowTakesTheLampAndMoves) {
   EXPECT_FLOAT_EQ(shadowAt(shadow, {0.5F, 0.0F, 0.0F}, 4.0), 0.0F);
   Illumination light;
   light.shadow = MovingShadow{Vector3f::UnitX(), 0.0, 0.0, 100.0F, 0.02F, 1.0F};
-  const RelitBackground background = relit(*smallView(), light);
-  const cv::Mat dark = backgroundAt(*smallView(), background, light, 0.0);
+  const RelitBackground background = relit(*stageView(), light);
+  const cv::Mat dark = backgroundAt(*stageView(), background, light, 0.0);
   EXPECT_LT(cv::norm(dark, background.ambient, cv::NORM_INF), 1e-3) << "everything in it";
   EXPECT_GT(cv::mean(background.direct)[1], 10.0) << "there was something to take";
 }
