@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFramesPerSecond = 30.0;
 
-Camera cameraAt(const std::string& name, const Eigen::Vector3d& position) {
+Camera cameraNamed(const std::string& name, const Eigen::Vector3d& position) {
   Camera camera;
   camera.name = name;
   camera.intrinsics = {320, 240, 350.0, 350.0, 159.5, 119.5};
@@ -30,8 +30,8 @@ struct Disk {
 };
 
 /// Disks on black, drawn with 4 fractional bits.
-FrameSetPtr pictureOf(const CameraRig& rig, std::int64_t index, const std::vector<Disk>& disks,
-                      const std::vector<std::size_t>& blind = {}) {
+FrameSetPtr diskPictures(const CameraRig& rig, std::int64_t index, const std::vector<Disk>& disks,
+                         const std::vector<std::size_t>& blind = {}) {
   FrameSet set{index, timeStamp(static_cast<double>(index) / kFramesPerSecond), {}};
   for (std::size_t k = 0; k < rig.size(); ++k) {
     cv::Mat image = cv::Mat::zeros(240, 320, CV_8UC3);
@@ -55,13 +55,13 @@ FrameSetPtr picture(const CameraRig& rig, std::int64_t index,
   for (const Eigen::Vector3d& ball : balls) {
     disks.push_back({ball, 6});
   }
-  return pictureOf(rig, index, disks, blind);
+  return diskPictures(rig, index, disks, blind);
 }
 
-ScenarioRun runWith(std::size_t targetCount) {
+ScenarioRun threeCameraRun(std::size_t targetCount) {
   ScenarioRun run;
-  run.rig = {cameraAt("a", {1.0, 0.0, 0.3}), cameraAt("b", {0.0, 1.0, 0.3}),
-             cameraAt("c", {-0.7, -0.7, 0.4})};
+  run.rig = {cameraNamed("a", {1.0, 0.0, 0.3}), cameraNamed("b", {0.0, 1.0, 0.3}),
+             cameraNamed("c", {-0.7, -0.7, 0.4})};
   for (std::size_t k = 0; k < targetCount; ++k) {
     run.targets.push_back(
         {"ball " + std::to_string(k), 0.02, ColorRange{350.0, 10.0, 0.5, 1.0, 0.1, 1.0}});
@@ -90,7 +90,7 @@ constexpr double kBound = 0.0015;
 constexpr double kCamShiftBound = 0.003;
 
 TEST(Baselines, FollowOneBall) {
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = threeCameraRun(1);
   for (const std::string method : {"triangulation", "triangulation-kalman", "camshift"}) {
     const auto tracker = make(method, run);
     EXPECT_FALSE(sphereOf(*tracker).valid);
@@ -109,7 +109,7 @@ TEST(Baselines, FollowOneBall) {
 }
 
 TEST(Baselines, NeedTwoCameras) {
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = threeCameraRun(1);
   const auto tracker = make("triangulation", run);
   const Eigen::Vector3d ball(0.01, 0.02, 0.03);
   EXPECT_TRUE(step(*tracker, picture(run.rig, 0, {ball}, {0})).front().valid);
@@ -119,7 +119,7 @@ TEST(Baselines, NeedTwoCameras) {
 }
 
 TEST(Baselines, TheKalmanFilterBridgesAGap) {
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = threeCameraRun(1);
   const auto tracker = make("triangulation-kalman", run);
   const auto ball = [](int k) { return Eigen::Vector3d(0.004 * k, 0.02, 0.0); };
   for (int k = 0; k < 20; ++k) {
@@ -137,7 +137,7 @@ TEST(Baselines, TheKalmanFilterBridgesAGap) {
 }
 
 TEST(Baselines, CamShiftStartsAnewWhenTheBallJumps) {
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = threeCameraRun(1);
   const auto tracker = make("camshift", run);
   step(*tracker, picture(run.rig, 0, {{0.0, 0.0, 0.0}}));
   const Eigen::Vector3d there(0.15, -0.1, 0.1);
@@ -147,7 +147,7 @@ TEST(Baselines, CamShiftStartsAnewWhenTheBallJumps) {
 }
 
 TEST(Baselines, KeepTwoBallsOfOneColorApart) {
-  const ScenarioRun run = runWith(2);
+  const ScenarioRun run = threeCameraRun(2);
   const auto tracker = make("triangulation", run);
   const auto left = [](int k) { return Eigen::Vector3d(-0.1 + 0.002 * k, 0.03, 0.0); };
   const auto right = [](int k) { return Eigen::Vector3d(0.1 - 0.002 * k, -0.04, 0.02); };
@@ -163,18 +163,18 @@ TEST(Baselines, KeepTwoBallsOfOneColorApart) {
 TEST(Baselines, TakeTheBallOfTheKnownSizeNotTheLargestBlob) {
   // 12 px looks 1.8 times too large: within the factor of 2, but (ln 1.8 / 0.2)² = 8.6 dearer in
   // each of three cameras. It is nearer to the start by at most 9.
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = threeCameraRun(1);
   for (const std::string method : {"triangulation", "triangulation-kalman", "camshift"}) {
     const auto tracker = make(method, run);
     const Eigen::Vector3d ball(0.1, -0.07, 0.06);
     const auto estimate =
-        step(*tracker, pictureOf(run.rig, 0, {{{0.0, 0.0, 0.0}, 12}, {ball, 6}})).front();
+        step(*tracker, diskPictures(run.rig, 0, {{{0.0, 0.0, 0.0}, 12}, {ball, 6}})).front();
     EXPECT_LT((estimate.mean - ball).norm(), kBound) << method;
   }
 }
 
 TEST(Baselines, StartAtTheBallInTheStartVolumeAndStayWithIt) {
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = threeCameraRun(1);
   const auto meant = [](int k) { return Eigen::Vector3d(0.1 - 0.002 * k, 0.05, 0.02); };
   const Eigen::Vector3d other(-0.1, -0.05, 0.0);
   run.startCenter = meant(0) + Eigen::Vector3d(0.02, -0.02, 0.02);
@@ -189,7 +189,7 @@ TEST(Baselines, StartAtTheBallInTheStartVolumeAndStayWithIt) {
 TEST(Baselines, TheGateKeepsTheKalmanFilterFromAnotherBall) {
   // Hidden for two frames: the other ball, 0.2 m away, is all there is. Triangulation takes it at
   // once, the filter predicts until the third refusal.
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = threeCameraRun(1);
   const Eigen::Vector3d ball(0.0, 0.0, 0.02);
   const Eigen::Vector3d other(0.15, -0.13, 0.02);
   const auto plain = make("triangulation", run);
@@ -212,7 +212,7 @@ TEST(Baselines, TheGateKeepsTheKalmanFilterFromAnotherBall) {
 TEST(Baselines, CsrtFollowsTheBoxOfTheFirstBlob) {
   // Its box moves by whole pixels and its size is its own affair: the ball's radius, 20 mm, is a
   // bound that says that the boxes still lie on it.
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = threeCameraRun(1);
   run.rig.pop_back();
   const auto tracker = make("csrt", run);
   for (int k = 0; k < 4; ++k) {
@@ -225,7 +225,7 @@ TEST(Baselines, CsrtFollowsTheBoxOfTheFirstBlob) {
 }
 
 TEST(Baselines, FollowersWaitForACameraWithoutImagesAndJoinAgain) {
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = threeCameraRun(1);
   const auto tracker = make("camshift", run);
   const Eigen::Vector3d ball(0.01, 0.02, 0.03);
   EXPECT_EQ(step(*tracker, picture(run.rig, 0, {ball}, {2})).front().camerasSeeing, 2);
@@ -237,7 +237,7 @@ TEST(Baselines, FollowersWaitForACameraWithoutImagesAndJoinAgain) {
 }
 
 TEST(Baselines, TwoIdenticalTargetsHaveFollowersOfTheirOwn) {
-  const ScenarioRun run = runWith(2);
+  const ScenarioRun run = threeCameraRun(2);
   const auto tracker = make("camshift", run);
   const Eigen::Vector3d one(-0.1, 0.03, 0.0);
   const Eigen::Vector3d two(0.1, -0.04, 0.02);
@@ -250,7 +250,7 @@ TEST(Baselines, TwoIdenticalTargetsHaveFollowersOfTheirOwn) {
 
 TEST(Baselines, BarreraStartsInWhatTheCamerasSee) {
   // The run's start is a point; the paper's particles would all start there.
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = threeCameraRun(1);
   run.startCenter = {0.1, 0.1, 0.1};
   for (const std::string method : {"barrera", "dynamics"}) {
     const auto tracker = make(method, run);
@@ -271,9 +271,9 @@ TEST(Baselines, AreListedAndOthersRefused) {
   for (const std::string method :
        {"barrera", "dynamics", "triangulation", "triangulation-kalman", "camshift", "csrt"}) {
     EXPECT_EQ(std::ranges::count(methods, method), 1) << method;
-    EXPECT_TRUE(makeSuiteTracker(method, runWith(1)).has_value()) << method;
+    EXPECT_TRUE(makeSuiteTracker(method, threeCameraRun(1)).has_value()) << method;
   }
-  const auto refused = makeSuiteTracker("magic", runWith(1));
+  const auto refused = makeSuiteTracker("magic", threeCameraRun(1));
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::NotFound);
 }

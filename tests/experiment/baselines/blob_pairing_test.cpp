@@ -10,10 +10,10 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kRadius = 0.05; // of the target, meters
+constexpr double kTargetRadius = 0.05; // of the target, meters
 
 /// Focal length 1000 px, 1 m from the origin: 1 mm there is 1 px.
-Camera cameraAt(const Eigen::Vector3d& position) {
+Camera millimeterCamera(const Eigen::Vector3d& position) {
   Camera camera;
   camera.intrinsics = {1001, 1001, 1000.0, 1000.0, 500.0, 500.0};
   camera.cameraFromWorld = lookAt(position, {0, 0, 0});
@@ -21,13 +21,14 @@ Camera cameraAt(const Eigen::Vector3d& position) {
 }
 
 CameraRig threeCameras() {
-  return {cameraAt({1, 0, 0}), cameraAt({0, 1, 0}), cameraAt({-0.6, -0.8, 0})};
+  return {millimeterCamera({1, 0, 0}), millimeterCamera({0, 1, 0}),
+          millimeterCamera({-0.6, -0.8, 0})};
 }
 
 /// The blob of a ball, moved by some pixels, and with its size times a factor.
 Blob blobOf(const Camera& camera, const Eigen::Vector3d& ball, double factor = 1.0,
             const Eigen::Vector2d& moved = Eigen::Vector2d::Zero()) {
-  const double radiusPx = factor * SphereProjector(camera).project(ball, kRadius)->radius;
+  const double radiusPx = factor * SphereProjector(camera).project(ball, kTargetRadius)->radius;
   Blob blob;
   blob.center = *Projector(camera).project(ball) + moved;
   blob.area = static_cast<int>(std::lround(std::numbers::pi * radiusPx * radiusPx));
@@ -47,7 +48,7 @@ std::vector<CameraBlobs> seen(const CameraRig& rig, const std::vector<Eigen::Vec
   return cameras;
 }
 
-CameraRig twoCameras() {
+CameraRig twoOfThreeCameras() {
   CameraRig rig = threeCameras();
   rig.pop_back();
   return rig;
@@ -56,10 +57,10 @@ CameraRig twoCameras() {
 TEST(BlobPairing, PairsBlobsWhoseRaysMeet) {
   // One ball 100 mm above the other: rays of different balls miss each other by about 100 px, 50
   // from the point between them; 25 are allowed for a radius of 50 px.
-  const CameraRig rig = twoCameras();
+  const CameraRig rig = twoOfThreeCameras();
   const Eigen::Vector3d low(0.05, 0.02, -0.05);
   const Eigen::Vector3d high(-0.03, 0.04, 0.05);
-  const auto pairs = BlobPairing(rig).pair(seen(rig, {low, high}), kRadius, 1);
+  const auto pairs = BlobPairing(rig).pair(seen(rig, {low, high}), kTargetRadius, 1);
   ASSERT_EQ(pairs.size(), 2U);
   EXPECT_LT((pairs[0].point.position - low).norm(), 1e-9);
   EXPECT_LT((pairs[1].point.position - high).norm(), 1e-9);
@@ -71,7 +72,7 @@ TEST(BlobPairing, JoinsFurtherCamerasAndMissesThoseThatShouldSeeIt) {
   const Eigen::Vector3d ball(0.01, 0.02, 0.03);
   auto cameras = seen(rig, {ball});
   const auto cheapest = [&] {
-    const auto pairs = BlobPairing(rig).pair(cameras, kRadius, 1);
+    const auto pairs = BlobPairing(rig).pair(cameras, kTargetRadius, 1);
     return *std::ranges::min_element(pairs, {}, &PairedBlobs::cost);
   };
   EXPECT_EQ(cheapest().point.bearings.size(), 3U);
@@ -85,13 +86,13 @@ TEST(BlobPairing, JoinsFurtherCamerasAndMissesThoseThatShouldSeeIt) {
 
 TEST(BlobPairing, TheKnownSizeCountsInEachCamera) {
   // 1.5 times too large in both: 2 (ln 1.5 / 0.2)² = 8.220; 2.2 times: refused.
-  const CameraRig rig = twoCameras();
+  const CameraRig rig = twoOfThreeCameras();
   const auto pairsAt = [&](double factor) {
     std::vector<CameraBlobs> cameras;
     for (const Camera& camera : rig) {
       cameras.push_back({true, {blobOf(camera, {0, 0, 0}, factor)}});
     }
-    return BlobPairing(rig).pair(cameras, kRadius, 1);
+    return BlobPairing(rig).pair(cameras, kTargetRadius, 1);
   };
   ASSERT_EQ(pairsAt(1.5).size(), 1U);
   EXPECT_NEAR(pairsAt(1.5).front().cost, 8.220, 0.01);
@@ -104,7 +105,7 @@ TEST(BlobPairing, TheKnownSizeCountsInEachCamera) {
 TEST(BlobPairing, AnUnknownSizeMustBeTheSameInAllCameras) {
   // 1.5 times larger in one than in the other: each is ln 1.5 / 2 from the mean, together
   // 2 (0.2027 / 0.2)² = 2.055. 4.5 times: each is off by more than 2.
-  const CameraRig rig = twoCameras();
+  const CameraRig rig = twoOfThreeCameras();
   const auto pairsAt = [&](double factor) {
     return BlobPairing(rig).pair(
         {{true, {blobOf(rig[0], {0, 0, 0}, factor)}}, {true, {blobOf(rig[1], {0, 0, 0})}}}, 0.0, 1);
@@ -117,7 +118,7 @@ TEST(BlobPairing, AnUnknownSizeMustBeTheSameInAllCameras) {
 TEST(BlobPairing, LargeBlobsMayMissEachOtherByMore) {
   // At the origin 50 mm look 50 px large: 25 px are allowed. 40 px of height between the two
   // cameras are 20 for each: 0.8 of what is allowed, 4 * 0.8² = 2.56. A blob of 2 px: 4 px allowed.
-  const CameraRig rig = twoCameras();
+  const CameraRig rig = twoOfThreeCameras();
   const auto pairsAt = [&](double height, double factor) {
     return BlobPairing(rig).pair({{true, {blobOf(rig[0], {0, 0, 0}, factor, {0.0, height})}},
                                   {true, {blobOf(rig[1], {0, 0, 0}, factor)}}},
@@ -131,14 +132,14 @@ TEST(BlobPairing, LargeBlobsMayMissEachOtherByMore) {
 }
 
 TEST(BlobPairing, FindsTheBlobOfAPosition) {
-  const CameraRig rig = twoCameras();
+  const CameraRig rig = twoOfThreeCameras();
   const BlobPairing pairing(rig);
   const Eigen::Vector3d ball(0.01, 0.02, 0.03);
   const std::vector<Blob> blobs{blobOf(rig[0], {0.0, 0.3, 0.0}), blobOf(rig[0], ball, 3.0),
                                 blobOf(rig[0], ball, 0.8, {5.0, 0.0})};
-  EXPECT_EQ(pairing.blobAt(0, blobs, ball, kRadius), 2U) << "the second is too large";
+  EXPECT_EQ(pairing.blobAt(0, blobs, ball, kTargetRadius), 2U) << "the second is too large";
   EXPECT_EQ(pairing.blobAt(0, blobs, ball, 0.0), 1U) << "which is not known here";
-  EXPECT_FALSE(pairing.blobAt(0, blobs, {0.0, -0.3, 0.0}, kRadius).has_value());
+  EXPECT_FALSE(pairing.blobAt(0, blobs, {0.0, -0.3, 0.0}, kTargetRadius).has_value());
 }
 
 /// Something that camera 0's blob and camera 1's blob show; its position is exact.

@@ -15,12 +15,12 @@ Camera cameraAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target) 
 }
 
 /// At 1 m from the origin on x and on y, both looking at it: their axes meet there.
-CameraRig twoCameras() {
+CameraRig crossedCameras() {
   return {cameraAt({1, 0, 0}, {0, 0, 0}), cameraAt({0, 1, 0}, {0, 0, 0})};
 }
 
 TEST(CommonView, IsWhatAllCamerasSee) {
-  CameraRig rig = twoCameras();
+  CameraRig rig = crossedCameras();
   const auto both = commonView(rig);
   ASSERT_TRUE(both.has_value());
   EXPECT_NEAR(both->center.x() + both->half.x(), 0.6, 0.06);
@@ -33,7 +33,7 @@ TEST(CommonView, IsWhatAllCamerasSee) {
 }
 
 TEST(CommonView, IsThatOfTwoWhereAThirdLooksAway) {
-  CameraRig rig = twoCameras();
+  CameraRig rig = crossedCameras();
   rig.push_back(cameraAt({0, 0, 5}, {5, 0, 5}));
   const auto view = commonView(rig);
   ASSERT_TRUE(view.has_value());
@@ -50,7 +50,7 @@ TEST(CommonView, NeedsTwoCamerasThatSeeSomethingTogether) {
 
 TEST(StartFromRig, IsThePartOfTheRunsVolumeThatTheCamerasSee) {
   ScenarioRun run;
-  run.rig = twoCameras();
+  run.rig = crossedCameras();
   run.startCenter = {0.5, 0.0, 0.0};
   run.startHalf = {0.5, 0.1, 5.0};
   const StartVolume start = startFromRig(run);
@@ -63,7 +63,7 @@ TEST(StartFromRig, IsThePartOfTheRunsVolumeThatTheCamerasSee) {
 
 TEST(StartFromRig, IsAllThatTheCamerasSeeForAPoint) {
   ScenarioRun run;
-  run.rig = twoCameras();
+  run.rig = crossedCameras();
   run.startCenter = {0.5, 0.0, 0.0};
   const StartVolume start = startFromRig(run);
   const auto view = commonView(run.rig);
@@ -74,7 +74,7 @@ TEST(StartFromRig, IsAllThatTheCamerasSeeForAPoint) {
 
 TEST(StartFromRig, IsTheRunsOwnWhereNothingIsSeen) {
   ScenarioRun run;
-  run.rig = twoCameras();
+  run.rig = crossedCameras();
   run.startCenter = {8.0, 0.0, 0.0};
   run.startHalf = {1.0, 1.0, 1.0};
   EXPECT_EQ(startFromRig(run).center, run.startCenter);

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/metrics/event_metrics.h"
+#include "tests/base/not_a_number.h"
 #include "tests/experiment/metrics/track_frames.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string_view>
 #include <vector>
 
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kGate = 0.03;
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEventGate = 0.03;
 
 /// One letter a frame, numbered from 100: f followed, w wrong (1 m off), n declared but nowhere,
 /// u undeclared; a absent and rightly undeclared, g absent but declared (a ghost).
@@ -46,12 +45,13 @@ TEST(EventMetrics, TargetFramesPickOneIdentity) {
 }
 
 TEST(EventMetrics, FramesToConverge) {
-  EXPECT_EQ(framesToConverge(targetStory("fffff"), kGate), 0);
-  EXPECT_EQ(framesToConverge(targetStory("wwfffff"), kGate), 2);
-  EXPECT_EQ(framesToConverge(targetStory("ffffwfffff"), kGate), 5); // four in a row are too few
-  EXPECT_EQ(framesToConverge(targetStory("ffuffnfffff"), kGate), 6);
-  EXPECT_EQ(framesToConverge(targetStory("ffffwffff"), kGate), std::nullopt);
-  EXPECT_EQ(framesToConverge({}, kGate), std::nullopt);
+  EXPECT_EQ(framesToConverge(targetStory("fffff"), kEventGate), 0);
+  EXPECT_EQ(framesToConverge(targetStory("wwfffff"), kEventGate), 2);
+  EXPECT_EQ(framesToConverge(targetStory("ffffwfffff"), kEventGate),
+            5); // four in a row are too few
+  EXPECT_EQ(framesToConverge(targetStory("ffuffnfffff"), kEventGate), 6);
+  EXPECT_EQ(framesToConverge(targetStory("ffffwffff"), kEventGate), std::nullopt);
+  EXPECT_EQ(framesToConverge({}, kEventGate), std::nullopt);
 }
 
 // The gate itself is outside, as in core/trajectory's evaluation.
@@ -65,11 +65,11 @@ TEST(EventMetrics, TheGateIsOutside) {
 
 TEST(EventMetrics, FramesToReacquireCountFromTheEvent) {
   const auto jump = targetStory("ffffffwwwfffff"); // jump at frame 106
-  EXPECT_EQ(framesToReacquire(jump, 106, kGate), 3);
-  EXPECT_EQ(framesToReacquire(jump, 100, kGate), 0);
-  EXPECT_EQ(framesToReacquire(jump, 109, kGate), 0);
-  EXPECT_EQ(framesToReacquire(jump, 110, kGate), std::nullopt); // four frames are left
-  EXPECT_EQ(framesToReacquire(jump, 500, kGate), std::nullopt);
+  EXPECT_EQ(framesToReacquire(jump, 106, kEventGate), 3);
+  EXPECT_EQ(framesToReacquire(jump, 100, kEventGate), 0);
+  EXPECT_EQ(framesToReacquire(jump, 109, kEventGate), 0);
+  EXPECT_EQ(framesToReacquire(jump, 110, kEventGate), std::nullopt); // four frames are left
+  EXPECT_EQ(framesToReacquire(jump, 500, kEventGate), std::nullopt);
 }
 
 TEST(EventMetrics, FramesToDeclareLoss) {
@@ -82,7 +82,7 @@ TEST(EventMetrics, FramesToDeclareLoss) {
 
 // Of eight frames two are without target: w, n and u of the other six are lost.
 TEST(EventMetrics, LostFrames) {
-  const Proportion lost = lostFrames(targetStory("ffwnufag"), kGate);
+  const Proportion lost = lostFrames(targetStory("ffwnufag"), kEventGate);
   EXPECT_EQ(lost.count, 3);
   EXPECT_EQ(lost.total, 6);
   EXPECT_DOUBLE_EQ(lost.value(), 0.5);
@@ -92,16 +92,16 @@ TEST(EventMetrics, LostFrames) {
 TEST(EventMetrics, InvisibleFramesAreNotLost) {
   auto frames = targetStory("fuuf");
   frames[1].visible = false;
-  EXPECT_EQ(lostFrames(frames, kGate).count, 1);
-  EXPECT_EQ(lostFrames(frames, kGate).total, 3);
+  EXPECT_EQ(lostFrames(frames, kEventGate).count, 1);
+  EXPECT_EQ(lostFrames(frames, kEventGate).total, 3);
 }
 
 // w, n and g are false alarms; undeclared frames are not.
 TEST(EventMetrics, FalseAlarms) {
-  const Proportion alarms = falseAlarmFrames(story("ffwnufag"), kGate);
+  const Proportion alarms = falseAlarmFrames(story("ffwnufag"), kEventGate);
   EXPECT_EQ(alarms.count, 3);
   EXPECT_EQ(alarms.total, 8);
-  EXPECT_EQ(falseAlarmFrames({}, kGate).total, 0);
+  EXPECT_EQ(falseAlarmFrames({}, kEventGate).total, 0);
 }
 
 // Any truth will do: an estimate that swapped to the neighbor is no false alarm. A frame counts
@@ -110,7 +110,7 @@ TEST(EventMetrics, FalseAlarmsLookAtAllTruths) {
   const std::vector<TrackFrame> frames{
       frameOnAxis({{1, 0.0}, {2, 5.0}}, {{7, 5.01}, {8, 5.02}}),
       frameOnAxis({{1, 0.0}, {2, 5.0}}, {{7, 0.0}, {8, 2.0}, {9, 3.0}})};
-  EXPECT_EQ(falseAlarmFrames(frames, kGate).count, 1);
+  EXPECT_EQ(falseAlarmFrames(frames, kEventGate).count, 1);
 }
 
 } // namespace

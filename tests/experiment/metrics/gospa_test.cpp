@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/metrics/gospa.h"
+#include "tests/base/not_a_number.h"
 #include "tests/experiment/metrics/track_frames.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 const GospaSetup kUnit{1.0, 2.0}; // cutoff 1 m, p = 2: a missed or false target costs 1/2
 
 TEST(Gospa, EmptySetsAreEqual) {

@@ -10,7 +10,7 @@
 namespace dewpoint::tests {
 namespace {
 
-constexpr double kGate = 0.03;
+constexpr double kConfidenceGate = 0.03;
 
 /// A belief in a target at the origin that is `error` meters off along x; standard deviations of 1,
 /// 2 and 2 mm state a radius of sqrt(1 + 4 + 4) = 3 mm, and three of them are 9 mm.
@@ -43,12 +43,12 @@ TEST(Overconfidence, AnAbsentTargetIsNoExcuse) {
   StatedBelief belief = beliefOff(0.0);
   belief.truth.reset();
   EXPECT_TRUE(isSureAndWrong(belief));
-  EXPECT_TRUE(isWrong(belief, kGate));
+  EXPECT_TRUE(isWrong(belief, kConfidenceGate));
   belief.probability = 0.6;
   EXPECT_FALSE(isSureAndWrong(belief));
-  EXPECT_TRUE(isWrong(belief, kGate)) << "declared, though not sure";
+  EXPECT_TRUE(isWrong(belief, kConfidenceGate)) << "declared, though not sure";
   belief.declared = false;
-  EXPECT_FALSE(isWrong(belief, kGate));
+  EXPECT_FALSE(isWrong(belief, kConfidenceGate));
 }
 
 TEST(Overconfidence, NothingUsableIsNoExcuseEither) {
@@ -59,7 +59,7 @@ TEST(Overconfidence, NothingUsableIsNoExcuseEither) {
   EXPECT_TRUE(isSureAndWrong(belief));
   belief = beliefOff(std::numeric_limits<double>::quiet_NaN());
   EXPECT_TRUE(isSureAndWrong(belief));
-  EXPECT_TRUE(isWrong(belief, kGate));
+  EXPECT_TRUE(isWrong(belief, kConfidenceGate));
   belief = beliefOff(0.0);
   belief.covariance.setZero();
   EXPECT_FALSE(isSureAndWrong(belief)) << "exactly right";
@@ -70,14 +70,14 @@ TEST(Overconfidence, SharesAreOfAllBeliefs) {
   // not sure; nothing stated, 40 mm off.
   const std::vector<StatedBelief> beliefs{beliefOff(0.001), beliefOff(0.020), beliefOff(0.040),
                                           beliefOff(0.040, 0.8), beliefOff(0.040, 0.2)};
-  const Overconfidence result = overconfidence(beliefs, kGate);
+  const Overconfidence result = overconfidence(beliefs, kConfidenceGate);
   EXPECT_EQ(result.wrong.count, 2);
   EXPECT_EQ(result.wrongWhenSure.count, 1);
   EXPECT_EQ(result.sureAndWrong.count, 2);
   for (const Proportion& share : {result.wrong, result.wrongWhenSure, result.sureAndWrong}) {
     EXPECT_EQ(share.total, 5);
   }
-  EXPECT_TRUE(std::isnan(overconfidence({}, kGate).wrong.value()));
+  EXPECT_TRUE(std::isnan(overconfidence({}, kConfidenceGate).wrong.value()));
 }
 
 } // namespace

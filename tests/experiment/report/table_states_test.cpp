@@ -29,7 +29,7 @@ constexpr std::array<const char*, 5> kPages{"docs/accuracy.md", "docs/measuremen
 /// Tables of times, and those that no method has a part in.
 constexpr std::array<std::string_view, 3> kNotCompared{"people-speed", "lazy-color", "cone"};
 
-std::string pageOf(const std::string& file) {
+std::string documentText(const std::string& file) {
   return readTextFile(std::filesystem::path(DEWPOINT_SOURCE_DIR) / file).value_or("");
 }
 
@@ -37,7 +37,7 @@ const std::vector<TableState>& documentedTables() {
   static const std::vector<TableState> all = [] {
     std::vector<TableState> tables;
     for (const char* file : kPages) {
-      const auto found = tableStates(file, pageOf(file));
+      const auto found = tableStates(file, documentText(file));
       tables.insert(tables.end(), found.begin(), found.end());
     }
     return tables;
@@ -93,7 +93,7 @@ TEST_P(DocumentedTable, SaysWhatItIsOf) {
   EXPECT_FALSE(table.commit.ends_with("-dirty"))
       << table.file << ": the table '" << table.name << "' is of sources that were never committed";
   if (table.older) {
-    ASSERT_TRUE(saysNotMade(pageOf(table.file)))
+    ASSERT_TRUE(saysNotMade(documentText(table.file)))
         << table.file << ": the table '" << table.name
         << "' is of an older state, and the page does not say: " << kNotMade;
     GTEST_SKIP() << table.file << ": the table '" << table.name << "' is of an older state (commit "
@@ -180,7 +180,7 @@ TEST(TableStates, APageSaysOnlyAsLongAsItIsTrueThatTablesAreNotMade) {
     const bool anyOlder = std::ranges::any_of(documentedTables(), [&](const TableState& table) {
       return table.file == file && table.older;
     });
-    EXPECT_EQ(saysNotMade(pageOf(file)), anyOlder) << file;
+    EXPECT_EQ(saysNotMade(documentText(file)), anyOlder) << file;
   }
 }
 

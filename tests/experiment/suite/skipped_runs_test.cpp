@@ -63,7 +63,7 @@ std::vector<ScenarioDeclaration> catalogWithGaps() {
           without("S1-none", [](std::uint64_t) { return true; })};
 }
 
-SuiteRequest requestFor(const std::vector<ScenarioDeclaration>& catalog) {
+SuiteRequest wildRequest(const std::vector<ScenarioDeclaration>& catalog) {
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.methods = *selectMethods({"triangulation"});
@@ -108,7 +108,7 @@ TEST(SkippedRuns, AreFoundByScenarioGradeAndSeed) {
 TEST(SkippedRuns, DoNotStopTheOthers) {
   const test::TemporaryFolder folder;
   const auto catalog = catalogWithGaps();
-  const SuiteRequest request = requestFor(catalog);
+  const SuiteRequest request = wildRequest(catalog);
   auto store = SuiteStore::open(folder / "out");
   ASSERT_TRUE(store.has_value());
   ASSERT_TRUE(runInto(*store, request).has_value());
@@ -140,7 +140,7 @@ TEST(SkippedRuns, DoNotStopTheOthers) {
 
 TEST(SkippedRuns, AreErrorsWhereNobodyTakesThem) {
   const auto catalog = catalogWithGaps();
-  const auto jobs = planSuite(requestFor(catalog), {});
+  const auto jobs = planSuite(wildRequest(catalog), {});
   const auto sink = [](const SuiteResult&) { return Status(); };
   const auto run = runSuite(jobs, 1, sink, kNever);
   ASSERT_FALSE(run.has_value());
@@ -151,7 +151,7 @@ TEST(SkippedRuns, AreNotWhatOtherErrorsAndRecordingsGive) {
   auto catalog = catalogWithGaps();
   const auto skip = [](const SuiteJob&, const SkippedRun&) { return Status(); };
   const auto sink = [](const SuiteResult&) { return Status(); };
-  SuiteRequest request = requestFor(catalog);
+  SuiteRequest request = wildRequest(catalog);
   catalog[0].make = [](std::uint64_t, Grade) -> Result<ScenarioRun> {
     return failure(ErrorCode::FileMissing, "a.png", "", "");
   };

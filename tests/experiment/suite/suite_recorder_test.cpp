@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t kFrames = 20;
 
 /// Targets at rest at (0, 0, 0), (1, 0, 0), ...; the camera looks along +y.
-ScenarioRun runWith(std::size_t targetCount) {
+ScenarioRun restingRun(std::size_t targetCount) {
   ScenarioRun run;
   run.scenario = "S0-test";
   run.seed = 5;
@@ -45,7 +45,7 @@ TEST(SuiteRecorder, SplitsAConstantError) {
   // 4 mm along the camera's axis and 3 mm across: 5 mm in all; normalized with 3 mm per axis it is
   // 25 / 9, inside the 95 % ellipsoid (7.81) but outside the 50 % one (2.37). The stated radius is
   // sqrt(3) * 3 mm = 5.2 mm.
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = restingRun(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     recorder.add({estimateAt({0.003, 0.004, 0.0})});
@@ -78,7 +78,7 @@ TEST(SuiteRecorder, SplitsAConstantError) {
 
 TEST(SuiteRecorder, CountsFromConvergenceOn) {
   // 4 frames far away, 11 good ones, 5 without an estimate.
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = restingRun(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({k < 4 ? 0.5 : 0.002, 0.0, 0.0});
@@ -99,7 +99,7 @@ TEST(SuiteRecorder, CountsFromConvergenceOn) {
 }
 
 TEST(SuiteRecorder, NeverConvergedIsInfinite) {
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = restingRun(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     recorder.add({SphereEstimate{}});
@@ -114,7 +114,7 @@ TEST(SuiteRecorder, NeverConvergedIsInfinite) {
 TEST(SuiteRecorder, TellsSureFromWrong) {
   // Of 20 frames: 8 right, 4 wrong by 50 mm and sure, 3 as wrong with P = 0.9, 5 sure and 20 mm off
   // at a stated radius of sqrt(3) * 3 mm = 5.2 mm, three of which are 15.6 mm.
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = restingRun(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({k < 8 ? 0.0 : k < 15 ? 0.05 : 0.02, 0.0, 0.0});
@@ -130,7 +130,7 @@ TEST(SuiteRecorder, TellsSureFromWrong) {
 TEST(SuiteRecorder, JitterIsTheNoiseOfSuccessiveFrames) {
   // From convergence on 2, 0, 2, 0, ... mm: second differences of 4 mm, sqrt(16 / 6). In the middle
   // a frame without an estimate: the differences about it are left out.
-  const ScenarioRun run = runWith(1);
+  const ScenarioRun run = restingRun(1);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     SphereEstimate estimate = estimateAt({k < 3 ? 0.5 : k % 2 == 0 ? 0.002 : 0.0, 0.0, 0.0});
@@ -144,7 +144,7 @@ TEST(SuiteRecorder, JitterIsTheNoiseOfSuccessiveFrames) {
 TEST(SuiteRecorder, ComparesWithTheExtent) {
   // An ellipsoid with semi-axes of 80, 20 and 20 mm: a quarter is 20 mm; the ball of its volume has
   // 32 mm. 10 frames 10 mm off, 6 frames 25 mm, 4 without an estimate.
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = restingRun(1);
   run.targets[0].radius = 0.0;
   run.extents.assign(run.truth.samples.size(), {0.032, {0.08, 0.02, 0.02}});
   SuiteRecorder recorder(run, "test");
@@ -162,7 +162,7 @@ TEST(SuiteRecorder, ComparesWithTheExtent) {
 }
 
 TEST(SuiteRecorder, SizeCountsWhereItIsEstimated) {
-  ScenarioRun run = runWith(1); // the radius is given
+  ScenarioRun run = restingRun(1); // the radius is given
   SuiteRecorder without(run, "test");
   run.extents.assign(run.truth.samples.size(), {0.02, {0.02, 0.02, 0.02}});
   SuiteRecorder given(run, "test");
@@ -185,7 +185,7 @@ TEST(SuiteRecorder, SizeCountsWhereItIsEstimated) {
 
 TEST(SuiteRecorder, NobodyMayBeSureOfATie) {
   // Of 20 frames: 12 with P = 0.5, 5 with 0.9, 3 silent. The estimate is always right.
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = restingRun(1);
   const auto rowOf = [&](int equalCandidates) {
     run.equalCandidates = equalCandidates;
     SuiteRecorder recorder(run, "test");
@@ -204,7 +204,7 @@ TEST(SuiteRecorder, NobodyMayBeSureOfATie) {
 }
 
 TEST(SuiteRecorder, MeasuresEvents) {
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = restingRun(1);
   using Kind = ScenarioEvent::Kind;
   run.events = {{Kind::BlackoutBegin, 6, 0}, {Kind::BlackoutEnd, 8, 0}, {Kind::CameraLost, 12, 0}};
   SuiteRecorder recorder(run, "test");
@@ -221,7 +221,7 @@ TEST(SuiteRecorder, MeasuresEvents) {
 }
 
 TEST(SuiteRecorder, FramesOutOfViewAreNotLost) {
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = restingRun(1);
   using Kind = ScenarioEvent::Kind;
   run.events = {{Kind::UnseenBegin, 6, 0}, // one camera of several: the target is still to be seen
                 {Kind::UnseenBegin, 8, -1},
@@ -241,7 +241,7 @@ TEST(SuiteRecorder, FramesOutOfViewAreNotLost) {
 }
 
 TEST(SuiteRecorder, LossHasToBeDeclared) {
-  ScenarioRun run = runWith(1);
+  ScenarioRun run = restingRun(1);
   run.events = {{ScenarioEvent::Kind::Vanish, 10, -1}};
   for (TrajectorySample& sample : run.truth.samples) {
     sample.valid = sample.frame < 10;
@@ -264,7 +264,7 @@ TEST(SuiteRecorder, LossHasToBeDeclared) {
 
 TEST(SuiteRecorder, NamesOfIdenticalTargetsAreTheMethods) {
   // The method has the two the other way round all the time, then mixes them up for 4 frames.
-  const ScenarioRun run = runWith(2);
+  const ScenarioRun run = restingRun(2);
   SuiteRecorder recorder(run, "test");
   for (std::int64_t k = 0; k < kFrames; ++k) {
     const bool mixed = k >= 16;

@@ -8,16 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
-#include <sstream>
 
 namespace dewpoint::tests {
 namespace {
-
-std::string contents(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 /// Three scenarios of grade room, of which one has 46 % inside the 95 % ellipsoid.
 MadeResults roomResults() {

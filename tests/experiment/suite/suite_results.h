@@ -4,6 +4,9 @@
 #include "core/experiment/suite/suite_summary.h"
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -34,5 +37,12 @@ struct MadeResults {
   }
   std::vector<SuiteCell> cells() const { return summarizeSuite(results, order); }
 };
+
+/// What stands in a file of the suite.
+inline std::string contents(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
 
 } // namespace dewpoint::tests

@@ -4,12 +4,12 @@
 #include "core/geometry/projector.h"
 #include "core/simulation/scene/scene.h"
 #include "tests/capture/temporary_folder.h"
+#include "tests/experiment/suite/suite_results.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
 #include <fstream>
-#include <sstream>
 
 namespace dewpoint::tests {
 namespace {
@@ -71,7 +71,7 @@ std::vector<ScenarioDeclaration> smallCatalog() {
   return catalog;
 }
 
-SuiteRequest requestFor(const std::vector<ScenarioDeclaration>& catalog) {
+SuiteRequest idealRequest(const std::vector<ScenarioDeclaration>& catalog) {
   SuiteRequest request;
   request.scenarios = *selectScenarios(catalog, {});
   request.methods = *selectMethods({"triangulation", "barrera"});
@@ -84,12 +84,6 @@ SuiteRequest requestFor(const std::vector<ScenarioDeclaration>& catalog) {
 std::string withoutTime(SuiteRow row) {
   row.usPerFrame.reset();
   return rowText(row);
-}
-
-std::string contents(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 const auto kGoOn = [] { return false; };
@@ -114,7 +108,7 @@ TEST(SuiteRunner, SelectsByFamilyAndName) {
 
 TEST(SuiteRunner, PlansWhatIsNotDone) {
   const auto catalog = smallCatalog();
-  SuiteRequest request = requestFor(catalog);
+  SuiteRequest request = idealRequest(catalog);
   EXPECT_EQ(runCount(planSuite(request, {})), 3 * 2 * 2); // scenarios, seeds, methods
   SuiteResults done;
   done[{"S0-fast", Grade::Ideal, "barrera", 2}] = {};
@@ -128,7 +122,7 @@ TEST(SuiteRunner, PlansWhatIsNotDone) {
 
 TEST(SuiteRunner, GivesTheSameForAnyNumberOfThreads) {
   const auto catalog = smallCatalog();
-  const auto jobs = planSuite(requestFor(catalog), {});
+  const auto jobs = planSuite(idealRequest(catalog), {});
   const auto rowsWith = [&](int threads) {
     std::map<RunKey, std::string> rows;
     const auto sink = [&](const SuiteResult& result) -> Status {
@@ -145,7 +139,7 @@ TEST(SuiteRunner, GivesTheSameForAnyNumberOfThreads) {
 
 TEST(SuiteRunner, StopsCleanlyAndPassesErrorsOn) {
   const auto catalog = smallCatalog();
-  const auto jobs = planSuite(requestFor(catalog), {});
+  const auto jobs = planSuite(idealRequest(catalog), {});
   int results = 0;
   const auto count = [&](const SuiteResult&) -> Status {
     ++results;
@@ -162,7 +156,7 @@ TEST(SuiteRunner, StopsCleanlyAndPassesErrorsOn) {
 TEST(SuiteStore, GoesOnAfterATruncatedLine) {
   const test::TemporaryFolder folder;
   const auto catalog = smallCatalog();
-  const auto request = requestFor(catalog);
+  const auto request = idealRequest(catalog);
   {
     auto store = SuiteStore::open(folder / "out");
     ASSERT_TRUE(store.has_value());
@@ -195,7 +189,7 @@ TEST(SuiteStore, GoesOnAfterATruncatedLine) {
 TEST(SuiteStore, TakesTheResultsOfOtherFolders) {
   const test::TemporaryFolder folder;
   const auto catalog = smallCatalog();
-  auto request = requestFor(catalog);
+  auto request = idealRequest(catalog);
   request.seeds = 1;
   for (const std::uint64_t seed : {1U, 2U}) {
     request.firstSeed = seed;

@@ -69,7 +69,7 @@ Troubles troublesOf(const ScenarioRun& run, std::int64_t frames) {
   return troubles;
 }
 
-std::int64_t frameOf(const ScenarioRun& run, ScenarioEvent::Kind kind) {
+std::int64_t eventFrame(const ScenarioRun& run, ScenarioEvent::Kind kind) {
   const auto event = std::ranges::find(run.events, kind, &ScenarioEvent::kind);
   EXPECT_NE(event, run.events.end());
   return event != run.events.end() ? event->frame : 0;
@@ -77,8 +77,8 @@ std::int64_t frameOf(const ScenarioRun& run, ScenarioEvent::Kind kind) {
 
 TEST(Reasons, ABlindCameraIsTooDarkAndTheOtherHasNoTrouble) {
   const ScenarioRun run = scenario("S3-one-blind", 3);
-  const std::int64_t begin = frameOf(run, ScenarioEvent::Kind::BlackoutBegin);
-  const std::int64_t end = frameOf(run, ScenarioEvent::Kind::BlackoutEnd);
+  const std::int64_t begin = eventFrame(run, ScenarioEvent::Kind::BlackoutBegin);
+  const std::int64_t end = eventFrame(run, ScenarioEvent::Kind::BlackoutEnd);
   const int blind = std::ranges::find(run.events, begin, &ScenarioEvent::frame)->camera;
   const Troubles troubles = troublesOf(run, end + 5);
   for (std::int64_t frame = 10; frame < end + 5; ++frame) {
@@ -93,7 +93,7 @@ TEST(Reasons, ABlindCameraIsTooDarkAndTheOtherHasNoTrouble) {
 
 TEST(Reasons, WhenAllAreBlindAllAreTooDark) {
   const ScenarioRun run = scenario("S3-all-blind", 4);
-  const std::int64_t begin = frameOf(run, ScenarioEvent::Kind::BlackoutBegin);
+  const std::int64_t begin = eventFrame(run, ScenarioEvent::Kind::BlackoutBegin);
   const Troubles troubles = troublesOf(run, begin + 10);
   for (std::int64_t frame = begin; frame < begin + 10; ++frame) {
     EXPECT_EQ(troubles[std::size_t(frame)],
@@ -103,8 +103,8 @@ TEST(Reasons, WhenAllAreBlindAllAreTooDark) {
 
 TEST(Reasons, ATargetTakenAwayIsNotHeldAndEveryCameraSaysSo) {
   const ScenarioRun run = scenario("S3-vanish", 5);
-  const std::int64_t gone = frameOf(run, ScenarioEvent::Kind::Vanish);
-  const std::int64_t back = frameOf(run, ScenarioEvent::Kind::Return);
+  const std::int64_t gone = eventFrame(run, ScenarioEvent::Kind::Vanish);
+  const std::int64_t back = eventFrame(run, ScenarioEvent::Kind::Return);
   ASSERT_GT(back, gone + 30); // it stays away for more than a second
   std::vector<TrackedFrame> moments;
   track(run, back, [&](const TrackedFrame& moment) { moments.push_back(moment); });

@@ -4,6 +4,7 @@
 #include "core/experiment/baselines/baseline_blobs.h"
 #include "core/experiment/scenarios/catalog/catalog.h"
 #include "core/experiment/scenarios/scenario.h"
+#include "tests/experiment/scenarios/scenario_images.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -22,44 +23,13 @@
 namespace dewpoint::tests {
 namespace {
 
-ScenarioRun runOf(const std::string& name, std::uint64_t seed = 1) {
-  const auto& catalog = scenarioCatalog();
-  const auto found = std::ranges::find(catalog, name, &ScenarioDeclaration::name);
-  if (found == catalog.end()) {
-    ADD_FAILURE() << "no scenario " << name;
-    return {};
-  }
-  auto run = found->make(seed, Grade::Ideal);
-  if (!run) {
-    ADD_FAILURE() << name << ": no run";
-    return {};
-  }
-  return *std::move(run);
-}
-
-/// The targets' true places at a frame, in the order of the targets.
-std::vector<Eigen::Vector3d> truthAt(const ScenarioRun& run, std::int64_t frame) {
-  std::vector<Eigen::Vector3d> places;
+/// The targets' true places at a frame in which all are there.
+std::vector<Eigen::Vector3d> validTruthAt(const ScenarioRun& run, std::int64_t frame) {
   const auto first = static_cast<std::size_t>(frame) * run.targets.size();
   for (std::size_t k = first; k < first + run.targets.size(); ++k) {
-    EXPECT_EQ(run.truth.samples.at(k).frame, frame);
     EXPECT_TRUE(run.truth.samples.at(k).valid);
-    places.push_back(run.truth.samples.at(k).position);
   }
-  return places;
-}
-
-/// A ball as a camera has it: where its middle is and how many pixels its radius measures.
-struct Disc {
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  double radius = 0.0;
-};
-
-Disc discOf(const Camera& camera, const Eigen::Vector3d& place, double radius) {
-  const auto center = Projector(camera).project(place);
-  const double depth = (camera.cameraFromWorld * place).z();
-  EXPECT_TRUE(center.has_value());
-  return {center.value_or(Eigen::Vector2d::Zero()), camera.intrinsics.focalX * radius / depth};
+  return truthAt(run, frame);
 }
 
 /// The matching pixels within 1.3 radii of a disc's middle: how many per pixel of the disc, and
@@ -69,7 +39,7 @@ struct Match {
   double offPx = 0.0;
 };
 
-Match matchOf(const cv::Mat& image, const Target& target, const Disc& disc) {
+Match matchOf(const cv::Mat& image, const Target& target, const ImageDisc& disc) {
   const cv::Mat mask = matchImage(image, ColorClassifier(target.color));
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   int count = 0;
@@ -88,7 +58,7 @@ Match matchOf(const cv::Mat& image, const Target& target, const Disc& disc) {
 }
 
 /// True if no other target's disc touches that of `target`.
-bool standsAlone(const std::vector<Disc>& discs, std::size_t target) {
+bool standsAlone(const std::vector<ImageDisc>& discs, std::size_t target) {
   for (std::size_t other = 0; other < discs.size(); ++other) {
     if (other != target && (discs[other].center - discs[target].center).norm() <
                                1.4 * (discs[other].radius + discs[target].radius)) {
@@ -103,10 +73,10 @@ bool standsAlone(const std::vector<Disc>& discs, std::size_t target) {
 /// radius or so (a shaded rim moves the center of mass).
 void expectTruthInImages(const ScenarioRun& run, std::int64_t frame) {
   const FrameSetPtr set = run.frames(frame);
-  const auto places = truthAt(run, frame);
+  const auto places = validTruthAt(run, frame);
   int seen = 0;
   for (std::size_t camera = 0; camera < run.trueRig.size(); ++camera) {
-    std::vector<Disc> discs;
+    std::vector<ImageDisc> discs;
     for (std::size_t k = 0; k < places.size(); ++k) {
       discs.push_back(discOf(run.trueRig[camera], places[k], run.targets[k].radius));
     }
@@ -124,10 +94,10 @@ void expectTruthInImages(const ScenarioRun& run, std::int64_t frame) {
   EXPECT_GT(seen, 0) << run.scenario;
 }
 
-void expectSameBits(const std::string& name, std::int64_t frame) {
-  const FrameSetPtr one = runOf(name).frames(frame);
-  const FrameSetPtr same = runOf(name).frames(frame);
-  const FrameSetPtr other = runOf(name, 2).frames(frame);
+void expectBitsOfSeed(const std::string& name, std::int64_t frame) {
+  const FrameSetPtr one = scenarioRun(name).frames(frame);
+  const FrameSetPtr same = scenarioRun(name).frames(frame);
+  const FrameSetPtr other = scenarioRun(name, 2).frames(frame);
   for (std::size_t camera = 0; camera < one->frames.size(); ++camera) {
     ASSERT_EQ(one->frames[camera] == nullptr, same->frames[camera] == nullptr);
     if (one->frames[camera] == nullptr) {
@@ -151,7 +121,7 @@ std::vector<ScenarioEvent> eventsOf(const ScenarioRun& run, ScenarioEvent::Kind 
 
 TEST(Scenarios, TruthIsWhatTheImagesShow) {
   for (const std::string name : {"S0-slow", "S5-two", "S5-four", "S6-2", "S6-4", "S6-dropouts"}) {
-    const ScenarioRun run = runOf(name);
+    const ScenarioRun run = scenarioRun(name);
     expectTruthInImages(run, 0);
     expectTruthInImages(run, run.frameCount / 2);
   }
@@ -160,19 +130,19 @@ TEST(Scenarios, TruthIsWhatTheImagesShow) {
 TEST(Scenarios, SameSeedSameBits) {
   for (const std::string name : {"S5-two", "S6-3", "S6-dropouts", "S7-offsets", "S7-rates",
                                  "S8-ramp", "S8-temperature", "S9-bump"}) {
-    expectSameBits(name, 100);
+    expectBitsOfSeed(name, 100);
   }
 }
 
 TEST(ScenarioOcclusion, HalfOfTheDiscIsHiddenInOneCamera) {
   for (const std::string name : {"S2-still", "S2-moving", "S2-three-cameras"}) {
-    const ScenarioRun run = runOf(name);
+    const ScenarioRun run = scenarioRun(name);
     // The moving plate is in its place from 1.3 s, frame 39, on.
     for (const std::int64_t frame : {40, 90, 140, 179}) {
       std::vector<double> shares;
       for (std::size_t camera = 0; camera < run.trueRig.size(); ++camera) {
-        const Disc disc =
-            discOf(run.trueRig[camera], truthAt(run, frame)[0], run.targets[0].radius);
+        const ImageDisc disc =
+            discOf(run.trueRig[camera], validTruthAt(run, frame)[0], run.targets[0].radius);
         const cv::Mat image = run.frames(frame)->frames[camera]->image;
         shares.push_back(matchOf(image, run.targets[0], disc).share);
       }
@@ -186,7 +156,7 @@ TEST(ScenarioOcclusion, HalfOfTheDiscIsHiddenInOneCamera) {
 
 TEST(ScenarioBlackout, OnlyTheBlindCamerasAreDark) {
   for (const std::string name : {"S3-one-blind", "S3-one-blind-three-cameras", "S3-all-blind"}) {
-    const ScenarioRun run = runOf(name);
+    const ScenarioRun run = scenarioRun(name);
     const auto begins = eventsOf(run, ScenarioEvent::Kind::BlackoutBegin);
     const auto ends = eventsOf(run, ScenarioEvent::Kind::BlackoutEnd);
     ASSERT_EQ(begins.size(), 2U);
@@ -212,7 +182,7 @@ TEST(ScenarioCrossing, BallsNeverTouchButPassBeforeEachOther) {
   const std::map<std::string, std::pair<std::size_t, std::int64_t>> expected{
       {"S5-two", {2, 600}}, {"S5-four", {4, 600}}, {"S5-eight", {8, 3600}}};
   for (const auto& [name, size] : expected) {
-    const ScenarioRun run = runOf(name);
+    const ScenarioRun run = scenarioRun(name);
     ASSERT_EQ(run.targets.size(), size.first);
     EXPECT_EQ(run.frameCount, size.second);
     EXPECT_EQ(run.framesPerSecond, 30.0);
@@ -220,13 +190,13 @@ TEST(ScenarioCrossing, BallsNeverTouchButPassBeforeEachOther) {
     double nearest = HUGE_VAL;
     int covered = 0;
     for (std::int64_t frame = 0; frame < run.frameCount; ++frame) {
-      const auto places = truthAt(run, frame);
+      const auto places = validTruthAt(run, frame);
       for (std::size_t k = 1; k < places.size(); ++k) {
         for (std::size_t other = 0; other < k; ++other) {
           nearest = std::min(nearest, (places[k] - places[other]).norm());
           for (const Camera& camera : run.trueRig) {
-            const Disc one = discOf(camera, places[k], run.targets[k].radius);
-            const Disc two = discOf(camera, places[other], run.targets[other].radius);
+            const ImageDisc one = discOf(camera, places[k], run.targets[k].radius);
+            const ImageDisc two = discOf(camera, places[other], run.targets[other].radius);
             covered += (one.center - two.center).norm() < one.radius ? 1 : 0;
           }
         }
@@ -235,7 +205,7 @@ TEST(ScenarioCrossing, BallsNeverTouchButPassBeforeEachOther) {
     EXPECT_GE(nearest, 2.5 * run.targets[0].radius) << name;
     EXPECT_GT(covered, 0) << name << ": one ball before the other in some image";
     // The search's box holds all of them.
-    for (const Eigen::Vector3d& place : truthAt(run, 0)) {
+    for (const Eigen::Vector3d& place : validTruthAt(run, 0)) {
       EXPECT_TRUE(((place - run.startCenter).array().abs() <= run.startHalf.array()).all()) << name;
     }
   }
@@ -243,14 +213,14 @@ TEST(ScenarioCrossing, BallsNeverTouchButPassBeforeEachOther) {
 
 TEST(ScenarioCameras, OnePerName) {
   for (const int count : {2, 3, 4, 6, 8}) {
-    const ScenarioRun run = runOf("S6-" + std::to_string(count));
+    const ScenarioRun run = scenarioRun("S6-" + std::to_string(count));
     EXPECT_EQ(run.rig.size(), static_cast<std::size_t>(count));
     EXPECT_EQ(run.frames(3)->frames.size(), static_cast<std::size_t>(count));
   }
 }
 
 TEST(ScenarioCameras, DropOutOneAfterAnother) {
-  const ScenarioRun run = runOf("S6-dropouts");
+  const ScenarioRun run = scenarioRun("S6-dropouts");
   const auto gone = eventsOf(run, ScenarioEvent::Kind::CameraLost);
   const auto back = eventsOf(run, ScenarioEvent::Kind::CameraBack);
   ASSERT_EQ(gone.size(), 4U);
@@ -291,7 +261,7 @@ void expectRegularSets(const ScenarioRun& run) {
 }
 
 TEST(ScenarioClocks, OffsetsStayAndDiffer) {
-  const ScenarioRun run = runOf("S7-offsets");
+  const ScenarioRun run = scenarioRun("S7-offsets");
   expectRegularSets(run);
   const std::vector<double> first = delaysOf(*run.frames(0));
   ASSERT_EQ(first.size(), 3U);
@@ -307,7 +277,7 @@ TEST(ScenarioClocks, OffsetsStayAndDiffer) {
 }
 
 TEST(ScenarioClocks, RatesGiveSomeSetsFewerFrames) {
-  const ScenarioRun run = runOf("S7-rates");
+  const ScenarioRun run = scenarioRun("S7-rates");
   expectRegularSets(run);
   std::vector<int> counts(3, 0);
   for (std::int64_t frame = 0; frame < 30; ++frame) {
@@ -334,7 +304,7 @@ struct Range {
 };
 
 TEST(ScenarioLight, RampsByFour) {
-  const ScenarioRun run = runOf("S8-ramp");
+  const ScenarioRun run = scenarioRun("S8-ramp");
   Range brightness;
   for (std::int64_t frame = 0; frame < run.frameCount; frame += 3) {
     const cv::Scalar mean = cv::mean(run.frames(frame)->frames[0]->image);
@@ -345,7 +315,7 @@ TEST(ScenarioLight, RampsByFour) {
 }
 
 TEST(ScenarioLight, ChangesItsColor) {
-  const ScenarioRun run = runOf("S8-temperature");
+  const ScenarioRun run = scenarioRun("S8-temperature");
   Range blueByRed;
   for (std::int64_t frame = 0; frame < run.frameCount; frame += 5) {
     const cv::Scalar mean = cv::mean(run.frames(frame)->frames[1]->image);
@@ -360,13 +330,13 @@ TEST(ScenarioLight, ChangesItsColor) {
 double blobOffPx(const ScenarioRun& run, std::size_t camera, std::int64_t frame) {
   const cv::Mat image = run.frames(frame)->frames[camera]->image;
   const auto blobs = findBlobs(matchImage(image, ColorClassifier(run.targets[0].color)));
-  const auto pixel = Projector(run.rig[camera]).project(truthAt(run, frame)[0]);
+  const auto pixel = Projector(run.rig[camera]).project(validTruthAt(run, frame)[0]);
   return blobs.empty() || !pixel ? HUGE_VAL : (blobs[0].center - *pixel).norm();
 }
 
 TEST(ScenarioBump, TheCameraNoLongerStandsWhereItIsBelieved) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const ScenarioRun run = runOf("S9-bump", seed);
+    const ScenarioRun run = scenarioRun("S9-bump", seed);
     const auto motions = eventsOf(run, ScenarioEvent::Kind::CameraMoved);
     ASSERT_EQ(motions.size(), 1U);
     for (std::size_t camera = 0; camera < run.rig.size(); ++camera) {

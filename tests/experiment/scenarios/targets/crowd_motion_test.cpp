@@ -13,12 +13,12 @@ namespace {
 using experiment::scenarios::CrowdMotion;
 using experiment::scenarios::CrowdStart;
 
-constexpr double kRadius = 0.035;
+constexpr double kCrowdRadius = 0.035;
 const Eigen::AlignedBox3d kRoom{Eigen::Vector3d(-1.0, -1.0, -1.0), Eigen::Vector3d(1.0, 1.0, 1.0)};
 
 TEST(CrowdMotion, EqualBallsThatMeetHeadOnChangeTheirSpeeds) {
   const CrowdStart start{{{-0.2, 0.0, 0.0}, {0.2, 0.0, 0.0}}, {{0.2, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
-  const CrowdMotion motion(start, kRoom, kRadius, 4.0);
+  const CrowdMotion motion(start, kRoom, kCrowdRadius, 4.0);
   // They touch after 0.33 m at 0.2 m/s: 1.65 s. One step of 1/240 s at 0.2 m/s is 0.8 mm.
   EXPECT_NEAR(motion.position(0, 1.0).x(), 0.0, 1e-9);
   EXPECT_EQ(motion.position(1, 1.0).x(), 0.2);
@@ -27,7 +27,7 @@ TEST(CrowdMotion, EqualBallsThatMeetHeadOnChangeTheirSpeeds) {
 }
 
 TEST(CrowdMotion, WallsReflect) {
-  const CrowdMotion motion({{{0.9, 0.0, 0.0}}, {{0.2, 0.0, 0.0}}}, kRoom, kRadius, 2.0);
+  const CrowdMotion motion({{{0.9, 0.0, 0.0}}, {{0.2, 0.0, 0.0}}}, kRoom, kCrowdRadius, 2.0);
   // The wall for centers is reached after 0.5 s; a second later it is 0.2 m away from it.
   EXPECT_NEAR(motion.position(0, 1.5).x(), 0.8, 0.002);
   EXPECT_EQ(motion.position(0, -1.0).x(), 0.9);
@@ -42,7 +42,7 @@ TEST(CrowdMotion, BallsTouchAndNeverOverlap) {
     start.positions.emplace_back(0.1 * (k % 3), 0.1 * (k / 3 % 2), 0.1 * (k / 6));
     start.velocities.emplace_back(0.2 * std::cos(k), 0.2 * std::sin(k), 0.1 * std::cos(2.0 * k));
   }
-  const CrowdMotion motion(start, box, kRadius, 3.0);
+  const CrowdMotion motion(start, box, kCrowdRadius, 3.0);
   double nearest = HUGE_VAL;
   int contacts = 0;
   for (int instant = 0; instant <= 720; ++instant) {
@@ -53,17 +53,17 @@ TEST(CrowdMotion, BallsTouchAndNeverOverlap) {
       for (std::size_t other = 0; other < one; ++other) {
         const double distance = (position - motion.position(other, time)).norm();
         nearest = std::min(nearest, distance);
-        contacts += distance < 2.02 * kRadius ? 1 : 0;
+        contacts += distance < 2.02 * kCrowdRadius ? 1 : 0;
       }
     }
   }
-  EXPECT_GT(nearest, 1.98 * kRadius);
+  EXPECT_GT(nearest, 1.98 * kCrowdRadius);
   EXPECT_GT(contacts, 0);
 }
 
 TEST(CrowdMotion, APathKeepsItsMotion) {
   auto motion = std::make_shared<const CrowdMotion>(
-      CrowdStart{{{0.0, 0.0, 0.0}}, {{0.1, 0.0, 0.0}}}, kRoom, kRadius, 1.0);
+      CrowdStart{{{0.0, 0.0, 0.0}}, {{0.1, 0.0, 0.0}}}, kRoom, kCrowdRadius, 1.0);
   const simulation::Path path = pathOf(motion, 0);
   motion.reset();
   EXPECT_NEAR(path(0.5).x(), 0.05, 1e-9);
