@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/angle.h"
 #include "core/base/random.h"
 #include "core/camera_motion/camera_motion_detector.h"
 
@@ -6,12 +7,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace dewpoint::tests {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Camera lens() {
   Camera camera;

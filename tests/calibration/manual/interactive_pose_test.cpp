@@ -44,7 +44,7 @@ double missAt(const Camera& camera, const ImageAnchor& anchor) {
   return (Projector(camera).project(anchor.world).value() - anchor.pixel).norm();
 }
 
-double difference(const Camera& a, const Camera& b) {
+double poseDifference(const Camera& a, const Camera& b) {
   return (a.cameraFromWorld.matrix() - b.cameraFromWorld.matrix()).cwiseAbs().maxCoeff();
 }
 
@@ -76,7 +76,7 @@ TEST_P(Drags, ThePointFollowsHeldPointsStayAndTheWayBackLeadsBack) {
       const Drag back = dragPoint(drag.camera, held, {dragged.world, from}, {mode, false});
       const bool isUnique = heldCount != 1 || mode == DragMode::Turn;
       if (back.limit == DragLimit::None && isUnique) {
-        EXPECT_LT(difference(back.camera, camera), 1e-6) << "seed " << seed;
+        EXPECT_LT(poseDifference(back.camera, camera), 1e-6) << "seed " << seed;
       }
       if (heldCount == 0) {
         const double moved = (drag.camera.center() - camera.center()).norm();
@@ -102,7 +102,7 @@ TEST(InteractivePose, ASmallDragIsASmallChangeEverywhere) {
     for (int k = 0; k < 60; ++k) {
       dragged.pixel += Eigen::Vector2d(1.0, 0.4);
       const Drag drag = dragPoint(start, held, dragged, {});
-      EXPECT_LT(difference(drag.camera, before), 0.6) << "seed " << seed << " step " << k;
+      EXPECT_LT(poseDifference(drag.camera, before), 0.6) << "seed " << seed << " step " << k;
       before = drag.camera;
     }
   }
@@ -160,7 +160,7 @@ TEST(InteractivePose, RefusesWithAReason) {
   behind.pixel.x() += 20.0;
   const Drag same = dragPoint(camera, {held}, behind, {});
   EXPECT_NE(same.limit, DragLimit::None);
-  EXPECT_LT(difference(same.camera, camera), 1e-3);
+  EXPECT_LT(poseDifference(same.camera, camera), 1e-3);
   const ImageAnchor unseen{camera.center() - camera.opticalAxis(), {100.0, 100.0}};
   EXPECT_EQ(dragPoint(camera, {}, unseen, {}).limit, DragLimit::OutOfSight);
   EXPECT_EQ(dragPoint(camera, {held}, unseen, {}).limit, DragLimit::OutOfSight);
@@ -198,8 +198,8 @@ TEST(Nudges, AreUndoneByTheirInverse) {
     const Camera camera = someCamera(draw, true);
     const Eigen::Vector3d step = 0.1 * draw.point();
     for (const NudgeFrame frame : {NudgeFrame::Camera, NudgeFrame::World}) {
-      EXPECT_LT(difference(moved(moved(camera, step, frame), -step, frame), camera), 1e-14);
-      EXPECT_LT(difference(rotated(rotated(camera, step, frame), -step, frame), camera), 1e-14);
+      EXPECT_LT(poseDifference(moved(moved(camera, step, frame), -step, frame), camera), 1e-14);
+      EXPECT_LT(poseDifference(rotated(rotated(camera, step, frame), -step, frame), camera), 1e-14);
     }
     EXPECT_NEAR(zoomed(zoomed(camera, 1.25), 0.8).intrinsics.focalX, 520.0, 1e-12);
   }
@@ -265,7 +265,7 @@ TEST(Conversions, TargetsAndFocalLengths) {
   const Camera camera = someCamera(draw, false);
   const Eigen::Vector3d target = lookedAt(camera, 0.0);
   EXPECT_NEAR(target.z(), 0.0, 1e-12);
-  EXPECT_LT(difference(lookingAt(camera, target), camera), 1e-12);
+  EXPECT_LT(poseDifference(lookingAt(camera, target), camera), 1e-12);
   const Camera other = lookingAt(camera, {0.5, 0.5, 0.5});
   EXPECT_LT((Projector(other).project({0.5, 0.5, 0.5}).value() - Eigen::Vector2d(322, 236)).norm(),
             1e-9);

@@ -294,7 +294,7 @@ TEST(ScenarioClocks, RatesGiveSomeSetsFewerFrames) {
   EXPECT_EQ(counts, (std::vector<int>{15, 25, 30})) << "frames of the first second";
 }
 
-struct Range {
+struct ValueRange {
   double low = HUGE_VAL;
   double high = 0.0;
   void add(double value) {
@@ -305,7 +305,7 @@ struct Range {
 
 TEST(ScenarioLight, RampsByFour) {
   const ScenarioRun run = scenarioRun("S8-ramp");
-  Range brightness;
+  ValueRange brightness;
   for (std::int64_t frame = 0; frame < run.frameCount; frame += 3) {
     const cv::Scalar mean = cv::mean(run.frames(frame)->frames[0]->image);
     brightness.add(mean[0] + mean[1] + mean[2]);
@@ -316,7 +316,7 @@ TEST(ScenarioLight, RampsByFour) {
 
 TEST(ScenarioLight, ChangesItsColor) {
   const ScenarioRun run = scenarioRun("S8-temperature");
-  Range blueByRed;
+  ValueRange blueByRed;
   for (std::int64_t frame = 0; frame < run.frameCount; frame += 5) {
     const cv::Scalar mean = cv::mean(run.frames(frame)->frames[1]->image);
     blueByRed.add(mean[0] / mean[2]);
