@@ -21,7 +21,7 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr std::int64_t kFrames = 24;
+constexpr std::int64_t kVideoFrames = 24;
 
 /// Writes a camera of the scene as a lossless video.
 void writeVideo(const SceneRenderer& renderer, int camera, const std::string& file,
@@ -73,9 +73,9 @@ void BadInputTest::initTestCase() {
   QVERIFY(folder_.isValid());
   const Scene scene = demoScene();
   const SceneRenderer renderer(scene);
-  writeVideo(renderer, 0, path("camera-1.mkv"), kFrames);
-  writeVideo(renderer, 1, path("camera-2.mkv"), kFrames);
-  writeVideo(renderer, 1, path("short.mkv"), kFrames / 2);
+  writeVideo(renderer, 0, path("camera-1.mkv"), kVideoFrames);
+  writeVideo(renderer, 1, path("camera-2.mkv"), kVideoFrames);
+  writeVideo(renderer, 1, path("short.mkv"), kVideoFrames / 2);
   std::filesystem::copy_file(path("camera-1.mkv"), path("half.mkv"));
   std::filesystem::resize_file(path("half.mkv"), std::filesystem::file_size(path("half.mkv")) / 2);
   Project project = projectOfScene(scene, "");
@@ -179,7 +179,7 @@ void BadInputTest::aTruncatedVideoKeepsWhatWasTracked() {
 
 void BadInputTest::videosOfDifferentLengthAreSaid() {
   openGood(changed("camera-2.mkv", "short.mkv"));
-  expectSentence({"short.mkv", "'camera 2'", QString::number(kFrames), "first 12"});
+  expectSentence({"short.mkv", "'camera 2'", QString::number(kVideoFrames), "first 12"});
 }
 
 void BadInputTest::aFileThatCannotBeSavedLosesNothing() {

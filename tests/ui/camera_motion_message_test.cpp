@@ -75,9 +75,10 @@ Result<SessionInputs> openMoved(const SessionRequest&) {
 
 /// The demo before live cameras, ten frames to a second of their time stamps; the second camera is
 /// turned as long as `turned` is set.
-class LiveDemo final : public FrameSetSource {
+class TurnedDemo final : public FrameSetSource {
 public:
-  explicit LiveDemo(std::shared_ptr<const std::atomic<bool>> turned) : turned_(std::move(turned)) {}
+  explicit TurnedDemo(std::shared_ptr<const std::atomic<bool>> turned)
+      : turned_(std::move(turned)) {}
 
   std::optional<std::int64_t> frameCount() const override { return std::nullopt; }
   double framesPerSecond() const override { return still_.scene().framesPerSecond; }
@@ -178,7 +179,7 @@ void CameraMotionMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
   const auto turned = std::make_shared<std::atomic<bool>>(false);
   makeWindow({.opener = [turned](const SessionRequest&) -> Result<SessionInputs> {
                 return SessionInputs{
-                    projectOfScene(stillScene(), "demo"), std::make_unique<LiveDemo>(turned), {}};
+                    projectOfScene(stillScene(), "demo"), std::make_unique<TurnedDemo>(turned), {}};
               },
               .size = {1400, 900},
               .theme = Theme::Light});

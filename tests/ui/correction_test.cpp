@@ -28,8 +28,8 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr std::int64_t kTracked = 25; ///< frames tracked at first
-constexpr std::int64_t kFrame = 12;   ///< of them, the one that is corrected
+constexpr std::int64_t kTrackedFrames = 25;  ///< frames tracked at first
+constexpr std::int64_t kCorrectedFrame = 12; ///< of them, the one that is corrected
 
 /// Distance of a pixel to the strokes of the guides.
 double distanceTo(const std::vector<QPolygonF>& lines, const Eigen::Vector2d& pixel) {
@@ -123,7 +123,7 @@ private:
           found.push_back(sample.frame);
         }
       }
-      return found == frames && all.size() == std::size_t{kTracked} && !shown().rerun;
+      return found == frames && all.size() == std::size_t{kTrackedFrames} && !shown().rerun;
     });
   }
 };
@@ -136,10 +136,10 @@ void CorrectionTest::init() {
 void CorrectionTest::trackBeginOf(const std::filesystem::path& project) {
   open(project);
   QVERIFY(waitFor([this] { return shown().history.head == 0; }));
-  for (std::int64_t frame = 1; frame < kTracked; ++frame) {
+  for (std::int64_t frame = 1; frame < kTrackedFrames; ++frame) {
     action("actionNextFrame")->trigger();
   }
-  QVERIFY(waitFor([this] { return shown().history.head == kTracked - 1; }));
+  QVERIFY(waitFor([this] { return shown().history.head == kTrackedFrames - 1; }));
   for (const char* name : {"cameraView0", "cameraView1"}) {
     auto* view = find<CameraView>(name);
     QVERIFY(waitFor([&] { return !view->imageSize().isEmpty(); }));
@@ -151,7 +151,7 @@ void CorrectionTest::trackBeginOf(const std::filesystem::path& project) {
 
 void CorrectionTest::aDragKeepsTheDepthAndIsTrackedOnFrom() {
   const auto before = samples();
-  show(kFrame);
+  show(kCorrectedFrame);
   const Eigen::Vector3d was = estimate();
   const Eigen::Vector2d from = pixelOf(0, was);
   const Eigen::Vector2d to = from + Eigen::Vector2d(12.25, -8.5);
@@ -162,7 +162,7 @@ void CorrectionTest::aDragKeepsTheDepthAndIsTrackedOnFrom() {
   mouse(0, QEvent::MouseButtonRelease, to);
   QCOMPARE(corrections().size(), std::size_t{1});
   const PositionCorrection& made = corrections().front();
-  QCOMPARE(made.frame, kFrame);
+  QCOMPARE(made.frame, kCorrectedFrame);
   QCOMPARE(made.target, 0);
   QCOMPARE(made.clicks.size(), std::size_t{1});
   QCOMPARE(made.clicks[0].camera, 0);
@@ -171,13 +171,13 @@ void CorrectionTest::aDragKeepsTheDepthAndIsTrackedOnFrom() {
   const Ray ray = Unprojector(camera(0)).ray(to).value();
   QVERIFY(std::abs((made.position - was).dot(ray.direction)) < 1e-9); // and the depth kept
   // The frames from there on are tracked again, and the frame is shown again.
-  QVERIFY(areCorrected({kFrame}));
-  QVERIFY(shows(kFrame));
+  QVERIFY(areCorrected({kCorrectedFrame}));
+  QVERIFY(shows(kCorrectedFrame));
   const auto after = samples();
-  for (std::size_t k = 0; k < std::size_t{kFrame}; ++k) {
+  for (std::size_t k = 0; k < std::size_t{kCorrectedFrame}; ++k) {
     QVERIFY(after[k].position == before[k].position);
   }
-  QVERIFY(after[kFrame].position != before[kFrame].position);
+  QVERIFY(after[kCorrectedFrame].position != before[kCorrectedFrame].position);
   action("actionUndo")->trigger();
   QVERIFY(corrections().empty());
   QVERIFY(areCorrected({}));
@@ -188,18 +188,18 @@ void CorrectionTest::aDragKeepsTheDepthAndIsTrackedOnFrom() {
 }
 
 void CorrectionTest::twoImagesFixThePosition() {
-  show(kFrame);
+  show(kCorrectedFrame);
   QVERIFY(shown().targets.at(0).truth);
   const Eigen::Vector3d truth = *shown().targets.at(0).truth;
   begin();
   drag(0, pixelOf(0, estimate()), pixelOf(0, truth));
-  QVERIFY(areCorrected({kFrame}));
-  QVERIFY(shows(kFrame));
+  QVERIFY(areCorrected({kCorrectedFrame}));
+  QVERIFY(shows(kCorrectedFrame));
   drag(1, pixelOf(1, estimate()), pixelOf(1, truth));
   QCOMPARE(corrections().size(), std::size_t{1});
   QCOMPARE(corrections()[0].clicks.size(), std::size_t{2});
   QVERIFY((corrections()[0].position - truth).norm() < 1e-6); // where the rays meet
-  QVERIFY(areCorrected({kFrame}));
+  QVERIFY(areCorrected({kCorrectedFrame}));
   QCOMPARE(history().count(), 2);
   action("actionUndo")->trigger();
   QCOMPARE(corrections()[0].clicks.size(), std::size_t{1});
@@ -209,7 +209,7 @@ void CorrectionTest::twoImagesFixThePosition() {
 }
 
 void CorrectionTest::otherViewsShowTheRay() {
-  show(kFrame);
+  show(kCorrectedFrame);
   const Eigen::Vector2d from = pixelOf(0, estimate());
   const Eigen::Vector2d to = from + Eigen::Vector2d(10.0, 6.0);
   begin();
@@ -239,15 +239,15 @@ void CorrectionTest::otherViewsShowTheRay() {
 }
 
 void CorrectionTest::atTheHeadTheRunGoesOnFromIt() {
-  QVERIFY(shows(kTracked - 1));
+  QVERIFY(shows(kTrackedFrames - 1));
   const Eigen::Vector2d from = pixelOf(1, estimate());
   begin();
   drag(1, from, from + Eigen::Vector2d(5.0, 5.0));
   QCOMPARE(corrections().size(), std::size_t{1});
-  QCOMPARE(corrections()[0].frame, kTracked - 1);
+  QCOMPARE(corrections()[0].frame, kTrackedFrames - 1);
   QCOMPARE(corrections()[0].clicks.at(0).camera, 1);
-  QVERIFY(areCorrected({kTracked - 1}));
-  QCOMPARE(shown().frame, kTracked - 1);
+  QVERIFY(areCorrected({kTrackedFrames - 1}));
+  QCOMPARE(shown().frame, kTrackedFrames - 1);
   action("actionUndo")->trigger();
   QVERIFY(areCorrected({}));
 }
@@ -257,40 +257,40 @@ void CorrectionTest::itIsMarkedRemovedAndUndone() {
   auto* table = find<QTableView>("trajectoryTable");
   const auto stateIs = [&](const char* word) {
     return waitFor([&] {
-      const QModelIndex cell = table->model()->index(kFrame, TrajectoryModel::Held);
+      const QModelIndex cell = table->model()->index(kCorrectedFrame, TrajectoryModel::Held);
       return cell.isValid() && cell.data().toString().contains(QLatin1String(word));
     });
   };
   const auto& timeline = find<Timeline>("timeline")->model();
-  show(kFrame);
+  show(kCorrectedFrame);
   action("actionRemoveCorrection")->trigger(); // there is none
   QCOMPARE(history().count(), 0);
   QVERIFY(messageText().contains(QStringLiteral("no correction")));
   begin();
   const Eigen::Vector2d from = pixelOf(0, estimate());
   drag(0, from, from + Eigen::Vector2d(4.0, 0.0));
-  QVERIFY(areCorrected({kFrame}));
-  QVERIFY(timeline.isCorrected(0, kFrame));
-  QVERIFY(!timeline.isCorrected(0, kFrame + 1));
-  QVERIFY(timeline.describe(kFrame).contains(QStringLiteral("corrected")));
+  QVERIFY(areCorrected({kCorrectedFrame}));
+  QVERIFY(timeline.isCorrected(0, kCorrectedFrame));
+  QVERIFY(!timeline.isCorrected(0, kCorrectedFrame + 1));
+  QVERIFY(timeline.describe(kCorrectedFrame).contains(QStringLiteral("corrected")));
   QVERIFY(stateIs("corrected"));
-  QVERIFY(shows(kFrame));
+  QVERIFY(shows(kCorrectedFrame));
   action("actionRemoveCorrection")->trigger();
   QVERIFY(corrections().empty());
   QVERIFY(areCorrected({}));
-  QVERIFY(!timeline.isCorrected(0, kFrame));
+  QVERIFY(!timeline.isCorrected(0, kCorrectedFrame));
   QVERIFY(stateIs("held"));
   action("actionUndo")->trigger();
-  QVERIFY(areCorrected({kFrame}));
+  QVERIFY(areCorrected({kCorrectedFrame}));
   QVERIFY(stateIs("corrected"));
   // From the row of the table.
   auto* panel = window_->findChild<TrajectoryPanel*>();
-  Q_EMIT panel->correctionRemovalWanted(kFrame, 0);
+  Q_EMIT panel->correctionRemovalWanted(kCorrectedFrame, 0);
   QVERIFY(areCorrected({}));
 }
 
 void CorrectionTest::keysDoTheSame() {
-  show(kFrame);
+  show(kCorrectedFrame);
   const Eigen::Vector2d there = pixelOf(0, estimate());
   begin();
   QTest::keyClick(layer(0), Qt::Key_Left); // shows the cross, or moves it
@@ -301,11 +301,11 @@ void CorrectionTest::keysDoTheSame() {
   const Eigen::Vector2d clicked = corrections()[0].clicks.at(0).pixel;
   QVERIFY(std::abs(clicked.x() - there.x()) < step + 1e-6); // from the estimate, not the middle
   QVERIFY(std::abs(clicked.y() - there.y()) < 1e-6);
-  QVERIFY(areCorrected({kFrame}));
+  QVERIFY(areCorrected({kCorrectedFrame}));
 }
 
 void CorrectionTest::withoutTheModeImagesAreAsBefore() {
-  show(kFrame);
+  show(kCorrectedFrame);
   QVERIFY(!layer(0)->isVisible());
   auto* pick = find<ImagePickOverlay>("cameraView1Pick");
   QTest::mousePress(pick, Qt::LeftButton, {}, pick->rect().center());
@@ -347,20 +347,20 @@ void CorrectionTest::framesBeforeItAreTrackedToo() {
   }
   QVERIFY(saveProject(*project, path("lost.toml")));
   trackBeginOf(path("lost.toml"));
-  show(kFrame);
+  show(kCorrectedFrame);
   const Eigen::Vector3d truth = *shown().targets.at(0).truth;
   QVERIFY((estimate() - truth).norm() > 0.1);
   begin();
   drag(0, pixelOf(0, truth), pixelOf(0, truth));
-  QVERIFY(shows(kFrame));
+  QVERIFY(shows(kCorrectedFrame));
   drag(1, pixelOf(1, truth), pixelOf(1, truth));
   const auto isTrackedBack = [](const PositionCorrection& one) {
-    return one.trackedFrom == kFrame;
+    return one.trackedFrom == kCorrectedFrame;
   };
   QVERIFY(waitFor([&] { return std::ranges::count_if(corrections(), isTrackedBack) > 0; }));
   QCOMPARE(corrections().front().frame, std::int64_t{0});
   QVERIFY(messageText().contains(QStringLiteral("followed back to frame 1;")));
-  QVERIFY(areCorrected({kFrame})); // what was found by tracking is not marked
+  QVERIFY(areCorrected({kCorrectedFrame})); // what was found by tracking is not marked
   show(5);
   QVERIFY((estimate() - *shown().targets.at(0).truth).norm() < 0.03);
   QCOMPARE(history().count(), 2);
@@ -374,8 +374,8 @@ void CorrectionTest::framesBeforeItAreTrackedToo() {
   action("actionRedo")->trigger();
   action("actionRedo")->trigger();
   QVERIFY(std::ranges::any_of(corrections(), isTrackedBack));
-  QVERIFY(areCorrected({kFrame}));
-  show(kFrame);
+  QVERIFY(areCorrected({kCorrectedFrame}));
+  show(kCorrectedFrame);
   action("actionRemoveCorrection")->trigger();
   QVERIFY(corrections().empty());
 }

@@ -25,8 +25,6 @@
 
 namespace dewpoint::tests {
 
-namespace {
-
 /// Counts the presses of mouse buttons in the whole application.
 class ClickCounter : public QObject {
 public:
@@ -44,8 +42,6 @@ public:
 private:
   quint64 last_ = 0;
 };
-
-} // namespace
 
 class FirstRunTest : public QObject, private test::WindowFixture {
   Q_OBJECT

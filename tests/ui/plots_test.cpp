@@ -23,7 +23,7 @@
 namespace dewpoint::tests {
 
 namespace {
-constexpr int kFrames = 100; ///< of the demo, tracked before; from 60 on the ball moves
+constexpr int kDemoFrames = 100; ///< of the demo, tracked before; from 60 on the ball moves
 } // namespace
 
 class PlotsTest : public QObject, private test::WindowFixture {
@@ -75,12 +75,12 @@ private:
 void PlotsTest::initTestCase() {
   makeWindow({.size = {1400, 1000}, .theme = Theme::Light, .play = false});
   window_->openProject({});
-  for (int frame = 0; frame < kFrames; ++frame) {
+  for (int frame = 0; frame < kDemoFrames; ++frame) {
     QVERIFY(waitFor([&] {
       return window_->shown() && window_->shown()->frame == frame &&
              window_->shown()->iterations > 0;
     }));
-    if (frame + 1 < kFrames) {
+    if (frame + 1 < kDemoFrames) {
       action("actionNextFrame")->trigger();
     }
   }
@@ -102,8 +102,8 @@ void PlotsTest::openTrajectory() {
   auto* dock = window_->findChild<QDockWidget*>(QStringLiteral("trajectoryDock"));
   dock->show();
   dock->raise();
-  QVERIFY(
-      waitFor([this] { return table().isVisible() && table().model()->rowCount() == kFrames; }));
+  QVERIFY(waitFor(
+      [this] { return table().isVisible() && table().model()->rowCount() == kDemoFrames; }));
 }
 
 void PlotsTest::curvesHaveTheRun() {
@@ -161,7 +161,7 @@ void PlotsTest::pointerShowsOneFrameInAllViews() {
   point(at(0.3));
   QVERIFY(waitFor([&] { return !hovered.isEmpty(); }));
   const qint64 frame = hovered.last().first().toLongLong();
-  QVERIFY(frame > 0 && frame < kFrames - 1);
+  QVERIFY(frame > 0 && frame < kDemoFrames - 1);
   QVERIFY(plots().cursorText().contains(QStringLiteral("frame %1,").arg(frame + 1)));
   // Left and right: one frame each.
   QTest::keyClick(canvas(), Qt::Key_Right);
@@ -263,7 +263,7 @@ void PlotsTest::positionOfTheTailIsAFrame() {
   auto* view = window_->findChild<BirdsEyeView*>();
   QVERIFY(waitFor([&] { return !view->currentPicture().isNull(); }));
   const auto& tail = window_->shown()->targets.front().tail;
-  QCOMPARE(tail.size(), static_cast<std::size_t>(kFrames));
+  QCOMPARE(tail.size(), static_cast<std::size_t>(kDemoFrames));
   const auto pixel = [&](std::size_t frame) {
     const Eigen::Vector2d place = view->scene().placeInPicture(tail[frame]);
     const QPointF offset(place.x(), -place.y());
@@ -281,7 +281,7 @@ void PlotsTest::positionOfTheTailIsAFrame() {
   QVERIFY(selectedRange.first == static_cast<qint64>(chosen) ||
           selectedRange.last == static_cast<qint64>(chosen));
   window_->selection().requestLiveFrame();
-  QVERIFY(waitFor([this] { return window_->shown()->frame == kFrames - 1; }));
+  QVERIFY(waitFor([this] { return window_->shown()->frame == kDemoFrames - 1; }));
   window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
 }
 
@@ -331,7 +331,7 @@ void PlotsTest::trajectoryCsvIsWhatIsSelected() {
   QApplication::clipboard()->clear();
   action("actionTrajectoryCopy")->trigger();
   QVERIFY(waitFor([] { return !QApplication::clipboard()->text().isEmpty(); }));
-  QCOMPARE(csvLines(QApplication::clipboard()->text()).size(), 1 + kFrames);
+  QCOMPARE(csvLines(QApplication::clipboard()->text()).size(), 1 + kDemoFrames);
   table().selectRow(7);
   QApplication::clipboard()->clear();
   action("actionTrajectoryCopy")->trigger();

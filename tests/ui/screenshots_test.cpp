@@ -29,9 +29,8 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS; ///< software OpenGL, a loaded machine, a sanitizer
-constexpr qint64 kFrame = 120;                   ///< by then the demo's ball has left a path
-constexpr std::size_t kColors = 8;               ///< fewer are an empty picture
+constexpr qint64 kShownFrame = 120; ///< by then the demo's ball has left a path
+constexpr std::size_t kColors = 8;  ///< fewer are an empty picture
 
 /// How many colors a picture has, up to kColors.
 std::size_t colorsOf(const QImage& picture) {
@@ -228,7 +227,7 @@ void ScreenshotsTest::everyView() {
   keepWindow(QStringLiteral("new-project"));
 
   open();
-  QVERIFY(waitFor([this] { return shown().frame >= kFrame; }));
+  QVERIFY(waitFor([this] { return shown().frame >= kShownFrame; }));
   action("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return rests(); }));
   for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) {

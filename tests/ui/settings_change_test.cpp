@@ -23,7 +23,7 @@ namespace dewpoint::tests {
 
 namespace {
 
-constexpr qint64 kTracked = 30; ///< frames tracked at first
+constexpr qint64 kTrackedAtFirst = 30; ///< frames tracked at first
 /// A parameter that moves every estimate.
 constexpr const char* kSpread = "acceleration_sigma";
 /// Whether the window takes tracking again for quick: not what this machine happens to be.
@@ -55,7 +55,7 @@ private:
       const auto entry =
           std::ranges::find(header, std::string(key), &std::pair<std::string, std::string>::first);
       return entry != header.end() && std::stod(entry->second) == value &&
-             results().old().frames.empty() && results().old().newest == kTracked - 1 &&
+             results().old().frames.empty() && results().old().newest == kTrackedAtFirst - 1 &&
              !results().isRenewing();
     });
   }
@@ -69,10 +69,10 @@ void SettingsChangeTest::trackSome(Again again) {
   results().setQuick(again == Again::Quick ? std::numeric_limits<double>::infinity() : 0.0);
   open();
   QVERIFY(waitFor([this] { return shown().history.head == 0; }));
-  for (qint64 frame = 1; frame < kTracked; ++frame) {
+  for (qint64 frame = 1; frame < kTrackedAtFirst; ++frame) {
     action("actionNextFrame")->trigger();
   }
-  QVERIFY(waitFor([this] { return results().old().newest == kTracked - 1; }));
+  QVERIFY(waitFor([this] { return results().old().newest == kTrackedAtFirst - 1; }));
   QVERIFY(results().old().frames.empty());
   QVERIFY(!action("actionTrackAgain")->isEnabled());
 }
@@ -86,7 +86,7 @@ void SettingsChangeTest::whatIsQuickIsTrackedAgainAtOnce() {
   QVERIFY(window_->document().setParameter(kSpread, 1.5));
   QVERIFY(areRenewed(kSpread, 1.5));
   QCOMPARE(shown().frame, 12); // it stays where the user looks
-  QCOMPARE(shown().history.head, kTracked - 1);
+  QCOMPARE(shown().history.head, kTrackedAtFirst - 1);
   QVERIFY(shown().state == PlayState::Paused);
   QVERIFY(mean() != then);
   QCOMPARE(messageText(), QString());
@@ -102,7 +102,7 @@ void SettingsChangeTest::whatIsSlowIsMarkedAndOffered() {
   const double before = window_->document().project().parameters.at("particles");
   auto* timeline = find<Timeline>("timeline");
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
-  QVERIFY(areOld({{0, kTracked - 1}}));
+  QVERIFY(areOld({{0, kTrackedAtFirst - 1}}));
   QVERIFY(timeline->model().isOld(5));
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("Settings changed")); }));
   QVERIFY(action("actionTrackAgain")->isEnabled());
@@ -117,7 +117,7 @@ void SettingsChangeTest::whatIsSlowIsMarkedAndOffered() {
   find<QPushButton>("messageAnswer0")->click();
   QVERIFY(areRenewed("particles", before + 100.0));
   QCOMPARE(messageText(), QString());
-  QCOMPARE(shown().frame, kTracked - 1);
+  QCOMPARE(shown().frame, kTrackedAtFirst - 1);
 }
 
 void SettingsChangeTest::anotherTargetIsTrackedOverAllFrames() {
@@ -131,7 +131,7 @@ void SettingsChangeTest::anotherTargetIsTrackedOverAllFrames() {
   const auto areRecorded = [this](std::size_t targets) {
     return waitFor([&] {
       const auto& records = find<Timeline>("timeline")->model().records;
-      return results().old().frames.empty() && records.size() == std::size_t{kTracked} &&
+      return results().old().frames.empty() && records.size() == std::size_t{kTrackedAtFirst} &&
              std::ranges::all_of(records, [&](const FrameRecord& record) {
                return record.targets.size() == targets;
              });
@@ -139,7 +139,7 @@ void SettingsChangeTest::anotherTargetIsTrackedOverAllFrames() {
   };
   QVERIFY(areRecorded(2));
   QVERIFY(shown().state == PlayState::Paused);
-  QCOMPARE(shown().frame, kTracked - 1);
+  QCOMPARE(shown().frame, kTrackedAtFirst - 1);
   window_->document().undoStack()->undo();
   QVERIFY(areRecorded(1));
   QVERIFY(shown().state == PlayState::Paused);
@@ -148,7 +148,7 @@ void SettingsChangeTest::anotherTargetIsTrackedOverAllFrames() {
 void SettingsChangeTest::aChangeWhilePlayingHoldsFromThereOn() {
   trackSome();
   action("actionPlay")->trigger();
-  QVERIFY(waitFor([this] { return shown().history.head > kTracked + 2; }));
+  QVERIFY(waitFor([this] { return shown().history.head > kTrackedAtFirst + 2; }));
   const double before = window_->document().project().parameters.at("particles");
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
   QVERIFY(waitFor([this] { return !results().old().frames.empty(); }));
