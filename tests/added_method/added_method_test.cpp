@@ -5,6 +5,7 @@
 #include "core/session/run/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "tests/ui/window_fixture.h"
+#include "tests/ui/window_test.h"
 #include "ui/document/document.h"
 #include "ui/help/manual_pages.h"
 
@@ -69,11 +70,8 @@ void AddedMethodTest::isChosenBesideTheOthers() {
   QVERIFY(areParkedAt(0.25, 0.5));
 }
 
-} // namespace dewpoint::tests
+DEWPOINT_WINDOW_TEST(AddedMethodTest)
 
-int main(int argc, char** argv) {
-  return dewpoint::tests::test::runWindowTest<dewpoint::tests::AddedMethodTest>(argc, argv,
-                                                                                "added-method");
-}
+} // namespace dewpoint::tests
 
 #include "added_method_test.moc"

@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 
 #include "core/session/run/snapshot.h"
+#include "tests/ui/window_test.h"
 #include "ui/calibration/manual/grid_layer.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/jobs/job_thread.h"

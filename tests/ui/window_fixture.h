@@ -78,17 +78,4 @@ protected:
   std::unique_ptr<MainWindow> window_;
 };
 
-/// What a program of window tests needs before its QApplication is made.
-void prepareApplication();
-
-/// The main function of a program with one class of window tests, with settings of its own.
-template <class Test> int runWindowTest(int argc, char** argv, const char* name) {
-  prepareApplication();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("dewpoint-test"));
-  QApplication::setApplicationName(QLatin1String(name));
-  Test test;
-  return QTest::qExec(&test, argc, argv);
-}
-
 } // namespace dewpoint::tests::test

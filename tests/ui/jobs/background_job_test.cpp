@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/gate.h"
+#include "tests/ui/window_test.h"
+#include "ui/jobs/background_job.h"
+#include "ui/jobs/job_queue.h"
+#include "ui/jobs/latest_job.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dewpoint::tests {
+
+using test::Gate;
+
+namespace {
+
+constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS;
+
+bool allEnded() {
+  return QTest::qWaitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }, kTimeoutMs);
+}
+
+} // namespace
+
+class BackgroundJobTest : public QObject {
+  Q_OBJECT
+private Q_SLOTS:
+  void givesWhatItFoundInTheWindowsThread();
+  void canceledItChangesNothing();
+  void runsAnotherOneAfterwards();
+  void whoeverDropsItDoesNotWait();
+  void whoeverDropsWhatWaitsDoesNotWait();
+  void abandonedItMakesRoom();
+  void ofThoseThatWaitOnlyTheNewestIsBegun();
+  void whatIsOvertakenIsDroppedOrKept();
+  void whatDoesNotNoticeIsLeftBehind();
+  void theQueueWorksInOrderAndToTheEnd();
+};
+
+void BackgroundJobTest::givesWhatItFoundInTheWindowsThread() {
+  BackgroundJob job;
+  QSignalSpy ended(&job, &BackgroundJob::ended);
+  int answer = 0;
+  QThread* where = nullptr;
+  QVERIFY(job.start([&](const BackgroundJob::Progress& progress) -> std::function<void()> {
+    progress(0.5);
+    return [&] {
+      answer = 42;
+      where = QThread::currentThread();
+    };
+  }));
+  QVERIFY(!job.start([](const BackgroundJob::Progress&) { return nullptr; })); // one at a time
+  QVERIFY(ended.wait());
+  QCOMPARE(answer, 42);
+  QCOMPARE(where, QThread::currentThread());
+  QVERIFY(!ended.at(0).at(0).toBool());
+  QVERIFY(!job.isRunning());
+}
+
+void BackgroundJobTest::canceledItChangesNothing() {
+  BackgroundJob job;
+  QSignalSpy ended(&job, &BackgroundJob::ended);
+  bool changed = false;
+  job.start([&](const BackgroundJob::Progress& progress) -> std::function<void()> {
+    while (progress(-1.0)) {
+      QThread::msleep(1);
+    }
+    return [&] { changed = true; };
+  });
+  job.cancel();
+  QVERIFY(ended.wait());
+  QVERIFY(ended.at(0).at(0).toBool());
+  QVERIFY(!changed);
+}
+
+void BackgroundJobTest::runsAnotherOneAfterwards() {
+  BackgroundJob job;
+  int sum = 0;
+  for (int k = 1; k <= 3; ++k) {
+    QSignalSpy ended(&job, &BackgroundJob::ended);
+    QVERIFY(job.start([&sum, k](const BackgroundJob::Progress&) -> std::function<void()> {
+      return [&sum, k] { sum += k; };
+    }));
+    QVERIFY(ended.wait());
+  }
+  QCOMPARE(sum, 6);
+}
+
+/// With a destructor that joins, this test would never end.
+void BackgroundJobTest::whoeverDropsItDoesNotWait() {
+  const auto gate = std::make_shared<Gate>();
+  const auto heard = std::make_shared<std::atomic<bool>>(false);
+  auto job = std::make_unique<BackgroundJob>();
+  QVERIFY(job->start([gate, heard](const BackgroundJob::Progress&) -> std::function<void()> {
+    gate->pass();
+    return [heard] { *heard = true; };
+  }));
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
+  job.reset();
+  QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
+  gate->open();
+  QVERIFY(allEnded());
+  QCoreApplication::processEvents();
+  QVERIFY(!*heard);
+}
+
+namespace {
+
+/// Its destructor waits, as one that joins a thread does.
+struct SlowToGo {
+  explicit SlowToGo(std::shared_ptr<Gate> until) : gate(std::move(until)) {}
+  ~SlowToGo() { gate->pass(); }
+  SlowToGo(const SlowToGo&) = delete;
+  SlowToGo& operator=(const SlowToGo&) = delete;
+
+  std::shared_ptr<Gate> gate;
+};
+
+} // namespace
+
+void BackgroundJobTest::whoeverDropsWhatWaitsDoesNotWait() {
+  const auto gate = std::make_shared<Gate>();
+  std::unique_ptr<SlowToGo, DetachedDelete> one(new SlowToGo(gate));
+  std::shared_ptr<SlowToGo> other(new SlowToGo(gate), DetachedDelete());
+  const auto copy = std::make_unique<std::shared_ptr<SlowToGo>>(other);
+  one.reset();
+  other.reset();
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
+  copy->reset(); // the last owner
+  QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 2; }, kTimeoutMs));
+  QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
+  gate->open();
+  QVERIFY(allEnded());
+}
+
+void BackgroundJobTest::abandonedItMakesRoom() {
+  const auto gate = std::make_shared<Gate>();
+  BackgroundJob job;
+  QSignalSpy ended(&job, &BackgroundJob::ended);
+  int first = 0;
+  int second = 0;
+  job.start([gate, &first](const BackgroundJob::Progress&) -> std::function<void()> {
+    gate->pass();
+    return [&first] { ++first; };
+  });
+  job.abandon();
+  QCOMPARE(ended.size(), 1);
+  QVERIFY(ended.at(0).at(0).toBool());
+  QVERIFY(job.start([&second](const BackgroundJob::Progress&) -> std::function<void()> {
+    return [&second] { ++second; };
+  }));
+  QVERIFY(QTest::qWaitFor([&] { return second == 1; }, kTimeoutMs));
+  gate->open();
+  QVERIFY(allEnded());
+  QCoreApplication::processEvents();
+  QCOMPARE(first, 0);
+  QCOMPARE(ended.size(), 2);
+}
+
+void BackgroundJobTest::ofThoseThatWaitOnlyTheNewestIsBegun() {
+  const auto gate = std::make_shared<Gate>();
+  LatestJob job(LatestJob::Overtaken::Kept);
+  QSignalSpy idle(&job, &LatestJob::idle);
+  std::vector<int> done;
+  for (const int number : {1, 2, 3}) {
+    job.start([gate, number, &done](const BackgroundJob::Progress&) {
+      gate->pass();
+      return [number, &done] { done.push_back(number); };
+    });
+  }
+  QVERIFY(job.isRunning());
+  gate->open();
+  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kTimeoutMs));
+  QCOMPARE(done, (std::vector<int>{1, 3}));
+  QVERIFY(!job.isRunning());
+}
+
+void BackgroundJobTest::whatIsOvertakenIsDroppedOrKept() {
+  const auto gate = std::make_shared<Gate>();
+  LatestJob job(LatestJob::Overtaken::Dropped);
+  QSignalSpy idle(&job, &LatestJob::idle);
+  std::vector<int> done;
+  const auto order = [&](int number) {
+    job.start([gate, number, &done](const BackgroundJob::Progress&) {
+      gate->pass();
+      return [number, &done] { done.push_back(number); };
+    });
+  };
+  order(1);
+  order(2);
+  gate->open();
+  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 1; }, kTimeoutMs));
+  QCOMPARE(done, (std::vector<int>{2}));
+  order(3);
+  job.cancel();
+  QVERIFY(QTest::qWaitFor([&] { return idle.size() == 2; }, kTimeoutMs));
+  QCOMPARE(done, (std::vector<int>{2}));
+}
+
+void BackgroundJobTest::whatDoesNotNoticeIsLeftBehind() {
+  const auto gate = std::make_shared<Gate>(); // stays closed
+  LatestJob job(LatestJob::Overtaken::Dropped);
+  bool done = false;
+  job.start([gate](const BackgroundJob::Progress&) -> std::function<void()> {
+    gate->pass();
+    return nullptr;
+  });
+  job.start([&done](const BackgroundJob::Progress&) { return [&done] { done = true; }; });
+  QVERIFY(QTest::qWaitFor([&] { return done; }, kTimeoutMs));
+  gate->open();
+  QVERIFY(allEnded());
+}
+
+void BackgroundJobTest::theQueueWorksInOrderAndToTheEnd() {
+  const auto gate = std::make_shared<Gate>();
+  const auto worked = std::make_shared<std::vector<int>>(); // in the queue's thread alone
+  const auto told = std::make_shared<std::vector<int>>();
+  auto queue = std::make_unique<JobQueue>();
+  for (const int number : {1, 2, 3}) {
+    queue->add([gate, worked, told, number]() -> std::function<void()> {
+      if (number == 2) {
+        gate->pass();
+      }
+      worked->push_back(number);
+      return [told, number] { told->push_back(number); };
+    });
+  }
+  QVERIFY(QTest::qWaitFor([&] { return !told->empty(); }, kTimeoutMs));
+  queue.reset(); // nobody listens any more, and all is done all the same
+  gate->open();
+  QVERIFY(allEnded());
+  QCoreApplication::processEvents();
+  QCOMPARE(*worked, (std::vector<int>{1, 2, 3}));
+  QCOMPARE(*told, (std::vector<int>{1}));
+}
+
+DEWPOINT_CORE_TEST(BackgroundJobTest)
+
+} // namespace dewpoint::tests
+
+#include "background_job_test.moc"

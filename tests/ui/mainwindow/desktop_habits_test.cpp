@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person expects of every window of the desktop: it is where it was, has the system's
+// colors, and no slip of a key does harm.
+#include "core/session/run/snapshot.h"
+#include "core/session/session.h"
+#include "tests/ui/saved_run.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_test.h"
+#include "ui/actions/action_id.h"
+#include "ui/actions/action_registry.h"
+#include "ui/document/document.h"
+#include "ui/preferences/preferences.h"
+#include "ui/style/theme.h"
+#include "ui/text/language.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QThread>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QWindow>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <set>
+
+namespace dewpoint::tests {
+
+class DesktopHabitsTest : public QObject, private test::WindowFixture {
+  Q_OBJECT
+private Q_SLOTS:
+  void initTestCase() { useLanguage(QStringLiteral("en")); }
+  void init() { makeWindow(kUnseen); }
+  void cleanup() { window_.reset(); }
+  void assertionsAreOn();
+  void everyNamedActionIsDeclared();
+  void theWindowIsWhereItWas();
+  void theSystemsColorsAreFollowedWhileItRuns();
+  void aChosenThemeIsKeptWhateverTheSystemDoes();
+  void undoAndRedoAreThoseOfTheHistory();
+  void theKeyThatRestartsAsks();
+  void dialogsHaveTheirButtonsWhereThePlatformPutsThem();
+  void theFilterUsesAsManyThreadsAsChosen();
+
+private:
+  /// The test shows the window, where and when it wants to.
+  static inline const test::WindowSetup kUnseen{.play = false, .show = false};
+
+  void openDemo();
+  static bool looksDark() { return isDarkPalette(QApplication::palette()); }
+};
+
+void DesktopHabitsTest::openDemo() {
+  window_->show();
+  window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+  open();
+  QVERIFY(waitFor([this] { return window_->shown() && action("actionPlay")->isEnabled(); }));
+}
+
+void DesktopHabitsTest::assertionsAreOn() {
+  bool looked = false;
+  Q_ASSERT((looked = true));
+  QVERIFY(looked);
+}
+
+void DesktopHabitsTest::everyNamedActionIsDeclared() {
+  std::set<QString> declared;
+  for (const QAction* one : window_->findChild<ActionRegistry*>()->all()) {
+    declared.insert(one->objectName());
+  }
+  for (const std::string_view name : kActionNames) {
+    const QString text = QString::fromLatin1(name.data(), qsizetype(name.size()));
+    QVERIFY2(declared.erase(text) == 1, qPrintable(text));
+  }
+  QVERIFY(declared.empty());
+}
+
+void DesktopHabitsTest::theWindowIsWhereItWas() {
+  window_->keepGeometry(); // nothing is kept yet
+  window_->setGeometry(140, 120, 1010, 730);
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  const QRect before = window_->geometry();
+  QVERIFY(window_->close());
+  makeAnotherWindow(kUnseen);
+  QVERIFY(window_->size() != before.size());
+  window_->keepGeometry();
+  QCOMPARE(window_->geometry(), before);
+  // Windows that nobody sees, for a picture or a run, change nothing of that.
+  makeAnotherWindow(kUnseen);
+  window_->resize(900, 600);
+  window_->show();
+  QVERIFY(window_->close());
+  makeAnotherWindow(kUnseen);
+  window_->keepGeometry();
+  QCOMPARE(window_->geometry(), before);
+}
+
+void DesktopHabitsTest::theSystemsColorsAreFollowedWhileItRuns() {
+  window_->show();
+  QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  QCOMPARE(window_->theme(), Theme::System);
+  QVERIFY(!looksDark());
+  // As a desktop does when a person chooses dark colors there.
+  QApplication::setPalette(QPalette(QColor("#303030"), QColor("#202020")));
+  QVERIFY(waitFor([] { return isThemeApplied() && looksDark(); }));
+  QCOMPARE(window_->palette().color(QPalette::Window), themePalette(true).color(QPalette::Window));
+  QApplication::setPalette(QPalette(QColor("#e0e0e0"), QColor("#f0f0f0")));
+  QVERIFY(waitFor([] { return isThemeApplied() && !looksDark(); }));
+  // The platform says that its theme is another one: it is asked, and is light as before.
+  QEvent change(QEvent::ThemeChange);
+  QApplication::sendEvent(window_->windowHandle(), &change);
+  QCoreApplication::processEvents();
+  QVERIFY(isThemeApplied());
+  QVERIFY(!looksDark());
+}
+
+void DesktopHabitsTest::aChosenThemeIsKeptWhateverTheSystemDoes() {
+  window_->setTheme(Theme::Light);
+  QApplication::setPalette(QPalette(QColor("#303030"), QColor("#202020")));
+  QVERIFY(waitFor([] { return isThemeApplied(); }));
+  QVERIFY(!looksDark());
+  window_->setTheme(Theme::System); // which is dark by now
+  QVERIFY(looksDark());
+  QApplication::setPalette({}); // as it was at first
+  QVERIFY(waitFor([] { return isThemeApplied() && !looksDark(); }));
+}
+
+void DesktopHabitsTest::undoAndRedoAreThoseOfTheHistory() {
+  openDemo();
+  QVERIFY(!action("actionUndo")->isEnabled());
+  QVERIFY(!action("actionRedo")->isEnabled());
+  QVERIFY(window_->document().setParameter("particles", 777));
+  const QString step = window_->document().undoStack()->undoText();
+  QVERIFY(action("actionUndo")->isEnabled());
+  QVERIFY(action("actionUndo")->text().contains(step));
+  useLanguage(QStringLiteral("de"));
+  QVERIFY(waitFor(
+      [this] { return action("actionUndo")->text().startsWith(QStringLiteral("Rückgängig")); }));
+  QVERIFY(action("actionUndo")->text().contains(step)); // named when it was made
+  useLanguage(QStringLiteral("en"));
+  action("actionUndo")->trigger();
+  QVERIFY(!action("actionUndo")->isEnabled());
+  QVERIFY(action("actionRedo")->text().contains(step));
+  action("actionRedo")->trigger();
+  QCOMPARE(window_->document().project().parameters.at("particles"), 777.0);
+}
+
+void DesktopHabitsTest::theKeyThatRestartsAsks() {
+  openDemo();
+  const auto frame = [this] { return shown().history.head; };
+  const auto reach = [&](std::int64_t wanted) {
+    while (frame() < wanted) {
+      const auto before = frame();
+      action("actionNextFrame")->trigger();
+      if (!waitFor([&] { return frame() > before; })) {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (const auto modifier : {Qt::NoModifier, Qt::ShiftModifier}) {
+    QVERIFY(reach(3));
+    QTest::keyClick(window_.get(), Qt::Key_R, modifier);
+    QVERIFY(messageText().contains(QStringLiteral("Restart")));
+    QTest::keyClick(window_.get(), Qt::Key_R, modifier); // is no answer
+    const auto head = frame();
+    QVERIFY(head >= 3);
+    QVERIFY(reach(head + 1)); // the run goes on
+    QTest::mouseClick(find<QPushButton>("messageAnswer0"), Qt::LeftButton);
+    QVERIFY(waitFor([&] { return frame() < head; }));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the answers
+  }
+  // The button is pressed on purpose.
+  QVERIFY(reach(3));
+  QTest::mouseClick(find<QToolButton>("actionRestartButton"), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return frame() < 3; }));
+}
+
+void DesktopHabitsTest::dialogsHaveTheirButtonsWhereThePlatformPutsThem() {
+  openDemo();
+  for (const char* name : {"actionShortcuts", "actionExportTrajectory", "actionImportCalibration",
+                           "actionExportCalibration", "actionExperiments"}) {
+    action(name)->trigger();
+    const auto dialogs = window_->findChildren<QDialog*>();
+    const auto open = std::ranges::find_if(dialogs, &QDialog::isVisible);
+    QVERIFY2(open != dialogs.end(), name);
+    QVERIFY2((*open)->findChild<QDialogButtonBox*>() != nullptr, name);
+    QTest::keyClick(*open, Qt::Key_Escape);
+    QVERIFY2(
+        waitFor([dialog = QPointer<QDialog>(*open)] { return !dialog || !dialog->isVisible(); }),
+        name);
+  }
+}
+
+void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
+  const auto threadsOfRun = [&] {
+    QFile report(file("run.json"));
+    return test::savesRun(*window_, folder_.path().toStdString()) &&
+                   report.open(QIODevice::ReadOnly)
+               ? QJsonDocument::fromJson(report.readAll()).object().value("threads").toInt()
+               : -1;
+  };
+  const auto choose = [&](int wanted) {
+    action("actionFilterThreads")->trigger();
+    find<QSpinBox>("threadCount")->setValue(wanted);
+    QTest::mouseClick(find<QPushButton>("threadCountAccept"), Qt::LeftButton);
+    QVERIFY(waitFor([this] { return window_->findChild<QSpinBox*>("threadCount") == nullptr; }));
+  };
+  window_->show();
+  const int most = QThread::idealThreadCount();
+  QCOMPARE(Preferences().filterThreads(), 0); // nobody has chosen
+  choose(most);
+  QCOMPARE(Preferences().filterThreads(), most);
+  openDemo();
+  QCOMPARE(threadsOfRun(), most);
+  choose(1); // while it runs
+  QVERIFY(waitFor([&] { return threadsOfRun() == 1; }));
+}
+
+DEWPOINT_WINDOW_TEST(DesktopHabitsTest)
+
+} // namespace dewpoint::tests
+
+#include "desktop_habits_test.moc"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast the window plays: by keys, by the button beside Play, and slowly at first.
+#include "core/session/playback_pace.h"
+#include "core/session/run/snapshot.h"
+#include "core/session/session.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_test.h"
+#include "ui/preferences/preferences.h"
+#include "ui/session/session_controller.h"
+#include "ui/text/language.h"
+
+#include <QMenu>
+#include <QToolButton>
+
+namespace dewpoint::tests {
+
+class SpeedTest : public QObject, private test::WindowFixture {
+  Q_OBJECT
+private Q_SLOTS:
+  void initTestCase() { useLanguage(QStringLiteral("en")); }
+  void init() { makeWindow(); }
+  void cleanup() { window_.reset(); }
+  void keysChangeTheSpeedWithinItsLimits();
+  void theMenuHasEverySpeed();
+  void aSpeedHoldsForTheNextProject();
+  void slowlyAtFirstIsRemembered();
+  void whatIsBelievedBeforeTheFirstIterationIsShown();
+
+private:
+  const Pace& pace() const { return window_->findChild<SessionController*>()->pace(); }
+  QString speedShown() const { return find<QToolButton>("speedButton")->text(); }
+};
+
+void SpeedTest::keysChangeTheSpeedWithinItsLimits() {
+  openDemo();
+  QCOMPARE(speedShown(), QStringLiteral("1 ×"));
+  QTest::keyClick(window_.get(), Qt::Key_BracketRight);
+  QCOMPARE(speedShown(), QStringLiteral("2 ×"));
+  QTest::keyClick(window_.get(), Qt::Key_BracketLeft);
+  QTest::keyClick(window_.get(), Qt::Key_BracketLeft);
+  QCOMPARE(speedShown(), QStringLiteral("1/2 ×"));
+  for (int i = 0; i < 10; ++i) {
+    QTest::keyClick(window_.get(), Qt::Key_BracketLeft);
+  }
+  QCOMPARE(speedShown(), QStringLiteral("1/30 ×"));
+  QVERIFY(!action("actionSlower")->isEnabled());
+  QCOMPARE(pace().speed, Pace::kSlowest);
+  QTest::keyClick(window_.get(), Qt::Key_Backslash);
+  QCOMPARE(speedShown(), QStringLiteral("1 ×"));
+  QVERIFY(!action("actionNormalSpeed")->isEnabled());
+}
+
+void SpeedTest::theMenuHasEverySpeed() {
+  openDemo();
+  const QMenu* menu = find<QToolButton>("speedButton")->menu();
+  QStringList texts;
+  for (QAction* one : menu->actions()) {
+    if (one->data().isValid()) {
+      texts += one->text();
+      one->trigger();
+      QCOMPARE(pace().speed, one->data().toDouble());
+      QCOMPARE(speedShown(), one->text());
+    }
+  }
+  QCOMPARE(texts.size(), 9);
+  QCOMPARE(texts.last(), QStringLiteral("8 ×"));
+}
+
+void SpeedTest::aSpeedHoldsForTheNextProject() {
+  openDemo();
+  action("actionFaster")->trigger();
+  action("actionFaster")->trigger();
+  open();
+  QCOMPARE(speedShown(), QStringLiteral("4 ×"));
+  // At this speed ten seconds are over soon.
+  QVERIFY(waitFor([this] { return shown().state == PlayState::Ended; }));
+}
+
+void SpeedTest::slowlyAtFirstIsRemembered() {
+  QVERIFY(action("actionSlowStart")->isChecked());
+  QVERIFY(pace().slowUntilHeld);
+  action("actionSlowStart")->trigger();
+  QVERIFY(!pace().slowUntilHeld);
+  QVERIFY(!Preferences().slowUntilHeld());
+  window_.reset();
+  makeAnotherWindow();
+  QVERIFY(!action("actionSlowStart")->isChecked());
+  QVERIFY(!pace().slowUntilHeld);
+}
+
+void SpeedTest::whatIsBelievedBeforeTheFirstIterationIsShown() {
+  bool seenBefore = false;
+  connect(window_->findChild<SessionController*>(), &SessionController::snapshotChanged, this,
+          [&](const TrackSnapshotPtr& snapshot) {
+            seenBefore = seenBefore || (snapshot && snapshot->state == PlayState::Playing &&
+                                        snapshot->iterations == 0 && !snapshot->targets.empty() &&
+                                        snapshot->targets.front().particles.rows() > 0);
+          });
+  openDemo();
+  QVERIFY(waitFor([this] { return shown().iterations > 3; }));
+  QVERIFY(seenBefore);
+}
+
+DEWPOINT_WINDOW_TEST(SpeedTest)
+
+} // namespace dewpoint::tests
+
+#include "speed_test.moc"

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What plots show of a run that has just begun, in a window of the usual size: what matters is in
+// sight, one iteration is a dot, and a restart shows the whole run again.
+#include "core/session/run/snapshot.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_test.h"
+#include "ui/plots/frame_convergence.h"
+#include "ui/plots/plot_axis_strip.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/plot_stack.h"
+#include "ui/trajectory/trajectory_panel.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+
+namespace dewpoint::tests {
+
+class PlotsOfABeginningTest : public QObject, private test::WindowFixture {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init();
+  void cleanup() { window_.reset(); }
+  void whatMattersIsInSight();
+  void axisStaysWhileThePlotsScroll();
+  void oneIterationIsADot();
+  void iterationsOfAFrameConverge();
+  void restartShowsTheWholeRun();
+  void withoutDataThereIsASentence();
+
+private:
+  PlotPanel& panel() { return *window_->findChild<PlotPanel*>(); }
+  PlotStack& plots() { return panel().stack(); }
+  PlotAxisStrip& strip() {
+    return *static_cast<PlotAxisStrip*>(plots().findChild<QWidget*>(QStringLiteral("plotAxis")));
+  }
+  /// Tracks frames until there are so many iterations.
+  bool runsTo(std::int64_t iterations) {
+    while (shown().iterations < iterations) {
+      const std::int64_t before = shown().iterations;
+      action("actionNextFrame")->trigger();
+      if (!waitFor([&] { return shown().iterations > before; })) {
+        return false;
+      }
+    }
+    return waitFor([this] { return panel().shownIterations() == shown().iterations; });
+  }
+};
+
+void PlotsOfABeginningTest::init() {
+  makeWindow({.size = {1400, 900}, .theme = Theme::Light, .play = false});
+  open(); // and the first frame is tracked
+  QVERIFY(waitFor([this] { return shown().iterations == 1 && panel().shownIterations() == 1; }));
+  QVERIFY(draws(*window_));
+}
+
+void PlotsOfABeginningTest::whatMattersIsInSight() {
+  QVERIFY(waitFor([this] { return plots().plotsInSight().size() >= 3; }));
+  QCOMPARE(plots().plotsInSight().first(3), (QStringList{"position", "spread", "sampleSize"}));
+  QCOMPARE(find<QLabel>("plotTarget")->text(), QStringLiteral("pink ball"));
+}
+
+void PlotsOfABeginningTest::axisStaysWhileThePlotsScroll() {
+  QVERIFY(runsTo(5));
+  auto* bar = plots().findChild<QScrollArea*>(QStringLiteral("plotScroll"))->verticalScrollBar();
+  QVERIFY(bar->maximum() > 0); // not all of them fit
+  for (const int value : {0, bar->maximum()}) {
+    bar->setValue(value);
+    const QRect place(strip().mapTo(&plots(), QPoint()), strip().size());
+    QVERIFY(strip().isVisible() && plots().rect().contains(place));
+    QVERIFY2(strip().labels().size() >= 2, qPrintable(strip().labels().join(u' ')));
+  }
+}
+
+void PlotsOfABeginningTest::oneIterationIsADot() {
+  QCOMPARE(panel().shownIterations(), 1);
+  QVERIFY(waitFor([this] { return plots().drawnPoints() > 0; }));
+  QVERIFY(plots().hasDots());
+  QVERIFY(runsTo(40));
+  QVERIFY(waitFor([this] { return !plots().hasDots(); })); // a line says it
+}
+
+void PlotsOfABeginningTest::iterationsOfAFrameConverge() {
+  QVERIFY(runsTo(3));
+  QVERIFY(panel().convergence().isHidden()); // one iteration per frame
+  for (int k = 0; k < 4; ++k) {
+    const std::int64_t before = shown().iterations;
+    action("actionNextIteration")->trigger();
+    QVERIFY(waitFor([&] { return shown().iterations > before; }));
+  }
+  QVERIFY(waitFor([this] { return panel().convergence().isVisible(); }));
+  QCOMPARE(panel().convergence().iterations(), std::size_t{5});
+  QCOMPARE(panel().convergence().stack().visiblePlots(), QStringList{"convergence"});
+  // One more frame: it is its own; long after, there is nothing to be shown.
+  QVERIFY(runsTo(shown().iterations + 1));
+  QCOMPARE(panel().convergence().iterations(), std::size_t{1});
+  QVERIFY(runsTo(shown().iterations + 14));
+  QVERIFY(waitFor([this] { return panel().convergence().isHidden(); }));
+}
+
+void PlotsOfABeginningTest::restartShowsTheWholeRun() {
+  QVERIFY(runsTo(70));
+  window_->findChild<QDockWidget*>(QStringLiteral("trajectoryDock"))->raise();
+  auto& motion = window_->findChild<TrajectoryPanel*>()->plots();
+  QVERIFY(waitFor([&] { return (motion.showPart(0.5, 1.0), !motion.showsAll()); }));
+  window_->findChild<QDockWidget*>(QStringLiteral("plotDock"))->raise();
+  QVERIFY(waitFor([this] { return plots().isVisible(); }));
+  plots().showPart(1.0, 20.0);
+  QVERIFY(!plots().showsAll());
+  action("actionRestart")->trigger();
+  QVERIFY(waitFor([this] { return shown().iterations == 0; }));
+  QVERIFY(plots().showsAll());
+  QVERIFY(motion.showsAll());
+  QVERIFY(runsTo(66)); // and goes along with the new one
+  QVERIFY(waitFor([this] { return plots().shownRange().second >= 66.0; }));
+}
+
+void PlotsOfABeginningTest::withoutDataThereIsASentence() {
+  auto* sentence = plots().findChild<QLabel*>(QStringLiteral("plotsEmpty"));
+  QVERIFY(waitFor([&] { return sentence->isHidden(); }));
+  action("actionRestart")->trigger();
+  QVERIFY(waitFor([&] { return shown().iterations == 0 && sentence->isVisible(); }));
+  QCOMPARE(sentence->text(), QStringLiteral("Plots appear when tracking runs."));
+  QVERIFY(runsTo(1));
+  QVERIFY(waitFor([&] { return sentence->isHidden(); }));
+}
+
+DEWPOINT_WINDOW_TEST(PlotsOfABeginningTest)
+
+} // namespace dewpoint::tests
+
+#include "plots_of_a_beginning_test.moc"

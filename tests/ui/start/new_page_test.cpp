@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of a new project: what is dropped onto it, what it makes, and how one gets away again.
+#include "core/session/run/snapshot.h"
+#include "tests/ui/recorded_demo.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_test.h"
+#include "ui/document/document.h"
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+namespace dewpoint::tests {
+
+class NewPageTest : public QObject, private test::WindowFixture {
+  Q_OBJECT
+
+private Q_SLOTS:
+  void init() { makeWindow(); }
+  void cleanup() { window_.reset(); }
+  void twoVideosAndACalibrationMakeAProject();
+  void whatCannotBeMadeIsSaidAndNothingIsLost();
+  void furtherDropsAddToTheNewProject();
+  void whatIsNoFootageIsRefused();
+  void anErrorIsOverWhenAnotherProjectOpens();
+  void cancelOfANewProjectChangesNothing();
+  void cancelWhileItIsMadeOpensNothing();
+  void aTypedFolderHasARate();
+  void whatIsChosenIsReadAtOnce();
+  void aCalibrationIsReadWhenItIsChosen();
+  void aPageOverARunHasNoTransport();
+
+private:
+  QString found(int row) const { return find<QTableWidget>("newCameras")->item(row, 2)->text(); }
+  /// Waits until the page has found out about all that was dropped.
+  bool hasRows(int rows) const {
+    return waitFor([&] {
+      return find<QTableWidget>("newCameras")->rowCount() == rows &&
+             find<QPushButton>("newCreate")->isEnabled();
+    });
+  }
+};
+
+void NewPageTest::twoVideosAndACalibrationMakeAProject() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
+  QVERIFY(hasRows(2));
+  QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(isOpen(2));
+  const Project& project = window_->document().project();
+  QCOMPARE(project.cameras[0].camera.name, std::string("left"));
+  QCOMPARE(project.cameras[1].camera.intrinsics.height, 320); // the demo's second camera, by order
+  QVERIFY(window_->document().isUnsaved());
+  QVERIFY(window_->isWindowModified());
+  QVERIFY(find<QLabel>("messageText")->text().contains(QStringLiteral("order")));
+}
+
+void NewPageTest::whatCannotBeMadeIsSaidAndNothingIsLost() {
+  action("actionNew")->trigger();
+  QVERIFY(!find<QPushButton>("newCreate")->isEnabled());
+  drop({file("left.mkv"), file("nowhere.mkv")});
+  QVERIFY(hasRows(2));
+  QTest::mouseClick(find<QPushButton>("newCreate"), Qt::LeftButton);
+  QVERIFY(waitFor([this] {
+    return find<QLabel>("messageText")->text().contains(QStringLiteral("nowhere.mkv"));
+  }));
+  QCOMPARE(find<QTableWidget>("newCameras")->rowCount(), 2);
+  QVERIFY(find<QPushButton>("newCreate")->isEnabled());
+  QTest::mouseClick(find<QPushButton>("newCancel"), Qt::LeftButton);
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+}
+
+void NewPageTest::furtherDropsAddToTheNewProject() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  for (const char* name : {"cam 10.mkv", "cam 2.mkv", "cam 1.mkv"}) {
+    QFile::copy(file("left.mkv"), file(name));
+  }
+  drop({file("cam 10.mkv"), file("cam 2.mkv")});
+  drop({file("cam 1.mkv")});
+  drop({file("cam 1.mkv"), file("calibration.toml")}); // twice the same is one camera
+  auto* table = find<QTableWidget>("newCameras");
+  QVERIFY(hasRows(3));
+  QCOMPARE(table->item(0, 0)->text(), QStringLiteral("cam 2")); // numbers as numbers
+  QCOMPARE(table->item(1, 0)->text(), QStringLiteral("cam 10"));
+  QCOMPARE(table->item(2, 0)->text(), QStringLiteral("cam 1"));
+  QCOMPARE(find<QLabel>("newCalibrationFile")->text(), QStringLiteral("calibration.toml"));
+}
+
+void NewPageTest::whatIsNoFootageIsRefused() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  QFile table(file("truth.csv"));
+  QVERIFY(table.open(QIODevice::WriteOnly));
+  table.write("frame,x,y,z\n0,1,2,3\n");
+  table.close();
+  QVERIFY(QDir().mkpath(file("no images")));
+  drop({file("left.mkv"), file("truth.csv"), file("calibration.toml"), file("no images")});
+  QVERIFY(hasRows(1));
+  QCOMPARE(find<QTableWidget>("newCameras")->item(0, 0)->text(), QStringLiteral("left"));
+  const QString text = find<QLabel>("messageText")->text();
+  QVERIFY2(text.contains(QStringLiteral("truth.csv")) && text.contains(QStringLiteral("no images")),
+           qPrintable(text));
+}
+
+void NewPageTest::anErrorIsOverWhenAnotherProjectOpens() {
+  window_->openProject("gone.toml");
+  auto* message = find<QLabel>("messageText");
+  QVERIFY(waitFor([&] { return message->text().contains(QStringLiteral("gone.toml")); }));
+  openDemo();
+  QVERIFY(!message->isVisible());
+}
+
+void NewPageTest::cancelOfANewProjectChangesNothing() {
+  openDemo();
+  auto* birdsEye = find<QDockWidget>("birdsEyeDock");
+  auto* plots = find<QDockWidget>("plotDock");
+  birdsEye->setFloating(true);
+  plots->toggleViewAction()->trigger();
+  QVERIFY(!plots->isVisible());
+  const QSize size = window_->size();
+  const Project before = window_->document().project();
+  action("actionNew")->trigger();
+  QVERIFY(find<QWidget>("newProjectPage")->isVisible());
+  QVERIFY(!birdsEye->isVisible());
+  QVERIFY(keepsItsSize(window_.get()));
+  QCOMPARE(window_->size(), size);
+  QTest::mouseClick(find<QPushButton>("newCancel"), Qt::LeftButton);
+  QVERIFY(waitFor([&] { return birdsEye->isVisible() && birdsEye->isFloating(); }));
+  QVERIFY(!plots->isVisible());
+  QVERIFY(find<QWidget>("start")->isHidden());
+  QVERIFY(keepsItsSize(window_.get()));
+  QCOMPARE(window_->size(), size);
+  QVERIFY(window_->document().project() == before);
+}
+
+void NewPageTest::cancelWhileItIsMadeOpensNothing() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  drop({file("left.mkv"), file("right.mkv")});
+  QVERIFY(hasRows(2));
+  // Both clicks come before the event loop can deliver what was made.
+  find<QPushButton>("newCreate")->click();
+  find<QPushButton>("newCancel")->click();
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+  QVERIFY(jobsEnd()); // what was being made is there by now
+  QVERIFY(find<QWidget>("startPage")->isVisible());
+  QVERIFY(!find<QLabel>("messageText")->isVisible());
+}
+
+void NewPageTest::aTypedFolderHasARate() {
+  action("actionNew")->trigger();
+  QVERIFY(QDir().mkpath(file("images")));
+  QTest::mouseClick(find<QPushButton>("newAddAddress"), Qt::LeftButton);
+  QTableWidgetItem* source = find<QTableWidget>("newCameras")->item(0, 1);
+  source->setText(file("images"));
+  auto* rate = find<QWidget>("newRate");
+  QVERIFY(waitFor([&] { return rate->isVisible(); }));
+  source->setText(QStringLiteral("rtsp://camera.example/1"));
+  QVERIFY(!rate->isVisible());
+}
+
+void NewPageTest::whatIsChosenIsReadAtOnce() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  QVERIFY(QDir().mkpath(file("other")));
+  QVERIFY(recordDemo(file("other").toStdString(), 5));
+  action("actionNew")->trigger();
+  QVERIFY(find<QWidget>("newDropZone")->isVisible());
+  const auto* note = find<QLabel>("newFootageNote");
+  drop({file("left.mkv")});
+  QVERIFY(hasRows(1));
+  QVERIFY(!find<QWidget>("newDropZone")->isVisible());
+  QVERIFY(waitFor([this] { return found(0).contains(QStringLiteral("320×240")); }));
+  QVERIFY2(found(0).contains(QStringLiteral("30")) && found(0).contains(QStringLiteral("8 frames")),
+           qPrintable(found(0)));
+  QVERIFY(!find<QTableWidget>("newCameras")->item(0, 0)->icon().isNull());
+  QVERIFY(!note->isVisible());
+  drop({file("other/left.mkv"), file("nowhere.mkv")});
+  QVERIFY(hasRows(3));
+  QVERIFY(waitFor([&] { return note->isVisible(); }));
+  QVERIFY2(note->text().contains(QStringLiteral("first 5 frames")), qPrintable(note->text()));
+  QVERIFY(waitFor([this] { return found(2).startsWith(QStringLiteral("✗")); }));
+}
+
+void NewPageTest::aCalibrationIsReadWhenItIsChosen() {
+  QVERIFY(recordDemo(folder_.path().toStdString()));
+  const auto* result = find<QLabel>("newCalibrationResult");
+  drop({file("left.mkv"), file("right.mkv"), file("calibration.toml")});
+  QVERIFY(hasRows(2));
+  QVERIFY(waitFor([&] { return result->text().contains(QStringLiteral("Dewpoint, 2 cameras")); }));
+  find<QTableWidget>("newCameras")->selectRow(1);
+  find<QPushButton>("newRemove")->click(); // two cameras are no calibration of one
+  QVERIFY2(result->text().contains(QStringLiteral("camera 1, camera 2")),
+           qPrintable(result->text()));
+  QFile other(file("other.json"));
+  QVERIFY(other.open(QIODevice::WriteOnly));
+  other.write("{\"K\": [1, 2, 3]}");
+  other.close();
+  drop({file("other.json")});
+  QVERIFY(waitFor([&] { return result->text().contains(QStringLiteral("Not recognized")); }));
+  QVERIFY2(result->text().contains(QStringLiteral("Caliscope")), qPrintable(result->text()));
+  find<QPushButton>("newDropCalibration")->click();
+  QVERIFY(!result->isVisible());
+}
+
+void NewPageTest::aPageOverARunHasNoTransport() {
+  openDemo();
+  action("actionNew")->trigger();
+  for (const char* id : {"actionPlay", "actionNextFrame", "actionRestart", "actionSave"}) {
+    QVERIFY2(!action(id)->isEnabled(), id);
+  }
+  find<QPushButton>("newCancel")->click();
+  QVERIFY(waitFor([this] { return action("actionPlay")->isEnabled(); }));
+}
+
+DEWPOINT_WINDOW_TEST(NewPageTest)
+
+} // namespace dewpoint::tests
+
+#include "new_page_test.moc"
