@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tree of tests mirrors that of core.
+// The tree of tests mirrors those of core and of the window.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,23 +22,27 @@ bool holds(const fs::path& folder, std::string_view ending) {
                      });
 }
 
-/// Folders of core with sources, below `root`, that have no folder of tests at the same place.
-std::vector<std::string> foldersWithoutTests(const fs::path& root) {
+/// Folders with sources below `sources` that have no folder of tests at the same place in `tests`;
+/// both in `root`.
+std::vector<std::string> foldersWithoutTests(const fs::path& root, const fs::path& sources,
+                                             const fs::path& tests) {
   std::vector<std::string> found;
-  for (const auto& entry : fs::recursive_directory_iterator(root / "core")) {
+  for (const auto& entry : fs::recursive_directory_iterator(root / sources)) {
     if (!entry.is_directory() || !holds(entry.path(), ".cpp")) {
       continue;
     }
-    const fs::path room = fs::relative(entry.path(), root / "core");
-    if (!holds(root / "tests" / room, "_test.cpp")) {
+    const fs::path room = fs::relative(entry.path(), root / sources);
+    if (!holds(root / tests / room, "_test.cpp")) {
       found.push_back(room.generic_string());
     }
   }
   return found;
 }
 
-TEST(Architecture, EachRoomOfTheCoreHasItsTestsAtTheSamePlace) {
-  EXPECT_EQ(foldersWithoutTests(DEWPOINT_SOURCE_DIR), std::vector<std::string>());
+TEST(Architecture, EachRoomHasItsTestsAtTheSamePlace) {
+  const std::vector<std::string> none;
+  EXPECT_EQ(foldersWithoutTests(DEWPOINT_SOURCE_DIR, "core", "tests"), none);
+  EXPECT_EQ(foldersWithoutTests(DEWPOINT_SOURCE_DIR, "ui", "tests/ui"), none);
 }
 
 TEST(SourceRules, FindsRoomsWithoutTests) {
@@ -46,11 +50,14 @@ TEST(SourceRules, FindsRoomsWithoutTests) {
   fs::remove_all(root);
   for (const char* file :
        {"core/color/hsi.cpp", "core/color/likelihood/table.cpp", "core/base/only_a_header.h",
-        "tests/color/hsi_test.cpp", "tests/color/likelihood/drawn.h"}) {
+        "tests/color/hsi_test.cpp", "tests/color/likelihood/drawn.h", "ui/plots/plot_stack.cpp",
+        "ui/color/color_dock.cpp", "tests/ui/plots/plots_test.cpp"}) {
     fs::create_directories((root / file).parent_path());
     std::ofstream(root / file) << "\n";
   }
-  EXPECT_EQ(foldersWithoutTests(root), std::vector<std::string>{"color/likelihood"});
+  EXPECT_EQ(foldersWithoutTests(root, "core", "tests"),
+            std::vector<std::string>{"color/likelihood"});
+  EXPECT_EQ(foldersWithoutTests(root, "ui", "tests/ui"), std::vector<std::string>{"color"});
 }
 
 } // namespace
