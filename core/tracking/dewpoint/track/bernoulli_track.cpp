@@ -51,7 +51,7 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
   searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
   identityAmbiguity_ = 0.0;
   confidentBefore_ = 0;
-  nextStream_ = 1;
+  numbers_.restart();
   hypotheses_.clear();
   predicted_.clear();
   searchParticles_.restart(searchPrior_, settings_.maxParticles, {seed, 0, 0}, bounds_);
@@ -215,7 +215,7 @@ void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
 TrackHypothesis BernoulliTrack::newHypothesis(const Gaussian3& position, double radius,
                                               double logRadiusVariance) {
   TrackHypothesis hypothesis;
-  hypothesis.stream = nextStream_++ % 4096U; // see firstIndex() in track_hypothesis.cpp
+  hypothesis.stream = numbers_.next();
   hypothesis.radius = radius;
   hypothesis.logRadiusVariance = logRadiusVariance;
   hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();

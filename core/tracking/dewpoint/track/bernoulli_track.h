@@ -6,6 +6,7 @@
 #include "core/tracking/dewpoint/search/search_prior.h"
 #include "core/tracking/dewpoint/track/hypothesis_estimate.h"
 #include "core/tracking/dewpoint/track/hypothesis_masses.h"
+#include "core/tracking/dewpoint/track/hypothesis_numbers.h"
 #include "core/tracking/dewpoint/track/radius_prior.h"
 #include "core/tracking/dewpoint/track/track_hypothesis.h"
 #include "core/tracking/start_parameters.h"
@@ -144,7 +145,7 @@ private:
   bool createsHypotheses_ = true;
   std::vector<TrackHypothesis> hypotheses_; ///< after the last update
   std::vector<TrackHypothesis> predicted_;  ///< before the updates of this frame
-  std::uint32_t nextStream_ = 1;            ///< stream of the next hypothesis
+  HypothesisNumbers numbers_{HypothesisNumbers::Half::Ball};
 };
 
 } // namespace dewpoint::tracking

@@ -64,7 +64,7 @@ int viewsInView(const std::vector<RegionMeasurement>& views) {
 
 void RegionTrack::restart(const StartVolume& start) {
   searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
-  nextStream_ = 1;
+  numbers_.restart();
   forget();
 }
 
@@ -92,7 +92,7 @@ void RegionTrack::predict(double interval, const RandomKey& key) {
 RegionTrack::State RegionTrack::newState(const Gaussian3& position, const Eigen::Matrix3d& extent) {
   State state;
   TrackHypothesis& hypothesis = state.hypothesis;
-  hypothesis.stream = nextStream_++ % 4096U; // as BernoulliTrack's
+  hypothesis.stream = numbers_.next();
   hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
   hypothesis.gaussian.covariance.setZero();
   hypothesis.gaussian.covariance.topLeftCorner<3, 3>() = position.covariance;

@@ -4,6 +4,7 @@
 #include "core/observation/region/ellipsoid_fit.h"
 #include "core/observation/region/region_observation.h"
 #include "core/tracking/dewpoint/track/bernoulli_track.h"
+#include "core/tracking/dewpoint/track/hypothesis_numbers.h"
 
 #include <Eigen/Core>
 
@@ -78,7 +79,7 @@ private:
   SearchPrior searchPrior_;
   std::optional<State> state_;     ///< after the last update
   std::optional<State> predicted_; ///< before the updates of this frame
-  std::uint32_t nextStream_ = 1;
+  HypothesisNumbers numbers_{HypothesisNumbers::Half::Region};
 };
 
 } // namespace dewpoint::tracking

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/dewpoint/track/bernoulli_track.h"
+#include "core/tracking/dewpoint/track/region_track.h"
+#include "tests/observation/drawn_ellipsoids.h"
 #include "tests/observation/drawn_spheres.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace dewpoint::tests {
@@ -222,6 +225,34 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
     update({{elsewhere, half, 0.0}});
   }
   EXPECT_EQ(track_.confident(), nullptr);
+}
+
+// The target was followed as something of another shape, and is taken for a ball again: its
+// hypothesis and those that are born beside it must not be taken for each other. One camera sees it
+// covered, so that it is searched for elsewhere.
+TEST_F(BernoulliTrackTest, AnAdoptedHypothesisSharesItsNumberWithNoneThatIsBorn) {
+  drawn::RegionScene scene(rig_);
+  scene.show({drawn::ellipsoid(kThere, Eigen::Vector3d::Constant(kRadius), 0.0)});
+  RegionTrack region(track_.target());
+  const Eigen::Matrix3d extent = kRadius * kRadius * Eigen::Matrix3d::Identity();
+  region.startAt({kThere, 0.01 * extent}, extent, false, scene.observation(), key_, team_);
+  ASSERT_NE(region.hypothesis(), nullptr);
+  track_.adopt(region.hypothesis());
+
+  const Eigen::Vector3d camera = rig_[0].cameraFromWorld.inverse() * Eigen::Vector3d::Zero();
+  const Ball cover{0.5 * (camera + kThere), kRadius, {0, 230, 0}};
+  const Eigen::Vector3d left = kThere + Eigen::Vector3d(-0.2, 0.0, 0.0);
+  const Eigen::Vector3d right = kThere + Eigen::Vector3d(0.0, 0.2, 0.0);
+  show({Ball{kThere}, Ball{left}, Ball{right}, cover});
+  predict(kFrame);
+  update({{left, kRadius, 0.0}, {right, kRadius, 0.0}});
+  std::set<std::uint32_t> numbers;
+  for (const TrackHypothesis& hypothesis : track_.hypotheses()) {
+    numbers.insert(hypothesis.stream);
+  }
+  EXPECT_TRUE(numbers.contains(region.hypothesis()->stream));
+  EXPECT_EQ(track_.hypotheses().size(), 3U);
+  EXPECT_EQ(numbers.size(), 3U);
 }
 
 /// Two equal balls side by side, as far from the middle of the start volume: nothing tells which is
