@@ -4,8 +4,8 @@
 #include "app/python/python_progress.h"
 #include "app/wiring/open_project.h"
 #include "core/base/angle.h"
-#include "core/setup/board_outcome.h"
-#include "core/setup/calibration_exchange.h"
+#include "core/setup/calibration/board_outcome.h"
+#include "core/setup/calibration/calibration_exchange.h"
 
 #include <fmt/format.h>
 

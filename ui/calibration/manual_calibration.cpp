@@ -2,7 +2,7 @@
 #include "ui/calibration/manual_calibration.h"
 
 #include "core/base/angle.h"
-#include "core/setup/calibrated_project.h"
+#include "core/setup/calibration/calibrated_project.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/selection/selection.h"

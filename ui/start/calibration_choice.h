@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/setup/calibration_check.h"
+#include "core/setup/calibration/calibration_check.h"
 #include "ui/jobs/latest_job.h"
 
 #include <QString>

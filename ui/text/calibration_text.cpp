@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/calibration_text.h"
 
-#include "core/setup/board_outcome.h"
-#include "core/setup/wand_refinement.h"
+#include "core/setup/calibration/board_outcome.h"
+#include "core/setup/calibration/wand_refinement.h"
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>

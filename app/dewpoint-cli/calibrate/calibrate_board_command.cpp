@@ -4,7 +4,7 @@
 #include "app/dewpoint-cli/common/exit_code.h"
 #include "app/wiring/open_project.h"
 #include "core/base/units.h"
-#include "core/setup/board_outcome.h"
+#include "core/setup/calibration/board_outcome.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

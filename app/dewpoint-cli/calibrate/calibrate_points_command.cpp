@@ -6,7 +6,7 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/project/project_save.h"
 #include "core/session/run/tracking_run.h"
-#include "core/setup/wand_views.h"
+#include "core/setup/calibration/wand_views.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

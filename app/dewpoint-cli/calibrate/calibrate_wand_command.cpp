@@ -11,7 +11,7 @@
 #include "core/base/units.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/project/project_save.h"
-#include "core/setup/wand_refinement.h"
+#include "core/setup/calibration/wand_refinement.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

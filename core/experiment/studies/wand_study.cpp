@@ -5,7 +5,7 @@
 #include "core/calibration/wand/wand_gauge.h"
 #include "core/experiment/scenarios/pink_target.h"
 #include "core/experiment/scenarios/random_draws.h"
-#include "core/setup/wand_views.h"
+#include "core/setup/calibration/wand_views.h"
 #include "core/simulation/room/view_cache.h"
 #include "core/simulation/scene/rigs.h"
 #include "core/simulation/scene/stage.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/session.h"
-#include "core/setup/board_watch.h"
+#include "core/setup/calibration/board_watch.h"
 #include "ui/jobs/job_thread.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/setup/board_guide.h"
+#include "core/setup/calibration/board_guide.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/setup/calibration_exchange.h"
+#include "core/setup/calibration/calibration_exchange.h"
 #include "ui/calibration/exchange/exchange_dialog.h"
 
 #include <memory>

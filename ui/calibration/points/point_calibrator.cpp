@@ -2,7 +2,7 @@
 #include "ui/calibration/points/point_calibrator.h"
 
 #include "core/session/run/tracking_run.h"
-#include "core/setup/calibrated_project.h"
+#include "core/setup/calibration/calibrated_project.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
 #include "ui/text/quantity_text.h"

@@ -2,7 +2,7 @@
 #include "ui/calibration/wand/wand_calibrator.h"
 
 #include "core/base/text_file.h"
-#include "core/setup/calibrated_project.h"
+#include "core/setup/calibration/calibrated_project.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
 #include "ui/jobs/background_job.h"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/session/session.h"
-#include "core/setup/wand_collector.h"
-#include "core/setup/wand_refinement.h"
+#include "core/setup/calibration/wand_collector.h"
+#include "core/setup/calibration/wand_refinement.h"
 #include "ui/calibration/wand/wand_text.h"
 #include "ui/selection/selection.h"
 

@@ -3,7 +3,7 @@
 // and in again.
 #include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/read_calibration.h"
-#include "core/setup/calibration_exchange.h"
+#include "core/setup/calibration/calibration_exchange.h"
 #include "tests/ui/calibration/calibration_window.h"
 #include "tests/ui/window_test.h"
 #include "ui/calibration/exchange/calibration_export.h"

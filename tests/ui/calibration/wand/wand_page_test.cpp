@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Refining cameras with a waved ball in the real window: the demo's ball as a recording, and as
 // live cameras.
-#include "core/setup/wand_refinement.h"
+#include "core/setup/calibration/wand_refinement.h"
 #include "tests/ui/calibration/calibration_window.h"
 #include "tests/ui/window_test.h"
 #include "ui/selection/selection.h"

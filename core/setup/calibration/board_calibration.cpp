@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/board_calibration.h"
+#include "core/setup/calibration/board_calibration.h"
 
 #include "core/base/thread_count.h"
 #include "core/base/thread_team.h"

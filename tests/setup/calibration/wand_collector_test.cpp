@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/wand_collector.h"
-#include "core/setup/wand_refinement.h"
+#include "core/setup/calibration/wand_collector.h"
+#include "core/setup/calibration/wand_refinement.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>

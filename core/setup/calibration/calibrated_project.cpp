@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/calibrated_project.h"
+#include "core/setup/calibration/calibrated_project.h"
 
 #include <algorithm>
 #include <utility>

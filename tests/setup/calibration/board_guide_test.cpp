@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person who does as told, before rendered cameras.
 #include "core/calibration/board/board_picture.h"
-#include "core/setup/board_watch.h"
+#include "core/setup/calibration/board_watch.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/imgproc.hpp>

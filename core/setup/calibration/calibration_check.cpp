@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/calibration_check.h"
+#include "core/setup/calibration/calibration_check.h"
 
 #include "core/base/text_file.h"
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/format_catalog.h"
 #include "core/calibration/formats/read_calibration.h"
-#include "core/setup/calibration_exchange.h"
+#include "core/setup/calibration/calibration_exchange.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/wand_views.h"
+#include "core/setup/calibration/wand_views.h"
 
 #include "core/calibration/quality/fault_finder.h"
 #include "core/calibration/wand/time_offset_search.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/quality/calibration_accuracy.h"
-#include "core/setup/board_calibration.h"
+#include "core/setup/calibration/board_calibration.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of a project with an outcome; how one is found is in board_calibration_test.cpp.
-#include "core/setup/board_outcome.h"
+#include "core/setup/calibration/board_outcome.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>

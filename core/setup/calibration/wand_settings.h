@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/setup/wand_views.h"
+#include "core/setup/calibration/wand_views.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "core/calibration/board/board_coverage.h"
 #include "core/calibration/manual/pose_change.h"
 #include "core/calibration/quality/calibration_accuracy.h"
-#include "core/setup/wand_views.h"
+#include "core/setup/calibration/wand_views.h"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/board_guide.h"
+#include "core/setup/calibration/board_guide.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/calibration_exchange.h"
+#include "core/setup/calibration/calibration_exchange.h"
 
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/format_catalog.h"
@@ -7,7 +7,7 @@
 #include "core/calibration/formats/read_calibration.h"
 #include "core/project/project_check.h"
 #include "core/project/project_rig.h"
-#include "core/setup/calibrated_project.h"
+#include "core/setup/calibration/calibrated_project.h"
 #include "core/setup/new_project.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/board/board_coverage.h"
-#include "core/setup/wand_views.h"
+#include "core/setup/calibration/wand_views.h"
 
 #include <condition_variable>
 #include <deque>

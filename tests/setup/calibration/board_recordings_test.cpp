@@ -5,7 +5,7 @@
 #include "core/calibration/quality/board_accuracy.h"
 #include "core/capture/recording.h"
 #include "core/geometry/ray.h"
-#include "core/setup/board_calibration.h"
+#include "core/setup/calibration/board_calibration.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/imgcodecs.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/board_watch.h"
+#include "core/setup/calibration/board_watch.h"
 
 #include "core/base/thread_count.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/board_outcome.h"
+#include "core/setup/calibration/board_outcome.h"
 
 #include "core/calibration/quality/board_accuracy.h"
 

@@ -2,7 +2,7 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/calibration/formats/format_catalog.h"
 #include "core/session/run/tracking_run.h"
-#include "core/setup/calibration_exchange.h"
+#include "core/setup/calibration/calibration_exchange.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>

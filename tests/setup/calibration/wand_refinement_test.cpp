@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/wand_refinement.h"
+#include "core/setup/calibration/wand_refinement.h"
 
 #include <gtest/gtest.h>
 

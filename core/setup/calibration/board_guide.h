@@ -7,7 +7,7 @@
 #include "core/calibration/board/rig_guidance.h"
 #include "core/capture/frame.h"
 #include "core/project/project.h"
-#include "core/setup/board_outcome.h"
+#include "core/setup/calibration/board_outcome.h"
 
 #include <cstdint>
 #include <memory>

@@ -6,7 +6,7 @@
 #include "core/capture/frame_source.h"
 #include "core/observation/sphere/marker_detection.h"
 #include "core/project/project.h"
-#include "core/setup/calibrated_project.h"
+#include "core/setup/calibration/calibrated_project.h"
 
 #include <cstdint>
 #include <functional>

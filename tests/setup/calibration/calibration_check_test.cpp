@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/formats/calibration_file.h"
-#include "core/setup/calibration_check.h"
+#include "core/setup/calibration/calibration_check.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // From the frames of a recording to lenses and poses, as the window and the command line do it.
 #include "core/calibration/board/board_picture.h"
 #include "core/capture/recording.h"
-#include "core/setup/board_outcome.h"
+#include "core/setup/calibration/board_outcome.h"
 #include "tests/calibration/board_views.h"
 
 #include <opencv2/imgproc.hpp>
