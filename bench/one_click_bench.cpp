@@ -10,7 +10,7 @@
 #include "core/experiment/scenarios/random_draws.h"
 #include "core/experiment/scenarios/scenario.h"
 #include "core/geometry/sphere_image.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>

@@ -2,7 +2,7 @@
 #include "app/python/project_handle.h"
 #include "app/python/python_error.h"
 #include "app/wiring/open_project.h"
-#include "core/setup/footage_lesson.h"
+#include "core/setup/clicks/footage_lesson.h"
 #include "core/tracking/target_shape_name.h"
 
 #include <fmt/format.h>

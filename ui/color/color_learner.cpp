@@ -3,7 +3,7 @@
 
 #include "core/color/color_learning.h"
 #include "core/project/project.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 #include "ui/color/fresh_target.h"
 #include "ui/document/document.h"
 #include "ui/text/error_sentence.h"

@@ -2,7 +2,7 @@
 #include "ui/color/color_panel.h"
 
 #include "core/project/project.h"
-#include "core/setup/target_color.h"
+#include "core/setup/clicks/target_color.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/cameraview/image_pick_tool.h"
 #include "ui/color/assessed_regions.h"

@@ -3,7 +3,7 @@
 
 #include "core/color/color_learning.h"
 #include "core/session/run/snapshot.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 #include "ui/color/color_learner.h"
 
 #include <QWidget>

@@ -4,7 +4,7 @@
 #include "core/session/run/sight_lines.h"
 #include "core/session/run/snapshot_state.h"
 #include "core/session/session.h"
-#include "core/setup/clicked_correction.h"
+#include "core/setup/clicks/clicked_correction.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/camera_list_model.h"

@@ -2,7 +2,7 @@
 #include "app/dewpoint-cli/project/color_sentences.h"
 
 #include "core/base/units.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "core/geometry/image_bounds.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "core/experiment/scenarios/catalog/recipes.h"
 #include "core/experiment/scenarios/draft/scenario_paths.h"
 #include "core/experiment/scenarios/targets/patterned_ball.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 #include "core/simulation/scene/scene.h"
 
 #include <Eigen/Geometry>

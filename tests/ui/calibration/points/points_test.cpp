@@ -60,7 +60,7 @@ void PointsTest::measuredPointsGiveTheCameraBack() {
   }
   QVERIFY(table->item(0, 5)->text().toDouble() > 5.0); // px, of the camera that is off
   QTest::mouseClick(find<QPushButton>("pointSolve"), Qt::LeftButton);
-  QVERIFY(waitFor([&] { return !find<QLabel>("pointVerdict")->text().isEmpty(); }));
+  QVERIFY(waitFor([&] { return !find<QLabel>("pointAssessment")->text().isEmpty(); }));
   QVERIFY((camera(0).center() - truth[0].center()).norm() < 1e-3);
   QVERIFY((camera(1).center() - truth[1].center()).norm() < 1e-3);
   QVERIFY(table->item(0, 5)->text().toDouble() < 0.1);

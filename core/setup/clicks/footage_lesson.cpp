@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/footage_lesson.h"
+#include "core/setup/clicks/footage_lesson.h"
 
 #include "core/project/project_check.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/color/color_classifier.h"
-#include "core/setup/click_lesson.h"
-#include "tests/setup/painted_rig.h"
+#include "core/setup/clicks/click_lesson.h"
+#include "tests/setup/clicks/painted_rig.h"
 
 #include <gtest/gtest.h>
 

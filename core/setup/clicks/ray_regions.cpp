@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/ray_regions.h"
+#include "core/setup/clicks/ray_regions.h"
 
 #include "core/color/color_region.h"
 #include "core/color/likelihood/color_likelihood.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/counterpart_search.h"
-#include "tests/setup/painted_rig.h"
+#include "core/setup/clicks/counterpart_search.h"
+#include "tests/setup/clicks/painted_rig.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/capture/frame_source.h"
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 
 #include <opencv2/core/mat.hpp>
 

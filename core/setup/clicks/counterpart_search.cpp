@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/counterpart_search.h"
+#include "core/setup/clicks/counterpart_search.h"
 
 #include "core/color/likelihood/other_camera_likelihood.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
-#include "core/setup/ray_regions.h"
+#include "core/setup/clicks/ray_regions.h"
 
 #include <Eigen/Geometry>
 #include <opencv2/imgproc.hpp>

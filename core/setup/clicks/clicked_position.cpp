@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/clicked_position.h"
+#include "core/setup/clicks/clicked_position.h"
 
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/clicked_correction.h"
+#include "core/setup/clicks/clicked_correction.h"
 
-#include "core/setup/clicked_position.h"
+#include "core/setup/clicks/clicked_position.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/marked_part.h"
+#include "core/setup/clicks/marked_part.h"
 
 #include "core/color/color_region.h"
 #include "core/geometry/projector.h"
 #include "core/geometry/ray.h"
-#include "core/setup/ray_regions.h"
+#include "core/setup/clicks/ray_regions.h"
 
 #include <Eigen/LU>
 #include <opencv2/imgproc.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/projector.h"
-#include "core/setup/clicked_position.h"
+#include "core/setup/clicks/clicked_position.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/click_lesson.h"
-#include "core/setup/counterpart_search.h"
-#include "core/setup/marked_part.h"
-#include "tests/setup/painted_rig.h"
+#include "core/setup/clicks/click_lesson.h"
+#include "core/setup/clicks/counterpart_search.h"
+#include "core/setup/clicks/marked_part.h"
+#include "tests/setup/clicks/painted_rig.h"
 
 #include <gtest/gtest.h>
 

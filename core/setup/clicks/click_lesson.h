@@ -5,8 +5,8 @@
 #include "core/color/color_learning.h"
 #include "core/geometry/camera.h"
 #include "core/project/project.h"
-#include "core/setup/counterpart_search.h"
-#include "core/setup/marked_part.h"
+#include "core/setup/clicks/counterpart_search.h"
+#include "core/setup/clicks/marked_part.h"
 
 #include <opencv2/core/mat.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/target_color.h"
+#include "core/setup/clicks/target_color.h"
 
 #include "core/color/color_classifier.h"
 

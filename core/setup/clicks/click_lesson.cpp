@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/click_lesson.h"
+#include "core/setup/clicks/click_lesson.h"
 
 #include "core/color/color_region.h"
 #include "core/color/sample_colors.h"
 #include "core/project/project_rig.h"
-#include "core/setup/clicked_correction.h"
-#include "core/setup/clicked_position.h"
-#include "core/setup/ray_regions.h"
+#include "core/setup/clicks/clicked_correction.h"
+#include "core/setup/clicks/clicked_position.h"
+#include "core/setup/clicks/ray_regions.h"
 
 #include <algorithm>
 #include <cmath>

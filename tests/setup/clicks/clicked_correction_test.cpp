@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/clicked_correction.h"
+#include "core/setup/clicks/clicked_correction.h"
 
 #include <gtest/gtest.h>
 
