@@ -8,7 +8,7 @@
 #include "core/project/project_check.h"
 #include "core/project/project_save.h"
 #include "core/project/project_targets.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/catalog/method_reference.h"
 

@@ -2,7 +2,7 @@
 #include "core/setup/method_obstacle.h"
 
 #include "core/project/project.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/setup/method_obstacle.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
 #include "core/project/project_save.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/simulation/scene/scene_renderer.h"
 
 #include <filesystem>

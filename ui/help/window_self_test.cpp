@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/window_self_test.h"
 
-#include "core/setup/footage.h"
+#include "core/setup/new_project/footage.h"
 #include "ui/text/language.h"
 #include "ui/view3d/gl_context.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/inspector_docks.h"
 
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "ui/document/document.h"
 #include "ui/jobs/latest_job.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/setup/footage_facts.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/footage_facts.h"
+#include "core/setup/new_project/new_project.h"
 #include "ui/jobs/job_queue.h"
 
 #include <QSet>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/start/new_project_page.h"
 
-#include "core/setup/footage.h"
+#include "core/setup/new_project/footage.h"
 #include "ui/start/calibration_choice.h"
 #include "ui/start/drop_zone.h"
 #include "ui/style/spacing.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/jobs/latest_job.h"
 #include "ui/start/camera_table.h"

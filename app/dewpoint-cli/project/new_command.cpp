@@ -4,8 +4,8 @@
 #include "app/wiring/open_project.h"
 #include "core/project/project_save.h"
 #include "core/session/run/background_images.h"
-#include "core/setup/footage.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/footage.h"
+#include "core/setup/new_project/new_project.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

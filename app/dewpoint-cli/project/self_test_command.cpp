@@ -4,7 +4,7 @@
 #include "app/dewpoint-cli/common/interruption.h"
 #include "app/wiring/open_project.h"
 #include "core/session/selftest/self_test.h"
-#include "core/setup/footage.h"
+#include "core/setup/new_project/footage.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -13,7 +13,7 @@
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/tracking_run.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/tracking/boxes/box_filter.h"
 #include "core/tracking/catalog/method_catalog.h"
 

@@ -8,7 +8,7 @@
 #include "core/project/project_check.h"
 #include "core/project/project_rig.h"
 #include "core/setup/calibration/calibrated_project.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 
 #include <fmt/format.h>
 

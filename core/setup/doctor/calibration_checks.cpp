@@ -5,7 +5,7 @@
 #include "core/camera_motion/agreement/rig_check.h"
 #include "core/geometry/seen_volume.h"
 #include "core/project/project_rig.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // the real window.
 #include "core/project/project_save.h"
 #include "core/session/run/snapshot.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"
 #include "tests/ui/window_fixture.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/footage.h"
+#include "core/setup/new_project/footage.h"
 
 #include "core/base/lower_case.h"
 

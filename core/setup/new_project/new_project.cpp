@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/recording.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/frame_writer.h"
-#include "core/setup/footage_facts.h"
+#include "core/setup/new_project/footage_facts.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>

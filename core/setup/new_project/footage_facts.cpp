@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/footage_facts.h"
+#include "core/setup/new_project/footage_facts.h"
 
 #include "core/capture/image_reader.h"
 #include "core/capture/picture.h"
 #include "core/capture/recording.h"
 #include "core/capture/video_reader.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 
 #include <opencv2/imgproc.hpp>
 
