@@ -5,14 +5,14 @@
 #include "core/session/frames/frame_tap.h"
 #include "core/session/playback.h"
 #include "core/session/remembered_run.h"
-#include "core/session/run/camera_agreement_watch.h"
-#include "core/session/run/camera_motion_observer.h"
 #include "core/session/run/run_definition.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/run_log.h"
 #include "core/session/run_recorder.h"
 #include "core/session/session_inputs.h"
 #include "core/session/snapshot_builder.h"
+#include "core/session/watch/camera_agreement_watch.h"
+#include "core/session/watch/camera_motion_observer.h"
 
 #include <algorithm>
 #include <array>

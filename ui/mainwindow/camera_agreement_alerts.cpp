@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/camera_agreement_alerts.h"
 
-#include "core/session/run/camera_mending.h"
+#include "core/session/watch/camera_mending.h"
 #include "ui/text/camera_agreement_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/widgets/message_bar.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/camera_motion_news.h"
 #include "core/session/run/snapshot.h"
+#include "core/session/watch/camera_motion_news.h"
 
 #include <QObject>
 #include <QString>

@@ -2,8 +2,8 @@
 #include "ui/mainwindow/run_alerts.h"
 
 #include "core/calibration/manual/interactive_pose.h"
-#include "core/session/run/camera_mending.h"
 #include "core/session/run/snapshot.h"
+#include "core/session/watch/camera_mending.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"
 #include "ui/mainwindow/camera_agreement_alerts.h"

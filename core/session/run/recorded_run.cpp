@@ -3,9 +3,9 @@
 
 #include "core/camera_motion/agreement/disagreement_sentence.h"
 #include "core/project/project_check.h"
-#include "core/session/run/camera_agreement_watch.h"
-#include "core/session/run/camera_motion_observer.h"
-#include "core/session/run/camera_motion_watch.h"
+#include "core/session/watch/camera_agreement_watch.h"
+#include "core/session/watch/camera_motion_observer.h"
+#include "core/session/watch/camera_motion_watch.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/frame_loop.h"
+#include "core/session/watch/camera_motion_watch.h"
 
 namespace dewpoint::session {
 

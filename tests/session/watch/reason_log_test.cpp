@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/reason_log.h"
+#include "core/session/watch/reason_log.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>

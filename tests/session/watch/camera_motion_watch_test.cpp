@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/camera_motion_watch.h"
+#include "core/session/watch/camera_motion_watch.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/camera_mending.h"
+#include "core/session/watch/camera_mending.h"
 
 #include "core/calibration/manual/moved_camera_pose.h"
 #include "core/project/project_format.h"

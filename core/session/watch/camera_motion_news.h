@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/camera_motion_watch.h"
+#include "core/session/watch/camera_motion_watch.h"
 
 #include <cstdint>
 #include <set>

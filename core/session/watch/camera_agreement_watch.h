@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/camera_motion/agreement/camera_agreement.h"
-#include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/frame_loop.h"
+#include "core/session/watch/camera_motion_watch.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/reason_log.h"
+#include "core/session/watch/reason_log.h"
 
 #include "core/tracking/camera_report.h"
 #include "core/trajectory/csv_text.h"

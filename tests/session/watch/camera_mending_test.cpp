@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/moved_camera_pose.h"
-#include "core/session/run/camera_mending.h"
+#include "core/session/watch/camera_mending.h"
 
 #include <gtest/gtest.h>
 
