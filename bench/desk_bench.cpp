@@ -5,7 +5,7 @@
 #include "app/wiring/open_project.h"
 #include "app/wiring/quiet_libraries.h"
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/event_loop_probe.h"
 #include "ui/calibration/manual/grid_layer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/dewpoint/screenshot.h"
 
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/mainwindow/main_window.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/camera_overlay.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <Eigen/Core>
 

@@ -6,7 +6,7 @@
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"
 #include "core/session/run/run_report.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/session/thinned_log.h"
 #include "core/trajectory/trajectory.h"
 

@@ -3,9 +3,9 @@
 
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/result_settings.h"
-#include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/run_log.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <chrono>
 #include <cstdint>

@@ -8,8 +8,8 @@
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"
 #include "core/session/run/run_report.h"
-#include "core/session/run/snapshot.h"
 #include "core/session/session_inputs.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/trajectory/trajectory.h"
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/session/rewind/time_travel.h"
-#include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <cstdint>
 #include <utility>

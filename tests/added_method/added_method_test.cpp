@@ -2,7 +2,7 @@
 // The window with a method that was added by a pair of files and one row.
 #include "core/project/project.h"
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

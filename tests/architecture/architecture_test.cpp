@@ -189,7 +189,7 @@ TEST(SourceRules, ArrowsDownPass) {
   EXPECT_EQ(complaints("core/observation/sphere/a.h", "\"core/filter/particles.h\""), 0U);
   EXPECT_EQ(complaints("core/filter/a.h", "\"core/base/random.h\""), 0U);
   EXPECT_EQ(complaints("core/tracking/tracker.h", "\"core/capture/frame.h\""), 0U);
-  EXPECT_EQ(complaints("ui/cameraview/view.h", "\"core/session/run/snapshot.h\""), 0U);
+  EXPECT_EQ(complaints("ui/cameraview/view.h", "\"core/session/snapshot/snapshot.h\""), 0U);
   EXPECT_EQ(complaints("ui/cameraview/view.h", "<QWidget>"), 0U);
   EXPECT_EQ(complaints("ui/view3d/view.cpp", "\"ui/scene3d/scene.h\""), 0U);
   EXPECT_EQ(complaints("ui/scene3d/scene.cpp", "<vtkActor.h>"), 0U);
@@ -211,7 +211,7 @@ TEST(SourceRules, FilesBesideTheRoomsFail) {
 TEST(SourceRules, RoomsOfAFloorIncludeThoseBelow) {
   EXPECT_EQ(complaints("core/calibration/board/a.h", "\"core/calibration/bundle/b.h\""), 0U);
   EXPECT_EQ(complaints("core/calibration/bundle/a.h", "\"core/calibration/bundle/b.h\""), 0U);
-  EXPECT_EQ(complaints("core/session/session.h", "\"core/session/run/snapshot.h\""), 0U);
+  EXPECT_EQ(complaints("core/session/session.h", "\"core/session/snapshot/snapshot.h\""), 0U);
   EXPECT_EQ(complaints("core/tracking/catalog/a.cpp", "\"core/tracking/people/b.h\""), 0U);
   EXPECT_EQ(complaints("core/color/likelihood/a.h", "\"core/color/b.h\""), 0U);
   EXPECT_EQ(complaints("core/trajectory/figure/a.h", "\"core/trajectory/export/b.h\""), 0U);

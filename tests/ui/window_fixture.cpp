@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
 
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_test.h"
 #include "ui/calibration/manual/grid_layer.h"
 #include "ui/cameraview/camera_view.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/camera_picture.h"
 
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/session/view_image.h"
 #include "ui/style/image.h"
 #include "ui/style/theme.h"

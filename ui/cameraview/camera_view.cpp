@@ -2,7 +2,7 @@
 #include "ui/cameraview/camera_view.h"
 
 #include "core/session/camera_overlay.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/cameraview/camera_motion_marker.h"
 #include "ui/cameraview/cloud_inset.h"
 #include "ui/cameraview/evidence_painter.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/image_pick_overlay.h"
 
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/loupe.h"
 #include "ui/cameraview/pick_marks.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/overloaded.h"
 #include "core/session/camera_overlay.h"
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "ui/style/halo.h"
 #include "ui/style/identity_badge.h"
 #include "ui/style/theme.h"

@@ -3,7 +3,7 @@
 
 #include "core/color/color_learning.h"
 #include "core/session/run/background_images.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/setup/clicks/click_lesson.h"
 #include "ui/jobs/latest_job.h"
 

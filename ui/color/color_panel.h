@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/color/color_learning.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/setup/clicks/click_lesson.h"
 #include "ui/color/color_learner.h"
 

@@ -3,8 +3,8 @@
 
 #include "core/base/thread_count.h"
 #include "core/session/run/backward_track.h"
-#include "core/session/run/snapshot.h"
 #include "core/session/session_inputs.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/document/document.h"
 #include "ui/preferences/preferences.h"
 #include "ui/text/error_sentence.h"

@@ -2,8 +2,8 @@
 #include "ui/correction/correction_mode.h"
 
 #include "core/project/project.h"
-#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/correction/backward_tracker.h"

@@ -2,7 +2,7 @@
 #include "ui/document/method_presentation.h"
 
 #include "core/project/project.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 namespace dewpoint::ui {

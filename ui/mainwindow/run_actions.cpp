@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mainwindow/run_actions.h"
 
-#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/actions/action_registry.h"
 #include "ui/actions/key_guard.h"
 #include "ui/widgets/message_bar.h"

@@ -2,7 +2,7 @@
 #include "ui/mainwindow/run_alerts.h"
 
 #include "core/calibration/manual/interactive_pose.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/session/watch/camera_mending.h"
 #include "ui/calibration/manual_calibration.h"
 #include "ui/document/document.h"

@@ -2,7 +2,7 @@
 #include "ui/mainwindow/run_details.h"
 
 #include "core/base/units.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
 

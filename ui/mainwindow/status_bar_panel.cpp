@@ -2,7 +2,7 @@
 #include "ui/mainwindow/status_bar_panel.h"
 
 #include "core/base/overloaded.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/document/method_presentation.h"
 #include "ui/mainwindow/run_details.h"
 #include "ui/text/hold_text.h"

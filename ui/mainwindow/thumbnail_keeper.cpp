@@ -2,7 +2,7 @@
 #include "ui/mainwindow/thumbnail_keeper.h"
 
 #include "core/project/project.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/document/document.h"
 
 namespace dewpoint::ui {

@@ -2,9 +2,9 @@
 #include "ui/people/people_dock.h"
 
 #include "core/project/project.h"
-#include "core/session/run/snapshot.h"
-#include "core/session/run/snapshot_state.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/snapshot.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "ui/cameraview/camera_docks.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/document/document.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/people_panel.h"
 
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"

@@ -3,7 +3,7 @@
 
 #include "core/calibration/planning/rig_map.h"
 #include "core/geometry/world_box.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/scene3d/camera_glyph.h"
 #include "ui/scene3d/map_look.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/display_colors.h"
+#include "core/session/snapshot/display_colors.h"
 #include "ui/scene3d/camera_frusta.h"
 #include "ui/scene3d/frustum_images.h"
 #include "ui/scene3d/ground.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/sight_lines.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/sight_lines.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/scene3d/fading_line.h"
 #include "ui/scene3d/floor_shadow.h"
 #include "ui/scene3d/glass_body.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/session_bridge.h"
 
-#include "core/session/run/live_frame_filler.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/live_frame_filler.h"
 #include "ui/session/project_loader.h"
 
 #include <QMetaObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/hold_state.h"
+#include "core/session/snapshot/hold_state.h"
 
 #include <QColor>
 #include <QPalette>

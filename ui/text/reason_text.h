@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 
 #include <QString>
 #include <QStringList>

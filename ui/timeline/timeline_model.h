@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/run/result_settings.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <QString>
 #include <QStringList>

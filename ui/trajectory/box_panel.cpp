@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trajectory/box_panel.h"
 
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/selection/selection.h"
 #include "ui/text/retranslation.h"
 #include "ui/trajectory/box_model.h"

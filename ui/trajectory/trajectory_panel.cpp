@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/trajectory/trajectory_panel.h"
 
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/trajectory/motion_csv.h"
 #include "ui/actions/action_registry.h"
 #include "ui/document/method_presentation.h"

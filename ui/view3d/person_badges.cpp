@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/person_badges.h"
 
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "ui/style/identity_badge.h"
 
 #include <QPainter>

@@ -3,7 +3,7 @@
 
 #include "core/session/frames/frame_cache.h"
 #include "core/session/rewind/history.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/manual/interactive_pose.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/calibration/manual/grid_layer.h"
 #include "ui/calibration/manual/grid_painter.h"

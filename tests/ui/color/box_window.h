@@ -3,7 +3,7 @@
 
 #include "core/capture/frame_writer.h"
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/setup/new_project/new_project.h"
 #include "tests/tracking/moving_patch.h"
 #include "tests/ui/window_fixture.h"

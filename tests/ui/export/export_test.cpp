@@ -3,7 +3,7 @@
 #include "core/base/text_file.h"
 #include "core/project/project.h"
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/trajectory/export/export_catalog.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

@@ -4,7 +4,7 @@
 #include "core/base/text_file.h"
 #include "core/capture/frame_writer.h"
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person expects of every window of the desktop: it is where it was, has the system's
 // colors, and no slip of a key does harm.
-#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/saved_run.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

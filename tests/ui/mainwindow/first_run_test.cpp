@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first minutes of a new user, by mouse alone, with every press counted: from launch to a 3D
 // track and a CSV file of the demo, and from two videos and a calibration file to a track.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/trajectory/trajectory_reader.h"
 #include "tests/ui/event_loop_probe.h"
 #include "tests/ui/recorded_demo.h"

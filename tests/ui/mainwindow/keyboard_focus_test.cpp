@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Getting about: the Tab key, the palette, messages, and views that are raised.
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

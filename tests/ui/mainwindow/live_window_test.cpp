@@ -2,7 +2,7 @@
 // Two network cameras on this machine's loopback, opened from a project file and tracked live in
 // the real window.
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/setup/new_project/new_project.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/capture/mjpeg_server.h"

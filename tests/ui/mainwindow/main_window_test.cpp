@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real window with the built-in demo, driven by actions, mouse and keyboard as a person would.
-#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"

@@ -3,7 +3,7 @@
 // window: into the folder that DEWPOINT_MANUAL names (docs/images), or beside the test.
 #include "core/calibration/formats/calibration_file.h"
 #include "core/capture/frame_writer.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_renderer.h"
 #include "tests/ui/mainwindow/small_picture.h"

@@ -2,7 +2,7 @@
 // Work that a killed window left behind: offered, with its layout; asked for again; thrown away.
 #include "core/base/text_file.h"
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/document/document.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture of every view in both themes, as the manual shows them: into the folder that
 // DEWPOINT_SCREENSHOTS names, or beside the test.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/calibration/exchange/calibration_import.h"

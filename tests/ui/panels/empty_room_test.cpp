@@ -2,7 +2,7 @@
 // Pictures of the empty room, given to a camera in the window.
 #include "core/project/project.h"
 #include "core/session/run/background_images.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/gate.h"
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"

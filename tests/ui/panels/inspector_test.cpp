@@ -3,7 +3,7 @@
 // and what the docks are called.
 #include "core/geometry/projector.h"
 #include "core/project/project.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"

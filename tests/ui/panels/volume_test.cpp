@@ -4,7 +4,7 @@
 #include "core/geometry/seen_volume.h"
 #include "core/project/project.h"
 #include "core/project/project_rig.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"

@@ -2,7 +2,7 @@
 // Methods for people in the window, on the simulated office.
 #include "core/base/text_file.h"
 #include "core/session/people/people_overlay.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/saved_run.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What plots show of a run that has just begun, in a window of the usual size: what matters is in
 // sight, one iteration is a dot, and a restart shows the whole run again.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/plots/frame_convergence.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plots and trajectory of the demo in the real window: data, cursor, span, table, pictures.
-#include "core/session/run/snapshot.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/plots/plot_panel.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pictures of the start page's gallery, made of the built-in scenes: into the folder that
 // DEWPOINT_GALLERY names (resources/gallery), or beside the test.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a new project: what is dropped onto it, what it makes, and how one gets away again.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

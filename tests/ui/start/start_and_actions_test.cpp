@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Beginning, finding one's way and coming back: start page, new projects, actions, recovery.
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
 #include "core/session/run/tracking_run.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The start page: its gallery of scenes, and the projects that were open last.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/recorded_demo.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

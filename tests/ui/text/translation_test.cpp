@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/project/project.h"
 #include "core/project/project_save.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"

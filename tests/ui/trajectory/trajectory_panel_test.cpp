@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trajectory panel and the plots' numbers on made-up runs, also long ones.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/wait.h"
 #include "tests/ui/window_test.h"
 #include "ui/actions/action_registry.h"

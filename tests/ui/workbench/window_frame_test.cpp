@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frame around the views: images first, on a large screen and on a small one; views that fill
 // the window or float; messages that cover nothing and take no keys; the status line.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/cameraview/camera_view.h"

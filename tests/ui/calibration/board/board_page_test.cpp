@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibrating with a board in the real window: a recording, and live cameras.
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "core/setup/calibration/board_outcome.h"
 #include "tests/ui/calibration/board/shown_board.h"
 #include "tests/ui/window_fixture.h"

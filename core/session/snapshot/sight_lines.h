@@ -3,7 +3,7 @@
 
 #include "core/calibration/manual/measured_points.h"
 #include "core/geometry/projected_lines.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/hold_state.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/hold_state.h"
+#include "core/session/snapshot/snapshot.h"
 
 #include <Eigen/Core>
 

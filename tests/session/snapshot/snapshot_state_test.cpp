@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>

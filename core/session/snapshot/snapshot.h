@@ -8,7 +8,7 @@
 #include "core/session/frames/color_histograms.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
-#include "core/session/run/hold_state.h"
+#include "core/session/snapshot/hold_state.h"
 #include "core/session/watch/camera_motion_watch.h"
 #include "core/tracking/catalog/method_catalog.h"
 

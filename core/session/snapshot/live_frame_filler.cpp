@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/live_frame_filler.h"
+#include "core/session/snapshot/live_frame_filler.h"
 
 namespace dewpoint::session {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/sight_lines.h"
+#include "core/session/snapshot/sight_lines.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>

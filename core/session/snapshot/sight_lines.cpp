@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/sight_lines.h"
+#include "core/session/snapshot/sight_lines.h"
 
 #include "core/geometry/projector.h"
 #include "core/session/run/snapshot_state.h"

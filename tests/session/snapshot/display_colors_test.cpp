@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/display_colors.h"
+#include "core/session/snapshot/display_colors.h"
 
 #include <gtest/gtest.h>
 
