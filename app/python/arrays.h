@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/recorded_run.h"
+#include "core/session/recorded_run.h"
 
 #include <opencv2/core/mat.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/recorded_run.h"
+#include "core/session/recorded_run.h"
 
 #include "core/camera_motion/agreement/disagreement_sentence.h"
 #include "core/project/project_check.h"
