@@ -24,7 +24,7 @@ constexpr std::size_t kMostGrown = 16;
 /// Depths along the ray, meters, each 1 % more than the one before: steps of less than a pixel.
 constexpr double kNearest = 0.05;
 constexpr double kFarthest = 100.0;
-constexpr double kDepthStep = 1.01;
+constexpr double kRayDepthStep = 1.01;
 /// Side of the part of an image in which a region is grown, in radii of the object.
 constexpr double kPartRadii = 16.0;
 constexpr int kLeastPart = 32; ///< pixels
@@ -51,7 +51,7 @@ std::vector<RayPoint> imageOfRay(const ClickedObject& object, const Camera& came
            pixel.y() < camera.intrinsics.height + margin;
   };
   std::vector<RayPoint> points;
-  for (double depth = kNearest; depth < kFarthest; depth *= kDepthStep) {
+  for (double depth = kNearest; depth < kFarthest; depth *= kRayDepthStep) {
     const Eigen::Vector3d position = object.positionAt(depth);
     const auto pixel = isPossible(depth) ? projector.project(position) : std::nullopt;
     if (pixel && isNearImage(*pixel)) {
