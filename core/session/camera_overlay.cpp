@@ -6,7 +6,7 @@
 #include "core/geometry/ellipsoid_image.h"
 #include "core/geometry/small_matrices.h"
 #include "core/geometry/sphere_image.h"
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 
 #include <algorithm>
 #include <cmath>

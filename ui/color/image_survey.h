@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/color/color_histogram.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 #include "ui/jobs/background_job.h"
 
 #include <QElapsedTimer>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/correction/correction_tool.h"
 
-#include "core/session/run/sight_lines.h"
-#include "core/session/run/snapshot_state.h"
 #include "core/session/session.h"
+#include "core/session/snapshot/sight_lines.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "core/setup/clicks/clicked_correction.h"
 #include "ui/cameraview/camera_view.h"
 #include "ui/cameraview/image_pick_overlay.h"

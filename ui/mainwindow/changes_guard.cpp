@@ -2,7 +2,7 @@
 #include "ui/mainwindow/changes_guard.h"
 
 #include "core/project/project.h"
-#include "core/setup/new_project.h"
+#include "core/setup/new_project/new_project.h"
 #include "ui/document/document.h"
 #include "ui/document/project_saver.h"
 #include "ui/mainwindow/project_endings.h"

@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/session/run/background_images.h"
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 #include "ui/document/camera_list_model.h"
 #include "ui/document/document.h"
 #include "ui/jobs/job_queue.h"

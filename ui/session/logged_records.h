@@ -3,7 +3,7 @@
 
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/log_piece.h"
-#include "core/session/run/snapshot.h"
+#include "core/session/snapshot/snapshot.h"
 
 namespace dewpoint::ui {
 

@@ -9,8 +9,8 @@
 #include "core/color/match_image.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_save.h"
+#include "core/setup/clicks/footage_lesson.h"
 #include "core/setup/follow_all.h"
-#include "core/setup/footage_lesson.h"
 #include "core/tracking/target_shape_name.h"
 
 #include <CLI/CLI.hpp>

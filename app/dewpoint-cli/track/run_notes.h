@@ -3,10 +3,10 @@
 
 #include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/capture/frame_source.h"
-#include "core/session/run/camera_agreement_watch.h"
-#include "core/session/run/camera_motion_observer.h"
-#include "core/session/run/camera_motion_watch.h"
 #include "core/session/run/frame_loop.h"
+#include "core/session/watch/camera_agreement_watch.h"
+#include "core/session/watch/camera_motion_observer.h"
+#include "core/session/watch/camera_motion_watch.h"
 
 #include <cstddef>
 #include <string>

@@ -7,7 +7,6 @@
 #include "app/dewpoint-cli/track/run_notes.h"
 #include "core/base/text_file.h"
 #include "core/base/units.h"
-#include "core/session/run/reason_log.h"
 #include "core/session/run/run_report.h"
 #include "core/session/run/tracking_run.h"
 #include "core/session/watch/camera_agreement_watch.h"

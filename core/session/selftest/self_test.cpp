@@ -4,7 +4,7 @@
 #include "core/base/thread_count.h"
 #include "core/base/units.h"
 #include "core/capture/codec_check.h"
-#include "core/session/run/recorded_run.h"
+#include "core/session/recorded_run.h"
 #include "core/session/run/tracking_clock.h"
 #include "core/trajectory/evaluation.h"
 

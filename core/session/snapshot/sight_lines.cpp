@@ -2,7 +2,7 @@
 #include "core/session/snapshot/sight_lines.h"
 
 #include "core/geometry/projector.h"
-#include "core/session/run/snapshot_state.h"
+#include "core/session/snapshot/snapshot_state.h"
 
 #include <optional>
 
