@@ -12,9 +12,6 @@ namespace dewpoint::base {
 inline constexpr double inMillimeters(double meters) {
   return 1000.0 * meters;
 }
-inline constexpr double fromMillimeters(double millimeters) {
-  return millimeters / 1000.0;
-}
 inline constexpr double inCentimeters(double meters) {
   return 100.0 * meters;
 }
