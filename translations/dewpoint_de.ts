@@ -16,8 +16,8 @@
         <translation>Neues Projekt…</translation>
     </message>
     <message>
-        <source>Make a project from videos or connected cameras</source>
-        <translation>Ein Projekt aus Videos oder angeschlossenen Kameras machen</translation>
+        <source>Create a project from videos or connected cameras</source>
+        <translation>Ein Projekt aus Videos oder angeschlossenen Kameras erstellen</translation>
     </message>
     <message>
         <source>Open project…</source>
@@ -76,16 +76,16 @@
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Take back the last change</source>
-        <translation>Die letzte Änderung zurücknehmen</translation>
+        <source>Undo the last change</source>
+        <translation>Die letzte Änderung rückgängig machen</translation>
     </message>
     <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Make the change that was taken back again</source>
-        <translation>Die zurückgenommene Änderung wieder machen</translation>
+        <source>Redo the last undone change</source>
+        <translation>Die zuletzt rückgängig gemachte Änderung wiederherstellen</translation>
     </message>
     <message>
         <source>Shortcuts…</source>
@@ -116,8 +116,8 @@
         <translation>Eine Iteration</translation>
     </message>
     <message>
-        <source>One filter iteration on the frame shown, and pause</source>
-        <translation>Eine Filteriteration auf dem gezeigten Bild, dann anhalten</translation>
+        <source>Run one filter iteration on the current frame and pause</source>
+        <translation>Eine Filteriteration auf dem aktuellen Bild ausführen und anhalten</translation>
     </message>
     <message>
         <source>Restart</source>
@@ -164,8 +164,8 @@
         <translation>Jede Aktion nach ihrem Namen finden</translation>
     </message>
     <message>
-        <source>Put all views back where they were at first</source>
-        <translation>Alle Ansichten dorthin, wo sie anfangs waren</translation>
+        <source>Restore the default arrangement of the views</source>
+        <translation>Die Standardanordnung der Ansichten wiederherstellen</translation>
     </message>
     <message>
         <source>Colors of the system</source>
@@ -192,7 +192,7 @@
         <translation>Ziel entfernen</translation>
     </message>
     <message>
-        <source>Stop following the target that is chosen</source>
+        <source>Stop tracking the selected target</source>
         <translation>Das gewählte Ziel nicht mehr verfolgen</translation>
     </message>
     <message>
@@ -200,24 +200,24 @@
         <translation>Farbe lernen</translation>
     </message>
     <message>
-        <source>Then click the target in a camera image: its color is learned</source>
-        <translation>Danach das Ziel in einem Kamerabild anklicken: Seine Farbe wird gelernt</translation>
+        <source>Click the target in a camera image to learn its color</source>
+        <translation>Das Ziel in einem Kamerabild anklicken, um seine Farbe zu lernen</translation>
     </message>
     <message>
         <source>Add a target</source>
         <translation>Ziel hinzufügen</translation>
     </message>
     <message>
-        <source>Follow one more thing: click it in a camera image</source>
-        <translation>Noch etwas verfolgen: es in einem Kamerabild anklicken</translation>
+        <source>Track one more object: click it in a camera image</source>
+        <translation>Ein weiteres Objekt verfolgen: Klicken Sie es in einem Kamerabild an</translation>
     </message>
     <message>
         <source>Export trajectory…</source>
         <translation>Bahn exportieren…</translation>
     </message>
     <message>
-        <source>Write the trajectory so far for another program</source>
-        <translation>Die bisherige Bahn für ein anderes Programm schreiben</translation>
+        <source>Export the trajectory so far for use in another program</source>
+        <translation>Die bisherige Bahn für ein anderes Programm exportieren</translation>
     </message>
     <message>
         <source>Save a picture of a view…</source>
@@ -232,72 +232,72 @@
         <translation>Voriges Bild</translation>
     </message>
     <message>
-        <source>Show the frame before this one as it was</source>
-        <translation>Das Bild davor zeigen, wie es war</translation>
+        <source>Show the previous frame as it was tracked</source>
+        <translation>Das vorige Bild zeigen, wie es verfolgt wurde</translation>
     </message>
     <message>
-        <source>Back to now</source>
-        <translation>Zurück zum Jetzt</translation>
+        <source>Go to latest frame</source>
+        <translation>Zum neuesten Bild</translation>
     </message>
     <message>
-        <source>Show again where the run stands</source>
-        <translation>Wieder zeigen, wo der Lauf steht</translation>
+        <source>Stop looking back and show the latest tracked frame</source>
+        <translation>Den Rückblick beenden und das zuletzt verfolgte Bild zeigen</translation>
     </message>
     <message>
         <source>Track again from here</source>
         <translation>Ab hier erneut verfolgen</translation>
     </message>
     <message>
-        <source>Track again from the moment shown, with the method, parameters and colors of now; pausing stops it</source>
-        <translation>Ab dem gezeigten Moment erneut verfolgen, mit Verfahren, Parametern und Farben von jetzt; Pause hält an</translation>
+        <source>Track again from the frame shown with the current method, parameters and colors; pause to stop</source>
+        <translation>Ab dem gezeigten Bild mit aktuellem Verfahren, aktuellen Parametern und Farben erneut verfolgen; Pause beendet es</translation>
     </message>
     <message>
-        <source>Mark this moment</source>
-        <translation>Diesen Moment markieren</translation>
+        <source>Add marker</source>
+        <translation>Marke setzen</translation>
     </message>
     <message>
-        <source>Put a named mark on the moment shown</source>
-        <translation>Dem gezeigten Moment eine benannte Marke geben</translation>
+        <source>Add a named marker at the frame shown</source>
+        <translation>Am gezeigten Bild eine benannte Marke setzen</translation>
     </message>
     <message>
-        <source>Remove the mark</source>
+        <source>Remove marker</source>
         <translation>Marke entfernen</translation>
     </message>
     <message>
-        <source>Take the mark away from the moment shown</source>
-        <translation>Die Marke vom gezeigten Moment nehmen</translation>
+        <source>Remove the marker at the frame shown</source>
+        <translation>Die Marke am gezeigten Bild entfernen</translation>
     </message>
     <message>
-        <source>Previous mark</source>
+        <source>Previous marker</source>
         <translation>Vorige Marke</translation>
     </message>
     <message>
-        <source>Show the moment of the mark before this one</source>
-        <translation>Den Moment der vorigen Marke zeigen</translation>
+        <source>Go to the previous marker</source>
+        <translation>Zur vorigen Marke gehen</translation>
     </message>
     <message>
-        <source>Next mark</source>
+        <source>Next marker</source>
         <translation>Nächste Marke</translation>
     </message>
     <message>
-        <source>Show the moment of the next mark</source>
-        <translation>Den Moment der nächsten Marke zeigen</translation>
+        <source>Go to the next marker</source>
+        <translation>Zur nächsten Marke gehen</translation>
     </message>
     <message>
         <source>Zoom to the selected span</source>
         <translation>Auf die gewählte Spanne zoomen</translation>
     </message>
     <message>
-        <source>Let the timeline show the selected span only</source>
-        <translation>Die Zeitleiste nur die gewählte Spanne zeigen lassen</translation>
+        <source>Show only the selected span in the timeline</source>
+        <translation>In der Zeitleiste nur die gewählte Spanne zeigen</translation>
     </message>
     <message>
-        <source>Show evidence</source>
-        <translation>Belege zeigen</translation>
+        <source>Show likelihood map</source>
+        <translation>Likelihood-Karte zeigen</translation>
     </message>
     <message>
-        <source>Show how likely the cameras find each place around the target, and which places were considered</source>
-        <translation>Zeigen, für wie wahrscheinlich die Kameras jeden Ort um das Ziel halten und welche Orte erwogen wurden</translation>
+        <source>Show the likelihood of each position around the target, and the candidate positions</source>
+        <translation>Die Likelihood jeder Position um das Ziel und die in Frage kommenden Positionen zeigen</translation>
     </message>
     <message>
         <source>Show best particle</source>
@@ -324,56 +324,56 @@
         <translation>Effektive Stichprobengröße zeigen</translation>
     </message>
     <message>
-        <source>How many particles the weighted ones are worth, and how many there are</source>
-        <translation>Wie viele Partikel die gewichteten wert sind und wie viele es gibt</translation>
+        <source>Effective sample size, and number of particles</source>
+        <translation>Effektive Stichprobengröße und Zahl der Partikel</translation>
     </message>
     <message>
         <source>Plot likelihood</source>
         <translation>Likelihood zeigen</translation>
     </message>
     <message>
-        <source>What each camera says of the estimate: its log likelihood</source>
-        <translation>Was jede Kamera zur Schätzung sagt: ihre Log-Likelihood</translation>
+        <source>Log likelihood of the estimate in each camera</source>
+        <translation>Log-Likelihood der Schätzung in jeder Kamera</translation>
     </message>
     <message>
         <source>Plot existence</source>
         <translation>Existenz zeigen</translation>
     </message>
     <message>
-        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
-        <translation>Wahrscheinlichkeit, dass das Ziel an der Schätzung ist, nach allen Kameras und nach jeder allein</translation>
+        <source>Existence probability: from all cameras together, and from each camera alone</source>
+        <translation>Existenzwahrscheinlichkeit: aus allen Kameras zusammen und aus jeder allein</translation>
     </message>
     <message>
         <source>Plot error</source>
         <translation>Fehler zeigen</translation>
     </message>
     <message>
-        <source>Distance of the estimate from the truth, where it is known</source>
-        <translation>Abstand der Schätzung von der Wahrheit, wo sie bekannt ist</translation>
+        <source>Distance between estimate and ground truth, if it is known</source>
+        <translation>Abstand zwischen Schätzung und wahrer Position, falls bekannt</translation>
     </message>
     <message>
         <source>Plot time per step</source>
         <translation>Zeit pro Schritt zeigen</translation>
     </message>
     <message>
-        <source>Microseconds that each filter iteration took, per target</source>
-        <translation>Mikrosekunden, die jede Filteriteration je Ziel dauerte</translation>
+        <source>Duration of each filter iteration per target, in microseconds</source>
+        <translation>Dauer jeder Filteriteration je Ziel, in Mikrosekunden</translation>
     </message>
     <message>
         <source>Over time</source>
         <translation>Über die Zeit</translation>
     </message>
     <message>
-        <source>Plot over seconds instead of filter iterations</source>
-        <translation>Über Sekunden statt Filteriterationen auftragen</translation>
+        <source>Plot against time in seconds instead of filter iterations</source>
+        <translation>Über der Zeit in Sekunden statt über Filteriterationen auftragen</translation>
     </message>
     <message>
         <source>Whole run</source>
         <translation>Ganzer Lauf</translation>
     </message>
     <message>
-        <source>Plot the whole run again (double click does the same)</source>
-        <translation>Wieder den ganzen Lauf zeigen (ein Doppelklick tut dasselbe)</translation>
+        <source>Show the whole run in the plots again (or double-click)</source>
+        <translation>Wieder den ganzen Lauf in den Kurven zeigen (auch per Doppelklick)</translation>
     </message>
     <message>
         <source>Copy plots as CSV</source>
@@ -404,32 +404,32 @@
         <translation>Von Hand kalibrieren…</translation>
     </message>
     <message>
-        <source>Adjust cameras until a grid lies on the real thing in their images</source>
-        <translation>Kameras einstellen, bis ein Gitter in ihren Bildern auf dem Wirklichen liegt</translation>
+        <source>Adjust the cameras until a grid matches the real scene in their images</source>
+        <translation>Die Kameras einstellen, bis ein Gitter in ihren Bildern zur wirklichen Szene passt</translation>
     </message>
     <message>
         <source>Import calibration…</source>
         <translation>Kalibrierung importieren…</translation>
     </message>
     <message>
-        <source>Take the cameras&apos; calibration from a file of any tool</source>
-        <translation>Die Kalibrierung der Kameras aus einer Datei irgendeines Programms nehmen</translation>
+        <source>Load the calibration of the cameras from a file of another tool</source>
+        <translation>Die Kalibrierung der Kameras aus einer Datei eines anderen Programms laden</translation>
     </message>
     <message>
         <source>Export calibration…</source>
         <translation>Kalibrierung exportieren…</translation>
     </message>
     <message>
-        <source>Write the cameras&apos; calibration for another tool</source>
-        <translation>Die Kalibrierung der Kameras für ein anderes Programm schreiben</translation>
+        <source>Save the calibration of the cameras for another tool</source>
+        <translation>Die Kalibrierung der Kameras für ein anderes Programm speichern</translation>
     </message>
     <message>
-        <source>Calibrate by waving…</source>
-        <translation>Durch Schwenken kalibrieren…</translation>
+        <source>Calibrate with wand…</source>
+        <translation>Mit Kalibrierstab kalibrieren…</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved ball, or a stick with two balls</source>
-        <translation>Kameras mit einem geschwenkten Ball oder einem Stab mit zwei Bällen verfeinern</translation>
+        <source>Refine the cameras with a ball, or a wand with two balls, that you wave</source>
+        <translation>Die Kameras mit einem Ball oder einem Stab mit zwei Bällen verfeinern, den Sie schwenken</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -440,95 +440,95 @@
         <translation>Mit einer Tafel kalibrieren…</translation>
     </message>
     <message>
-        <source>Find lenses and places of the cameras with a printed board</source>
-        <translation>Objektive und Standorte der Kameras mit einer gedruckten Tafel finden</translation>
+        <source>Find the intrinsics and positions of the cameras with a printed board</source>
+        <translation>Intrinsische Parameter und Positionen der Kameras mit einer gedruckten Tafel bestimmen</translation>
     </message>
     <message>
         <source>Print a calibration board…</source>
         <translation>Kalibriertafel drucken…</translation>
     </message>
     <message>
-        <source>Write the board to calibrate with as a PDF in its true size</source>
-        <translation>Die Tafel zum Kalibrieren in wahrer Größe als PDF schreiben</translation>
+        <source>Save the calibration board as a PDF at its true size</source>
+        <translation>Die Kalibriertafel in wahrer Größe als PDF speichern</translation>
     </message>
     <message>
         <source>Plan the rig…</source>
         <translation>Den Aufbau planen…</translation>
     </message>
     <message>
-        <source>See how well the cameras will measure, and where one more would help</source>
-        <translation>Sehen, wie gut die Kameras messen werden und wo eine weitere hülfe</translation>
+        <source>See how accurately the cameras will measure, and where another camera would help</source>
+        <translation>Sehen, wie genau die Kameras messen werden und wo eine weitere Kamera helfen würde</translation>
     </message>
     <message>
-        <source>Show the map of expected errors</source>
-        <translation>Die Karte der erwarteten Fehler zeigen</translation>
+        <source>Show error map</source>
+        <translation>Fehlerkarte zeigen</translation>
     </message>
     <message>
-        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
-        <translation>In der Vogelperspektive zeigen, wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt</translation>
+        <source>Show the expected position error of a target at each point of the bird&apos;s-eye view</source>
+        <translation>In der Vogelperspektive den erwarteten Positionsfehler eines Ziels an jedem Punkt zeigen</translation>
     </message>
     <message>
-        <source>Add a camera to plan</source>
-        <translation>Eine Kamera einplanen</translation>
+        <source>Add planned camera</source>
+        <translation>Geplante Kamera hinzufügen</translation>
     </message>
     <message>
-        <source>Add a camera that is not there yet, to be dragged about</source>
-        <translation>Eine Kamera hinzufügen, die es noch nicht gibt, zum Umherziehen</translation>
+        <source>Add a camera that does not exist yet and drag it in the bird&apos;s-eye view</source>
+        <translation>Eine Kamera hinzufügen, die es noch nicht gibt, und sie in der Vogelperspektive ziehen</translation>
     </message>
     <message>
-        <source>Re-solve the bumped camera</source>
-        <translation>Die verdrehte Kamera neu bestimmen</translation>
+        <source>Recompute camera pose</source>
+        <translation>Kameralage neu berechnen</translation>
     </message>
     <message>
-        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
-        <translation>Die Kamera, die während des Laufs verdreht wurde, so kalibrieren, wie sie jetzt steht; alle anderen bleiben</translation>
+        <source>Recompute the pose of the camera that was moved during the run; all other cameras stay unchanged</source>
+        <translation>Die Lage der Kamera neu berechnen, die während des Laufs bewegt wurde; alle anderen Kameras bleiben unverändert</translation>
     </message>
     <message>
-        <source>Find the best place for one more camera</source>
-        <translation>Den besten Ort für eine weitere Kamera suchen</translation>
+        <source>Find best position</source>
+        <translation>Beste Position suchen</translation>
     </message>
     <message>
-        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
-        <translation>An Wänden und Decke den Ort suchen, von dem eine weitere Kamera am meisten hilft</translation>
+        <source>Search the walls and the ceiling for the position where another camera would help most</source>
+        <translation>An Wänden und Decke die Position suchen, an der eine weitere Kamera am meisten helfen würde</translation>
     </message>
     <message>
         <source>Experiments…</source>
         <translation>Experimente …</translation>
     </message>
     <message>
-        <source>Make the figures of the papers anew, with a report</source>
-        <translation>Die Abbildungen der Artikel neu erzeugen, mit einem Bericht</translation>
+        <source>Reproduce the figures of the papers and write a report</source>
+        <translation>Die Abbildungen der Artikel reproduzieren und einen Bericht schreiben</translation>
     </message>
     <message>
-        <source>Take a box</source>
-        <translation>Rahmen nehmen</translation>
+        <source>Set box</source>
+        <translation>Rahmen setzen</translation>
     </message>
     <message>
-        <source>Export volumes of people…</source>
+        <source>Export people&apos;s volumes…</source>
         <translation>Volumen der Personen exportieren…</translation>
     </message>
     <message>
-        <source>Write places, volumes, hulls and densities on the floor of all people as tables</source>
-        <translation>Orte, Volumen, Hüllen und Dichten auf dem Boden aller Personen als Tabellen schreiben</translation>
+        <source>Save the position, volume, hull and floor density of each person as tables</source>
+        <translation>Position, Volumen, Hülle und Dichte auf dem Boden jeder Person als Tabellen speichern</translation>
     </message>
     <message>
-        <source>A person stands here…</source>
-        <translation>Hier steht eine Person…</translation>
+        <source>Add person…</source>
+        <translation>Person hinzufügen…</translation>
     </message>
     <message>
-        <source>Say where somebody is: by a click on the person in a camera image, or on the floor in the bird&apos;s-eye view</source>
-        <translation>Sagen, wo jemand ist: mit einem Klick auf die Person in einem Kamerabild oder auf den Boden in der Vogelperspektive</translation>
+        <source>Click the person in a camera image, or the floor in the bird&apos;s-eye view</source>
+        <translation>Klicken Sie die Person in einem Kamerabild an, oder den Boden in der Vogelperspektive</translation>
     </message>
     <message>
-        <source>Remove this person</source>
-        <translation>Diese Person entfernen</translation>
+        <source>Remove person</source>
+        <translation>Person entfernen</translation>
     </message>
     <message>
-        <source>The person chosen in the table is not there</source>
-        <translation>Die in der Tabelle gewählte Person ist nicht da</translation>
+        <source>Remove the person selected in the table</source>
+        <translation>Die in der Tabelle gewählte Person entfernen</translation>
     </message>
     <message>
-        <source>Show volumes of people</source>
+        <source>Show people&apos;s volumes</source>
         <translation>Volumen der Personen zeigen</translation>
     </message>
     <message>
@@ -544,20 +544,20 @@
         <translation>Wählen, wie viele Threads sich die Arbeit des Filters teilen</translation>
     </message>
     <message>
-        <source>It is here</source>
-        <translation>Hier ist es</translation>
+        <source>Correct position</source>
+        <translation>Position korrigieren</translation>
     </message>
     <message>
-        <source>Drag a target in the camera images to where it is in the frame shown: tracking goes on from there</source>
-        <translation>Ein Ziel in den Kamerabildern dorthin ziehen, wo es im gezeigten Bild ist: Von dort wird weiter verfolgt</translation>
+        <source>Drag a target in the camera images to its true position in this frame; tracking continues from there</source>
+        <translation>Ein Ziel in den Kamerabildern an seine wahre Position in diesem Bild ziehen; von dort wird weiter verfolgt</translation>
     </message>
     <message>
-        <source>Remove the correction</source>
-        <translation>Die Korrektur entfernen</translation>
+        <source>Remove correction</source>
+        <translation>Korrektur entfernen</translation>
     </message>
     <message>
-        <source>Take away where you said that the selected target is in the frame shown; without a selected target, of all</source>
-        <translation>Wegnehmen, wo das gewählte Ziel nach Ihrer Angabe im gezeigten Bild ist; ohne gewähltes Ziel von allen</translation>
+        <source>Remove the correction of the selected target in this frame, or of all targets if none is selected</source>
+        <translation>Die Korrektur des gewählten Ziels in diesem Bild entfernen, oder aller Ziele, wenn keines gewählt ist</translation>
     </message>
     <message>
         <source>Show the volume of interest</source>
@@ -576,8 +576,8 @@
         <translation>Erneut verfolgen</translation>
     </message>
     <message>
-        <source>Track all again that is of earlier settings</source>
-        <translation>Alles erneut verfolgen, was von früheren Einstellungen stammt</translation>
+        <source>Track again all frames that have results from earlier settings</source>
+        <translation>Alle Bilder erneut verfolgen, deren Ergebnisse von früheren Einstellungen stammen</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -604,8 +604,8 @@
         <translation>Die Aufnahme so schnell abspielen, wie sie gefilmt wurde</translation>
     </message>
     <message>
-        <source>Slowly until it converges</source>
-        <translation>Langsam, bis es konvergiert</translation>
+        <source>Slow until converged</source>
+        <translation>Langsam bis zur Konvergenz</translation>
     </message>
     <message>
         <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
@@ -616,40 +616,40 @@
         <translation>Lupe zeigen</translation>
     </message>
     <message>
-        <source>Enlarge the particles of a target in a corner of the image where they are too close together to be seen</source>
-        <translation>Die Partikel eines Ziels in einer Ecke des Bildes vergrößern, wo sie zu dicht beieinander liegen, um sichtbar zu sein</translation>
+        <source>Show an enlarged inset when the particles of a target are too close together to see</source>
+        <translation>Einen vergrößerten Ausschnitt zeigen, wenn die Partikel eines Ziels zu dicht beieinander liegen</translation>
     </message>
     <message>
         <source>Show lines of sight</source>
         <translation>Sichtlinien zeigen</translation>
     </message>
     <message>
-        <source>Draw a line in the bird&apos;s-eye view from each camera to the target: broken where it is hidden from the camera</source>
-        <translation>In der Vogelperspektive eine Linie von jeder Kamera zum Ziel zeichnen: gestrichelt, wo es für die Kamera verdeckt ist</translation>
+        <source>Draw a line from each camera to the target in the bird&apos;s-eye view; it is dashed if the camera cannot see the target</source>
+        <translation>In der Vogelperspektive eine Linie von jeder Kamera zum Ziel zeichnen; sie ist gestrichelt, wenn die Kamera das Ziel nicht sieht</translation>
     </message>
     <message>
         <source>Zoom in</source>
         <translation>Vergrößern</translation>
     </message>
     <message>
-        <source>Enlarge the camera image under the pointer, or that of the selected camera (the wheel does the same)</source>
-        <translation>Das Kamerabild unter dem Mauszeiger vergrößern, oder das der gewählten Kamera (das Rad tut dasselbe)</translation>
+        <source>Zoom in on the camera image under the pointer, or on the image of the selected camera (or use the mouse wheel)</source>
+        <translation>In das Kamerabild unter dem Mauszeiger hineinzoomen, oder in das der gewählten Kamera (auch mit dem Mausrad)</translation>
     </message>
     <message>
         <source>Zoom out</source>
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Show more of the camera image under the pointer, or of that of the selected camera</source>
-        <translation>Mehr vom Kamerabild unter dem Mauszeiger zeigen, oder von dem der gewählten Kamera</translation>
+        <source>Zoom out of the camera image under the pointer, or of the image of the selected camera</source>
+        <translation>Aus dem Kamerabild unter dem Mauszeiger herauszoomen, oder aus dem der gewählten Kamera</translation>
     </message>
     <message>
         <source>Fit image</source>
         <translation>Bild einpassen</translation>
     </message>
     <message>
-        <source>Show all of the camera image again (double click does the same)</source>
-        <translation>Wieder das ganze Kamerabild zeigen (ein Doppelklick tut dasselbe)</translation>
+        <source>Show the whole camera image (or double-click)</source>
+        <translation>Das ganze Kamerabild zeigen (auch per Doppelklick)</translation>
     </message>
     <message>
         <source>Top view</source>
@@ -672,8 +672,8 @@
         <translation>Alles einpassen</translation>
     </message>
     <message>
-        <source>Show the whole room in the bird&apos;s-eye view again (double click does the same)</source>
-        <translation>Wieder den ganzen Raum in der Vogelperspektive zeigen (ein Doppelklick tut dasselbe)</translation>
+        <source>Show the whole room in the bird&apos;s-eye view (or double-click)</source>
+        <translation>Den ganzen Raum in der Vogelperspektive zeigen (auch per Doppelklick)</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -684,8 +684,8 @@
         <translation>Vollbild</translation>
     </message>
     <message>
-        <source>Let the window fill the screen, or give it its frame back</source>
-        <translation>Das Fenster den Bildschirm füllen lassen oder ihm seinen Rahmen zurückgeben</translation>
+        <source>Switch between full screen and a normal window</source>
+        <translation>Zwischen Vollbild und normalem Fenster wechseln</translation>
     </message>
     <message>
         <source>Follow system</source>
@@ -740,8 +740,8 @@
         <translation>Problem melden…</translation>
     </message>
     <message>
-        <source>Collect what helps to find a fault, ready to be copied</source>
-        <translation>Sammeln, was hilft, einen Fehler zu finden, fertig zum Kopieren</translation>
+        <source>Collect the information that a bug report needs, ready to copy</source>
+        <translation>Die Angaben für einen Fehlerbericht sammeln, fertig zum Kopieren</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
@@ -756,8 +756,8 @@
         <translation>Bilder in der Vogelperspektive zeigen</translation>
     </message>
     <message>
-        <source>Show what each camera sees, in the bird&apos;s-eye view, on the pyramid it looks through</source>
-        <translation>In der Vogelperspektive zeigen, was jede Kamera sieht, auf der Pyramide, durch die sie blickt</translation>
+        <source>Show each camera&apos;s image inside its viewing pyramid in the bird&apos;s-eye view</source>
+        <translation>In der Vogelperspektive das Bild jeder Kamera in ihrer Sichtpyramide zeigen</translation>
     </message>
 </context>
 <context>
@@ -774,36 +774,36 @@
 <context>
     <name>BoardText</name>
     <message>
-        <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
-        <translation>%1: rms %2, Brennweite %3, %4 Bilder; auf %5 bekannt</translation>
+        <source>%1: RMS %2, focal length %3, %4 images; accuracy %5</source>
+        <translation>%1: RMS %2, Brennweite %3, %4 Bilder; Genauigkeit %5</translation>
     </message>
     <message>
-        <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
-        <translation>Ecken nur in %1 % des Bildes: die Tafel überall darin zeigen, auch geneigt.</translation>
+        <source>The corners cover only %1 % of its image: show the board in every part of the image, also tilted.</source>
+        <translation>Die Ecken decken nur %1 % des Bildes ab: Zeigen Sie die Tafel in jedem Teil des Bildes, auch geneigt.</translation>
     </message>
     <message>
-        <source>%1 keeps its place: it never saw the board.</source>
-        <translation>%1 behält seinen Platz: die Tafel war dort nie zu sehen.</translation>
+        <source>%1 keeps its position: it never saw the board.</source>
+        <translation>%1 behält ihre Position: Sie hat die Tafel nie gesehen.</translation>
     </message>
     <message>
-        <source>%1: rms %2</source>
-        <translation>%1: rms %2</translation>
+        <source>%1: RMS %2</source>
+        <translation>%1: RMS %2</translation>
     </message>
     <message>
-        <source>, place ±%1, direction ±%2</source>
-        <translation>, Ort ±%1, Richtung ±%2</translation>
+        <source>, position ±%1, direction ±%2</source>
+        <translation>, Position ±%1, Richtung ±%2</translation>
     </message>
     <message>
-        <source>Lenses</source>
-        <translation>Objektive</translation>
+        <source>Intrinsics</source>
+        <translation>Intrinsische Parameter</translation>
     </message>
     <message>
-        <source>%1 keeps its lens: %2</source>
-        <translation>%1 behält sein Objektiv: %2</translation>
+        <source>%1 keeps its intrinsics: %2</source>
+        <translation>%1 behält ihre intrinsischen Parameter: %2</translation>
     </message>
     <message>
-        <source>Places: rms %1 over %2 positions of the board</source>
-        <translation>Standorte: rms %1 über %2 Lagen der Tafel</translation>
+        <source>Positions: RMS %1 over %2 board poses</source>
+        <translation>Positionen: RMS %1 über %2 Lagen der Tafel</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -822,7 +822,7 @@
         <translation>links</translation>
     </message>
     <message>
-        <source>middle</source>
+        <source>center</source>
         <translation>Mitte</translation>
     </message>
     <message>
@@ -842,19 +842,19 @@
         <translation>unten rechts</translation>
     </message>
     <message>
-        <source>its left side nearer</source>
+        <source>left side closer</source>
         <translation>linke Seite näher</translation>
     </message>
     <message>
-        <source>its right side nearer</source>
+        <source>right side closer</source>
         <translation>rechte Seite näher</translation>
     </message>
     <message>
-        <source>its upper side nearer</source>
+        <source>upper side closer</source>
         <translation>obere Seite näher</translation>
     </message>
     <message>
-        <source>its lower side nearer</source>
+        <source>lower side closer</source>
         <translation>untere Seite näher</translation>
     </message>
     <message>
@@ -866,60 +866,60 @@
         <translation>Noch kein Bild</translation>
     </message>
     <message>
-        <source>Show it the whole board</source>
-        <translation>Ihr die ganze Tafel zeigen</translation>
+        <source>Show the whole board</source>
+        <translation>Die ganze Tafel zeigen</translation>
     </message>
     <message>
         <source>Move the board to: %1</source>
         <translation>Tafel bewegen nach: %1</translation>
     </message>
     <message>
-        <source>Tilt it, %1</source>
-        <translation>Neigen, %1</translation>
+        <source>Tilt the board, %1</source>
+        <translation>Tafel neigen, %1</translation>
     </message>
     <message>
-        <source>Come nearer with the board</source>
-        <translation>Näher kommen mit der Tafel</translation>
+        <source>Move the board closer</source>
+        <translation>Tafel näher bringen</translation>
     </message>
     <message>
-        <source>Hold it still</source>
-        <translation>Still halten</translation>
+        <source>Hold the board still</source>
+        <translation>Tafel still halten</translation>
     </message>
     <message>
-        <source>The image is soft: focus, or more light</source>
-        <translation>Das Bild ist unscharf: scharfstellen oder mehr Licht</translation>
+        <source>The image is blurred: focus the lens or add light</source>
+        <translation>Das Bild ist unscharf: scharf stellen oder mehr Licht geben</translation>
     </message>
     <message>
         <source>✓ Done</source>
         <translation>✓ Fertig</translation>
     </message>
     <message>
-        <source>✓ All cameras have seen enough together</source>
-        <translation>✓ Alle Kameras haben genug gemeinsam gesehen</translation>
+        <source>✓ The cameras have enough shared views</source>
+        <translation>✓ Die Kameras haben genug gemeinsame Ansichten</translation>
     </message>
     <message>
-        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
-        <translation>Zeigen Sie die Tafel %1 und %2 zugleich, still gehalten, dann anderswo</translation>
+        <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
+        <translation>Zeigen Sie die Tafel %1 und %2 zugleich, halten Sie sie still, und wiederholen Sie das anderswo</translation>
     </message>
     <message>
-        <source>no board in sight</source>
+        <source>board not visible</source>
         <translation>keine Tafel zu sehen</translation>
     </message>
     <message>
-        <source>⚠ soft, edges of %1</source>
-        <translation>⚠ unscharf, Kanten von %1</translation>
+        <source>⚠ blurred, edge width %1</source>
+        <translation>⚠ unscharf, Kantenbreite %1</translation>
     </message>
     <message>
-        <source>sharp, edges of %1</source>
-        <translation>scharf, Kanten von %1</translation>
+        <source>sharp, edge width %1</source>
+        <translation>scharf, Kantenbreite %1</translation>
     </message>
     <message>
         <source>%1 of at least %2 views</source>
         <translation>%1 von mindestens %2 Ansichten</translation>
     </message>
     <message>
-        <source>%1 views, known to %2 (wanted: %3)</source>
-        <translation>%1 Ansichten, auf %2 bekannt (gewünscht: %3)</translation>
+        <source>%1 views, accuracy %2 (goal: %3)</source>
+        <translation>%1 Ansichten, Genauigkeit %2 (Ziel: %3)</translation>
     </message>
     <message>
         <source>● sees the board</source>
@@ -930,20 +930,20 @@
         <translation>○ sieht die Tafel nicht</translation>
     </message>
     <message>
-        <source>%1 views, place known to %2</source>
-        <translation>%1 Ansichten, Standort auf %2 bekannt</translation>
+        <source>%1 views, position accuracy %2</source>
+        <translation>%1 Ansichten, Positionsgenauigkeit %2</translation>
     </message>
     <message>
-        <source>%1 views with others</source>
-        <translation>%1 Ansichten mit anderen</translation>
+        <source>%1 views shared with other cameras</source>
+        <translation>%1 gemeinsame Ansichten mit anderen Kameras</translation>
     </message>
     <message>
-        <source>The places were not found: %1</source>
-        <translation>Die Standorte wurden nicht gefunden: %1</translation>
+        <source>The positions were not found: %1</source>
+        <translation>Die Positionen wurden nicht gefunden: %1</translation>
     </message>
     <message>
-        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
-        <translation>Wie gut es ist, lässt sich nicht sagen: zu wenige Orte wurden von zwei Kameras gesehen.</translation>
+        <source>The accuracy cannot be estimated: two cameras saw the board together too rarely.</source>
+        <translation>Die Genauigkeit lässt sich nicht schätzen: Zu selten sahen zwei Kameras die Tafel zugleich.</translation>
     </message>
 </context>
 <context>
@@ -972,16 +972,16 @@
         <translation>%1 passt, wenn ihr Video verschoben wird: es zeigt wahrscheinlich alles %2 Bilder zu früh. Synchronisieren Sie die Videos, oder lassen Sie Zeitversätze suchen.</translation>
     </message>
     <message>
-        <source>%1 fits one place before %2 and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
-        <translation>%1 passt vor %2 an einen Ort und danach an einen anderen: sie wurde da wahrscheinlich bewegt oder angestoßen. Kalibrieren Sie mit dem Teil danach.</translation>
+        <source>%1 fits one pose before %2 and another after it: the camera was probably moved. Calibrate with the part after that time.</source>
+        <translation>%1 passt vor %2 zu einer Lage und danach zu einer anderen: Die Kamera wurde wahrscheinlich bewegt. Kalibrieren Sie mit dem Teil danach.</translation>
     </message>
     <message>
-        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
-        <translation>%1 passt nur mit gekippten Bildern: ihr Video ist wahrscheinlich gespiegelt oder steht auf dem Kopf. Stellen Sie ein, wie ihre Bilder gedreht und gespiegelt werden.</translation>
+        <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
+        <translation>%1 passt nur mit umgekehrten Bildern: Ihr Video ist wahrscheinlich gespiegelt oder steht auf dem Kopf. Stellen Sie Drehung und Spiegelung ihrer Bilder ein.</translation>
     </message>
     <message>
-        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
-        <translation>%1 passt mit dem %2-fachen der angegebenen Brennweite: wahrscheinlich wurde ihr Zoom (oder ein Ausschnitt) geändert. Kalibrieren Sie ihr Objektiv neu.</translation>
+        <source>%1 fits with %2 times the given focal length: its zoom or crop was probably changed. Calibrate its intrinsics again.</source>
+        <translation>%1 passt mit dem %2-fachen der angegebenen Brennweite: Wahrscheinlich wurde ihr Zoom oder ihr Ausschnitt geändert. Kalibrieren Sie ihre intrinsischen Parameter neu.</translation>
     </message>
     <message>
         <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
@@ -1024,12 +1024,12 @@
         <translation>Die angegebene Länge ist das %1-fache dessen, was die Kameras sehen: wahrscheinlich ist sie in Zoll (1 Zoll = 2,54 cm).</translation>
     </message>
     <message>
-        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
-        <translation>Die Ecken bilden eine Tafel mit %1 in einer Reihe: die Zahl der Felder ist wahrscheinlich falsch. Zählen Sie nach und berichtigen Sie die Tafel.</translation>
+        <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
+        <translation>Die Ecken bilden eine Tafel mit %1 Feldern in einer Reihe: Die Zahl der Felder ist wahrscheinlich falsch. Zählen Sie nach, und berichtigen Sie die Tafel.</translation>
     </message>
     <message>
-        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
-        <translation>Die Felder der Tafel sind %1-mal so groß angegeben, wie die Kameras sie sehen: messen Sie eine Reihe mit dem Lineal (Drucke werden oft skaliert).</translation>
+        <source>The given size of the squares is %1 times what the cameras see: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>Die angegebene Größe der Felder ist das %1-fache dessen, was die Kameras sehen: Messen Sie eine Reihe mit dem Lineal (Drucke werden oft skaliert).</translation>
     </message>
     <message>
         <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
@@ -1110,8 +1110,8 @@
 <context>
     <name>CameraMotion</name>
     <message>
-        <source>turned by %1</source>
-        <translation>um %1 verdreht</translation>
+        <source>rotated by %1</source>
+        <translation>um %1 gedreht</translation>
     </message>
 </context>
 <context>
@@ -1143,8 +1143,8 @@
         <translation>Der Radius ist anscheinend etwa %1, angegeben ist %2.</translation>
     </message>
     <message>
-        <source>This is a part of something larger of its color: it is followed as a ball with a radius of %1, from where it was marked.</source>
-        <translation>Das ist ein Teil von etwas Größerem in dieser Farbe: Er wird als Ball mit einem Radius von %1 verfolgt, von der markierten Stelle an.</translation>
+        <source>This is part of a larger object of the same color. It is tracked as a ball with radius %1, starting at the marked spot.</source>
+        <translation>Das ist ein Teil eines größeren Objekts derselben Farbe. Es wird von der markierten Stelle an als Ball mit Radius %1 verfolgt.</translation>
     </message>
 </context>
 <context>
@@ -1173,7 +1173,7 @@
         <translation>links</translation>
     </message>
     <message>
-        <source>in the middle</source>
+        <source>in the center</source>
         <translation>in der Mitte</translation>
     </message>
     <message>
@@ -1261,12 +1261,12 @@
         <translation>Vieles am Ziel passt nicht: Umschalt-Klick auf seine helle und seine dunkle Seite.</translation>
     </message>
     <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>Alt-Klick auf das, was auch passt: Es lässt sich unterscheiden.</translation>
+        <source>Alt-click what also matches to exclude it.</source>
+        <translation>Alt-Klick auf das, was auch passt, schließt es aus.</translation>
     </message>
     <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>Bedecken Sie, was dieselbe Farbe hat, oder nehmen Sie es aus dem Bild.</translation>
+        <source>Cover objects of the same color, or take them out of view.</source>
+        <translation>Bedecken Sie Objekte derselben Farbe, oder nehmen Sie sie aus dem Bild.</translation>
     </message>
     <message>
         <source>The target is nearly black here: more light would help.</source>
@@ -1281,8 +1281,8 @@
         <translation>Das Ziel ist fast grau: Eine kräftigere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>Das füllt einen großen Teil des Bildes: Klicke das Ding selbst an oder ziehe einen Rahmen darum.</translation>
+        <source>This fills much of the image: click only the target, or drag a box on it.</source>
+        <translation>Das füllt einen großen Teil des Bildes: Klicken Sie nur das Ziel an, oder ziehen Sie einen Rahmen darauf.</translation>
     </message>
     <message>
         <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
@@ -1293,34 +1293,34 @@
         <translation>%1 % des Hintergrunds passen auch.</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: much around it looks the same, or it shows something else.</source>
-        <translation>Eine Probe passt kaum zum Gelernten: Die Umgebung hat ihre Farbe auch, oder sie zeigt etwas anderes.</translation>
+        <source>One sample hardly matches the learned color: its surroundings look the same, or it shows another object.</source>
+        <translation>Eine Probe passt kaum zur gelernten Farbe: Ihre Umgebung sieht genauso aus, oder sie zeigt ein anderes Objekt.</translation>
     </message>
     <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>Etwas %1 %2 in %3 passt auch.</translation>
+        <source>A %1 region %2 of %3 also matches.</source>
+        <translation>Ein Bereich (%1) %2 von %3 passt auch.</translation>
     </message>
     <message>
-        <source>Several things have this color: another one would help.</source>
-        <translation>Mehrere Dinge haben diese Farbe: Eine andere würde helfen.</translation>
+        <source>Several objects have this color: another color would help.</source>
+        <translation>Mehrere Objekte haben diese Farbe: Eine andere Farbe würde helfen.</translation>
     </message>
     <message>
-        <source>Only a speck was clicked: drag a box on the whole thing.</source>
-        <translation>Nur ein Fleck wurde angeklickt: Ziehe einen Rahmen um das ganze Ding.</translation>
+        <source>You clicked only a speck: drag a box on the whole target.</source>
+        <translation>Sie haben nur einen Fleck angeklickt: Ziehen Sie einen Rahmen auf dem ganzen Ziel.</translation>
     </message>
     <message>
         <source>Only %1 % of the target and %2 % of the background match.</source>
         <translation>Nur %1 % des Ziels und %2 % des Hintergrunds passen.</translation>
     </message>
     <message>
-        <source>A range for all of the target would match %1 % of the background.</source>
-        <translation>Ein Bereich für das ganze Ziel würde auf %1 % des Hintergrunds passen.</translation>
+        <source>A range that covers the whole target would match %1 % of the background.</source>
+        <translation>Ein Bereich, der das ganze Ziel umfasst, würde auf %1 % des Hintergrunds passen.</translation>
     </message>
     <message numerus="yes">
-        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <source>%n objects have this color and size: follow all of them, or cover the others.</source>
         <translation>
-            <numerusform>%n Ding hat diese Farbe und Größe: Verfolgen Sie alle, oder bedecken Sie die anderen.</numerusform>
-            <numerusform>%n Dinge haben diese Farbe und Größe: Verfolgen Sie alle, oder bedecken Sie die anderen.</numerusform>
+            <numerusform>%n Objekt hat diese Farbe und Größe: Verfolgen Sie es, oder bedecken Sie die anderen.</numerusform>
+            <numerusform>%n Objekte haben diese Farbe und Größe: Verfolgen Sie alle, oder bedecken Sie die anderen.</numerusform>
         </translation>
     </message>
 </context>
@@ -1387,7 +1387,7 @@
         <translation>die Datei existiert nicht</translation>
     </message>
     <message>
-        <source>the observations do not settle it</source>
+        <source>the observations do not determine it</source>
         <translation>die Beobachtungen legen es nicht fest</translation>
     </message>
     <message>
@@ -1434,20 +1434,20 @@
         <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Momenten, mit kleinem und großem Bewegungs-Sigma.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: start volume against the share of runs that converge, and starts beyond the ball.</source>
-        <translation>Barrera et al. 2005, Abschnitt III-B: Startvolumen gegen den Anteil der Läufe, die konvergieren, und Starts hinter dem Ball.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge for each start volume, and starts behind the ball.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, je Startvolumen, und Starts hinter dem Ball.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: with one camera the cloud moves away from it.</source>
-        <translation>Barrera et al. 2005, Abschnitt III-B: Mit einer Kamera entfernt sich die Wolke von ihr.</translation>
+        <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: Mit nur einer Kamera entfernt sich die Wolke von der Kamera.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
-        <translation>Barrera et al. 2005, Abbildung 5: wo eine Kamera allein die Farbe findet und warum sich die Wolke von ihr entfernt.</translation>
+        <source>Barrera et al. 2005, figure 5: where a single camera finds the color, and why the cloud moves away from the camera.</source>
+        <translation>Barrera et al. 2005, Abbildung 5: wo eine einzelne Kamera die Farbe findet und warum sich die Wolke von der Kamera entfernt.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
-        <translation>Mohedano et al. 2009, Abbildungen 1 und 3: was sich in den Bildern einer Kamera bewegt, in Stücken, und für wie wahrscheinlich das eine Person an jedem Pixel macht.</translation>
+        <source>Mohedano et al. 2009, figures 1 and 3: the regions that move in a camera&apos;s images, and the likelihood of a person at each pixel.</source>
+        <translation>Mohedano et al. 2009, Abbildungen 1 und 3: die Bereiche, die sich in den Bildern einer Kamera bewegen, und die Likelihood einer Person an jedem Pixel.</translation>
     </message>
     <message>
         <source>Drift along the optical axis</source>
@@ -1470,8 +1470,8 @@
         <translation>Partikel in beiden Bildern</translation>
     </message>
     <message>
-        <source>The cloud on its way</source>
-        <translation>Die Wolke unterwegs</translation>
+        <source>The cloud over time</source>
+        <translation>Die Wolke im Verlauf</translation>
     </message>
     <message>
         <source>Motion masks and motion likelihood</source>
@@ -1490,16 +1490,16 @@
         <translation>Rahmen: Fehler, Erfolg und Genauigkeit</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
-        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange eine Schätzung zu niemandem gehört und wie lange eine Person keine Schätzung hat.</translation>
+        <source>Mohedano et al. 2009: people enter and leave; how long an estimate stays without a person, and a person without an estimate.</source>
+        <translation>Mohedano u. a. 2009: Personen kommen und gehen; wie lange eine Schätzung ohne Person bleibt und eine Person ohne Schätzung.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
         <translation>Mohedano u. a. 2009: Zwei Personen begegnen sich und gehen weiter; die Bewegung allein kann sie verwechseln, die Farbe hält sie auseinander, wenn ihre Kleidung verschieden ist.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
-        <translation>Mohedano u. a. 2009: Zwei Personen treffen sich, bleiben stehen und gehen zurück, woher sie kamen.</translation>
+        <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
+        <translation>Mohedano u. a. 2009: Zwei Personen treffen sich, bleiben stehen und gehen zurück.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people walk close to each other.</source>
@@ -1518,7 +1518,7 @@
         <translation>Personen, die kommen und gehen</translation>
     </message>
     <message>
-        <source>People who meet and turn</source>
+        <source>People who meet and turn back</source>
         <translation>Personen, die sich treffen und umkehren</translation>
     </message>
     <message>
@@ -1526,7 +1526,7 @@
         <translation>Sugandi u. a. 2009, Abschnitt 4: 100 und 300 Partikel, das Verfahren histogram und vier Verfolger von OpenCV auf denselben Filmen.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may confuse them.</source>
         <translation>Mohedano u. a. 2009: zwei Personen, weit voneinander entfernt: der leichte Fall, in dem kein Verfahren sie verwechseln darf.</translation>
     </message>
     <message>
@@ -1566,11 +1566,11 @@
         <translation>Eine Person setzt sich auf einen Hocker und steht auf, eine hockt sich hin und steht auf, und eine geht vorbei.</translation>
     </message>
     <message>
-        <source>People who carry things</source>
+        <source>People who carry objects</source>
         <translation>Personen, die etwas tragen</translation>
     </message>
     <message>
-        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <source>Two people walk past each other, one with a box in front of the chest, one with a bag.</source>
         <translation>Zwei Personen gehen aneinander vorbei, eine mit einer Kiste vor der Brust, eine mit einer Tasche.</translation>
     </message>
     <message>
@@ -1606,8 +1606,8 @@
         <translation>Ein Schrank und ein Hocker werden verschoben, nachdem die Kameras den Hintergrund gelernt haben.</translation>
     </message>
     <message>
-        <source>Clothes like the room</source>
-        <translation>Kleidung wie der Raum</translation>
+        <source>Clothes in the room&apos;s colors</source>
+        <translation>Kleidung in den Farben des Raums</translation>
     </message>
     <message>
         <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
@@ -1677,8 +1677,8 @@
         <translation>keine Lücken</translation>
     </message>
     <message>
-        <source>%1 places unknown</source>
-        <translation>%1 Orte unbekannt</translation>
+        <source>%1 positions unknown</source>
+        <translation>%1 Positionen unbekannt</translation>
     </message>
     <message>
         <source>Targets: %1, rows: %2 at %3 per second, %4.</source>
@@ -1754,12 +1754,12 @@
         <translation>– kein Rahmen</translation>
     </message>
     <message>
-        <source>◔ learning the room</source>
-        <translation>◔ lernt den Raum</translation>
+        <source>◔ learning background</source>
+        <translation>◔ lernt Hintergrund</translation>
     </message>
     <message>
-        <source>◌ nobody there</source>
-        <translation>◌ niemand da</translation>
+        <source>◌ nobody in view</source>
+        <translation>◌ niemand im Bild</translation>
     </message>
     <message>
         <source>– not there</source>
@@ -1811,44 +1811,44 @@
         <translation>Ein Rahmen in einem Video</translation>
     </message>
     <message>
-        <source>A particle filter on color histograms</source>
-        <translation>Ein Partikelfilter auf Farbhistogrammen</translation>
+        <source>A particle filter with color histograms</source>
+        <translation>Ein Partikelfilter mit Farbhistogrammen</translation>
     </message>
     <message>
-        <source>A particle filter on positions</source>
-        <translation>Ein Partikelfilter auf Positionen</translation>
+        <source>A particle filter with position measurements</source>
+        <translation>Ein Partikelfilter mit Positionsmessungen</translation>
     </message>
     <message>
-        <source>A plain particle filter on color</source>
-        <translation>Ein einfacher Partikelfilter auf Farbe</translation>
+        <source>A simple particle filter with color</source>
+        <translation>Ein einfacher Partikelfilter mit Farbe</translation>
     </message>
     <message>
-        <source>Anything colored, in 3D</source>
-        <translation>Alles Farbige, in 3D</translation>
+        <source>Colored objects in 3D</source>
+        <translation>Farbige Objekte in 3D</translation>
     </message>
     <message>
         <source>Anything you draw a box around</source>
         <translation>Alles, worum Sie einen Rahmen ziehen</translation>
     </message>
     <message>
-        <source>Balls, hands, anything colored</source>
-        <translation>Bälle, Hände, alles Farbige</translation>
+        <source>Balls, hands and other colored objects</source>
+        <translation>Bälle, Hände und andere farbige Objekte</translation>
     </message>
     <message>
-        <source>Follows its colors and its size, and finds it again after it was hidden.</source>
-        <translation>Folgt seinen Farben und seiner Größe und findet es wieder, wenn es verdeckt war.</translation>
+        <source>Tracks colors and size of the target, and finds it again after it was hidden.</source>
+        <translation>Verfolgt Farben und Größe des Ziels und findet es wieder, wenn es verdeckt war.</translation>
     </message>
     <message>
         <source>For comparison: confuses people who come close.</source>
         <translation>Zum Vergleich: verwechselt Personen, die sich nahe kommen.</translation>
     </message>
     <message>
-        <source>For comparison: tells people apart by different clothes.</source>
-        <translation>Zum Vergleich: unterscheidet Personen an verschiedener Kleidung.</translation>
+        <source>For comparison: distinguishes people by their clothes.</source>
+        <translation>Zum Vergleich: unterscheidet Personen an ihrer Kleidung.</translation>
     </message>
     <message>
-        <source>For teaching: follows a box in one video.</source>
-        <translation>Für die Lehre: folgt einem Rahmen in einem Video.</translation>
+        <source>For teaching: tracks a box in one video.</source>
+        <translation>Für die Lehre: verfolgt einen Rahmen in einem Video.</translation>
     </message>
     <message>
         <source>For teaching: shows how a particle filter works.</source>
@@ -1879,12 +1879,12 @@
         <translation>Personen, die gehen und sich treffen</translation>
     </message>
     <message>
-        <source>Positions on the floor of several people, also in similar clothes.</source>
-        <translation>Positionen mehrerer Personen auf dem Boden, auch in ähnlicher Kleidung.</translation>
+        <source>Tracks several people on the floor, even in similar clothes.</source>
+        <translation>Verfolgt mehrere Personen auf dem Boden, auch in ähnlicher Kleidung.</translation>
     </message>
     <message>
-        <source>The most accurate: decides by itself between a ball and any other shape.</source>
-        <translation>Das genaueste: entscheidet selbst zwischen einem Ball und jeder anderen Form.</translation>
+        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
+        <translation>Das genaueste: entscheidet, ob das Ziel ein Ball ist oder eine andere Form hat.</translation>
     </message>
 </context>
 <context>
@@ -1913,7 +1913,7 @@
         <translation>Halbe z-Ausdehnung des Quaders um den Start, in dem die Partikel gleichmäßig verteilt beginnen; bei 0 beginnen alle beim selben z.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis in one iteration: larger follows faster objects and spreads wider.</source>
+        <source>How far particles move at random along each axis in one iteration: larger values follow faster objects, but spread the particles wider.</source>
         <translation>Wie weit sich Partikel in einer Iteration zufällig entlang jeder Achse bewegen: Größere Werte folgen schnelleren Objekten und streuen weiter.</translation>
     </message>
     <message>
@@ -1921,8 +1921,8 @@
         <translation>Wie viele Filteriterationen auf jedem Bild laufen.</translation>
     </message>
     <message>
-        <source>How many particles the filter uses: more follow more surely and cost more time.</source>
-        <translation>Wie viele Partikel der Filter benutzt: Mehr folgen sicherer und kosten mehr Zeit.</translation>
+        <source>Number of particles of the filter: more particles track more reliably, but take more time.</source>
+        <translation>Zahl der Partikel des Filters: Mehr Partikel verfolgen zuverlässiger, kosten aber mehr Zeit.</translation>
     </message>
     <message>
         <source>Iterations per frame</source>
@@ -1961,47 +1961,47 @@
         <translation>Start z</translation>
     </message>
     <message>
-        <source>World x of the place where all particles start.</source>
-        <translation>Weltkoordinate x des Ortes, an dem alle Partikel beginnen.</translation>
+        <source>World x coordinate of the point at which all particles start.</source>
+        <translation>Welt-x-Koordinate des Punktes, an dem alle Partikel beginnen.</translation>
     </message>
     <message>
-        <source>World y of the place where all particles start.</source>
-        <translation>Weltkoordinate y des Ortes, an dem alle Partikel beginnen.</translation>
+        <source>World y coordinate of the point at which all particles start.</source>
+        <translation>Welt-y-Koordinate des Punktes, an dem alle Partikel beginnen.</translation>
     </message>
     <message>
-        <source>World z of the place where all particles start.</source>
-        <translation>Weltkoordinate z des Ortes, an dem alle Partikel beginnen.</translation>
+        <source>World z coordinate of the point at which all particles start.</source>
+        <translation>Welt-z-Koordinate des Punktes, an dem alle Partikel beginnen.</translation>
     </message>
     <message>
         <source>Acceleration sigma</source>
         <translation>Beschleunigungs-Sigma</translation>
     </message>
     <message>
-        <source>Edge of the room in which a target may appear: larger asks for more evidence before a target is believed.</source>
-        <translation>Kantenlänge des Raums, in dem ein Ziel auftauchen kann: Größere Werte verlangen mehr Belege, bevor an ein Ziel geglaubt wird.</translation>
+        <source>Edge length of the room in which a target may appear: larger values require a higher likelihood before a track is created.</source>
+        <translation>Kantenlänge des Raums, in dem ein Ziel auftauchen kann: Größere Werte verlangen eine höhere Likelihood, bevor eine Spur entsteht.</translation>
     </message>
     <message>
         <source>Fewest particles</source>
         <translation>Mindestzahl der Partikel</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution they stand for (Kullback-Leibler distance): smaller takes more particles where they disagree; 0 always takes all of them.</source>
-        <translation>Wie weit die Partikel von der Verteilung abweichen dürfen, für die sie stehen (Kullback-Leibler-Abstand): Kleinere Werte nehmen mehr Partikel, wo diese uneins sind; 0 nimmt immer alle.</translation>
+        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles where they are spread; 0 always uses all of them.</source>
+        <translation>Wie weit die Partikel von der Verteilung abweichen dürfen, die sie darstellen (Kullback-Leibler-Divergenz): Kleinere Werte benutzen mehr Partikel, wo sie gestreut sind; 0 benutzt immer alle.</translation>
     </message>
     <message>
-        <source>How long a target that no camera can judge is believed to be still there.</source>
-        <translation>Wie lange ein Ziel, das keine Kamera beurteilen kann, noch als vorhanden gilt.</translation>
+        <source>How long a target still counts as present when no camera can see where it should be.</source>
+        <translation>Wie lange ein Ziel noch als vorhanden gilt, wenn keine Kamera sehen kann, wo es sein sollte.</translation>
     </message>
     <message>
-        <source>How many particles each target uses at least, when they all agree.</source>
-        <translation>Wie viele Partikel jedes Ziel mindestens benutzt, wenn alle einig sind.</translation>
+        <source>Smallest number of particles of each target, used when all particles agree.</source>
+        <translation>Kleinste Zahl der Partikel je Ziel, benutzt, wenn alle Partikel übereinstimmen.</translation>
     </message>
     <message>
-        <source>How many particles each target uses at most.</source>
-        <translation>Wie viele Partikel jedes Ziel höchstens benutzt.</translation>
+        <source>Largest number of particles of each target.</source>
+        <translation>Größte Zahl der Partikel je Ziel.</translation>
     </message>
     <message>
-        <source>How strongly targets speed up, slow down and turn: larger follows abrupt motion, smaller bridges gaps better.</source>
+        <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
         <translation>Wie stark Ziele beschleunigen, bremsen und abbiegen: Größere Werte folgen abrupten Bewegungen, kleinere überbrücken Lücken besser.</translation>
     </message>
     <message>
@@ -2021,7 +2021,7 @@
         <translation>Zeitbudget</translation>
     </message>
     <message>
-        <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <source>How long one iteration may take. To meet it, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated bit by bit.</source>
         <translation>Wie lange eine Iteration dauern darf: Um das einzuhalten, werden weniger Partikel benutzt und Suchen über mehrere Bilder verteilt. 0 setzt keine Grenze; mit einer Grenze hängt ein Lauf von der Geschwindigkeit des Rechners ab und lässt sich nicht Bit für Bit wiederholen.</translation>
     </message>
     <message>
@@ -2029,12 +2029,12 @@
         <translation>Farbanpassung</translation>
     </message>
     <message>
-        <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
-        <translation>Wie schnell der Farbbereich eines Ziels langsamen Änderungen des Lichts folgt, als Zeitkonstante; nur während das Ziel sicher da ist, und in jeder Kamera für sich. 0 lässt den Bereich, wie er ist; 2 ist ein guter Wert in einem Raum mit Tageslicht.</translation>
+        <source>Time constant with which a target&apos;s color range follows slow changes of light, in each camera separately and only while the target is clearly visible. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
+        <translation>Zeitkonstante, mit der der Farbbereich eines Ziels langsamen Änderungen des Lichts folgt, in jeder Kamera für sich und nur, solange das Ziel deutlich zu sehen ist. 0 lässt den Bereich, wie er ist; 2 ist ein guter Wert in einem Raum mit Tageslicht.</translation>
     </message>
     <message>
-        <source>How far off a measured position is taken to be along each axis: larger trusts the particles more, smaller the measurement.</source>
-        <translation>Wie ungenau eine gemessene Position je Achse angenommen wird: größer vertraut mehr den Partikeln, kleiner der Messung.</translation>
+        <source>Assumed error of a measured position along each axis: larger values trust the particles more, smaller values the measurement.</source>
+        <translation>Angenommener Fehler einer gemessenen Position je Achse: Größere Werte vertrauen mehr den Partikeln, kleinere der Messung.</translation>
     </message>
     <message>
         <source>Observation sigma</source>
@@ -2053,32 +2053,32 @@
         <translation>Verdeckt unterhalb</translation>
     </message>
     <message>
-        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller trusts the best particles more.</source>
+        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller values trust the best particles more.</source>
         <translation>Wie verschieden von der Vorlage die Farben sein dürfen (Bhattacharyya-Abstand): Kleinere Werte trauen den besten Partikeln mehr.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis from image to image, beside going on as before, in sizes of the target.</source>
-        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, außer dass sie weitergehen wie zuvor, in Größen des Ziels.</translation>
+        <source>How far particles move at random along each axis between images, in sizes of the target, in addition to their constant velocity.</source>
+        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, in Größen des Ziels, zusätzlich zu ihrer gleichbleibenden Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis from image to image, beside going on as before: larger follows sudden motion and spreads wider.</source>
-        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, außer dass sie weitergehen wie zuvor: Größere Werte folgen plötzlichen Bewegungen und streuen weiter.</translation>
+        <source>How far particles move at random along each axis between images, in addition to their constant velocity: larger values follow sudden motion, but spread the particles wider.</source>
+        <translation>Wie weit sich Partikel von Bild zu Bild entlang jeder Achse zufällig bewegen, zusätzlich zu ihrer gleichbleibenden Geschwindigkeit: Größere Werte folgen plötzlichen Bewegungen, streuen aber weiter.</translation>
     </message>
     <message>
-        <source>How far the target may be from where it was expected, in sizes of the target, before that counts strongly against a place.</source>
-        <translation>Wie weit das Ziel vom erwarteten Ort entfernt sein darf, in Größen des Ziels, bevor das stark gegen einen Ort spricht.</translation>
+        <source>How far the target may be from its predicted position, in sizes of the target, before a position counts as unlikely.</source>
+        <translation>Wie weit das Ziel von seiner vorhergesagten Position entfernt sein darf, in Größen des Ziels, bevor eine Position als unwahrscheinlich gilt.</translation>
     </message>
     <message>
-        <source>How much better a place with more of the target&apos;s colors is held to be.</source>
-        <translation>Wie viel besser ein Ort mit mehr von den Farben des Ziels gilt.</translation>
+        <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
+        <translation>Wie stark Positionen mit mehr Farben des Ziels bevorzugt werden.</translation>
     </message>
     <message>
-        <source>How much the proportion of width to height may change from image to image (logarithm); 0 keeps it as it was given.</source>
-        <translation>Wie sehr sich das Verhältnis von Breite zu Höhe von Bild zu Bild ändern darf (Logarithmus); 0 lässt es, wie es gegeben wurde.</translation>
+        <source>How much the ratio of width to height may change between images (logarithm); 0 keeps the initial ratio.</source>
+        <translation>Wie sehr sich das Verhältnis von Breite zu Höhe von Bild zu Bild ändern darf (Logarithmus); 0 behält das anfängliche Verhältnis.</translation>
     </message>
     <message>
-        <source>How much the size of the box may change from image to image (logarithm); 0 keeps it as it was given.</source>
-        <translation>Wie sehr sich die Größe des Rahmens von Bild zu Bild ändern darf (Logarithmus); 0 lässt sie, wie sie gegeben wurde.</translation>
+        <source>How much the size of the box may change between images (logarithm); 0 keeps the initial size.</source>
+        <translation>Wie sehr sich die Größe des Rahmens von Bild zu Bild ändern darf (Logarithmus); 0 behält die anfängliche Größe.</translation>
     </message>
     <message>
         <source>Jump reach</source>
@@ -2101,28 +2101,28 @@
         <translation>Größen-Sigma</translation>
     </message>
     <message>
-        <source>Share by which the reference colors follow those of the box from image to image; 0 keeps those of the first image.</source>
-        <translation>Anteil, um den die Vorlagefarben von Bild zu Bild denen des Rahmens folgen; 0 behält die des ersten Bildes.</translation>
+        <source>How much of the box&apos;s current colors is blended into the reference colors at each image; 0 keeps the colors of the first image.</source>
+        <translation>Wie viel von den aktuellen Farben des Rahmens in jedem Bild in die Vorlagefarben eingeht; 0 behält die Farben des ersten Bildes.</translation>
     </message>
     <message>
-        <source>Share of the particles that are tried at other places with the target&apos;s colors.</source>
-        <translation>Anteil der Partikel, die an anderen Orten mit den Farben des Ziels versucht werden.</translation>
+        <source>Share of the particles that are placed at other positions with the target&apos;s colors.</source>
+        <translation>Anteil der Partikel, die an andere Positionen mit den Farben des Ziels gesetzt werden.</translation>
     </message>
     <message>
         <source>Sharpness</source>
         <translation>Schärfe</translation>
     </message>
     <message>
-        <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
-        <translation>Das Ziel gilt als verdeckt und wird gehalten, wo weniger als dieser Anteil seiner üblichen Farben gefunden wird.</translation>
+        <source>If less than this share of its usual colors is found, the target counts as hidden and keeps its position.</source>
+        <translation>Wird weniger als dieser Anteil seiner üblichen Farben gefunden, gilt das Ziel als verdeckt und behält seine Position.</translation>
     </message>
     <message>
-        <source>1: who is seen by several cameras becomes a person; 0: only people put there by hand.</source>
-        <translation>1: Wer von mehreren Kameras gesehen wird, wird eine Person; 0: nur von Hand gesetzte Personen.</translation>
+        <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
+        <translation>1: verfolgt jede Person, die mehrere Kameras sehen; 0: verfolgt nur Personen, die Sie von Hand hinzufügen.</translation>
     </message>
     <message>
-        <source>After how long something new that stays counts as background.</source>
-        <translation>Nach welcher Zeit etwas Neues, das bleibt, als Hintergrund gilt.</translation>
+        <source>Time after which a new object that stays in place counts as background.</source>
+        <translation>Zeit, nach der ein neues Objekt, das am Ort bleibt, als Hintergrund gilt.</translation>
     </message>
     <message>
         <source>Area half size x</source>
@@ -2149,11 +2149,11 @@
         <translation>Hintergrundmodell</translation>
     </message>
     <message>
-        <source>Birth time</source>
+        <source>Creation time</source>
         <translation>Erscheinungszeit</translation>
     </message>
     <message>
-        <source>Births</source>
+        <source>Create tracks</source>
         <translation>Neue Personen</translation>
     </message>
     <message>
@@ -2173,63 +2173,63 @@
         <translation>Dunkelster Schatten</translation>
     </message>
     <message>
-        <source>Evidence per camera</source>
-        <translation>Belege je Kamera</translation>
+        <source>Weight per camera</source>
+        <translation>Gewicht je Kamera</translation>
     </message>
     <message>
         <source>Floor z</source>
         <translation>Boden z</translation>
     </message>
     <message>
-        <source>Half the size of the floor that is watched; who crosses its border has left.</source>
-        <translation>Halbe Größe der beobachteten Bodenfläche; wer ihren Rand überschreitet, ist gegangen.</translation>
+        <source>Half the size of the tracked floor area; a person who crosses its border has left.</source>
+        <translation>Halbe Größe der beobachteten Bodenfläche; eine Person, die ihren Rand überschreitet, ist gegangen.</translation>
     </message>
     <message>
-        <source>Height of a person whose own is not known yet.</source>
-        <translation>Größe einer Person, deren eigene noch nicht bekannt ist.</translation>
+        <source>Assumed height of a person whose height is not known yet.</source>
+        <translation>Angenommene Größe einer Person, deren Größe noch nicht bekannt ist.</translation>
     </message>
     <message>
-        <source>Height of the floor in the world frame.</source>
-        <translation>Höhe des Bodens im Weltsystem.</translation>
+        <source>Height of the floor in world coordinates.</source>
+        <translation>Höhe des Bodens in Weltkoordinaten.</translation>
     </message>
     <message>
-        <source>How long a person whom no two cameras see is believed to be still there.</source>
-        <translation>Wie lange eine Person, die keine zwei Kameras sehen, noch als vorhanden gilt.</translation>
+        <source>How long a person still counts as present when fewer than two cameras see the person.</source>
+        <translation>Wie lange eine Person noch als anwesend gilt, wenn weniger als zwei Kameras sie sehen.</translation>
     </message>
     <message>
-        <source>How long foreground that nobody explains must stay together to become a person.</source>
-        <translation>Wie lange Vordergrund, den niemand erklärt, zusammenbleiben muss, um eine Person zu werden.</translation>
+        <source>How long foreground that belongs to no tracked person must last before a new track is created.</source>
+        <translation>Wie lange Vordergrund, der zu keiner verfolgten Person gehört, bestehen muss, bevor eine neue Spur entsteht.</translation>
     </message>
     <message>
-        <source>How long the cameras only learn what they usually show, at first; nobody should be there.</source>
-        <translation>Wie lange die Kameras anfangs nur lernen, was sie gewöhnlich zeigen; niemand sollte dort sein.</translation>
+        <source>How long the cameras only learn the background at the start; nobody should be in view.</source>
+        <translation>Wie lange die Kameras am Anfang nur den Hintergrund lernen; niemand sollte im Bild sein.</translation>
     </message>
     <message>
-        <source>How many particles each person has.</source>
-        <translation>Wie viele Partikel jede Person hat.</translation>
+        <source>Number of particles of each person.</source>
+        <translation>Zahl der Partikel jeder Person.</translation>
     </message>
     <message>
-        <source>How many points stand for the volume of each person.</source>
-        <translation>Wie viele Punkte für das Volumen jeder Person stehen.</translation>
+        <source>Number of points that represent the volume of each person.</source>
+        <translation>Zahl der Punkte, die das Volumen jeder Person darstellen.</translation>
     </message>
     <message>
         <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
         <translation>Wie bewegte Bereiche gefunden werden: 0 eine Normalverteilung je Pixel (schnell), 1 MOG2 von OpenCV, 2 KNN von OpenCV.</translation>
     </message>
     <message>
-        <source>How much a camera that sees a whole person says: larger trusts the masks more.</source>
-        <translation>Wie viel eine Kamera sagt, die eine ganze Person sieht: Größere Werte vertrauen den Masken mehr.</translation>
+        <source>How much a camera that sees a whole person counts: larger values trust the masks more.</source>
+        <translation>Wie viel eine Kamera zählt, die eine ganze Person sieht: Größere Werte vertrauen den Masken mehr.</translation>
     </message>
     <message>
-        <source>How much the colors of clothes count beside the masks when people are near each other.</source>
-        <translation>Wie viel die Farben der Kleidung neben den Masken zählen, wenn Personen sich nahe sind.</translation>
+        <source>How much the colors of clothes count compared with the masks when people are close to each other.</source>
+        <translation>Wie viel die Farben der Kleidung im Vergleich zu den Masken zählen, wenn Personen sich nahe sind.</translation>
     </message>
     <message>
-        <source>How near the middles of two people can come.</source>
-        <translation>Wie nahe sich die Mitten zweier Personen kommen können.</translation>
+        <source>Smallest distance between the centers of two people.</source>
+        <translation>Kleinster Abstand zwischen den Mitten zweier Personen.</translation>
     </message>
     <message>
-        <source>How strongly people speed up, slow down and turn.</source>
+        <source>How strongly people accelerate, brake and turn.</source>
         <translation>Wie stark Personen beschleunigen, bremsen und abbiegen.</translation>
     </message>
     <message>
@@ -2253,19 +2253,19 @@
         <translation>Lernzeit</translation>
     </message>
     <message>
-        <source>Least distance</source>
+        <source>Minimum distance</source>
         <translation>Mindestabstand</translation>
     </message>
     <message>
-        <source>Least likelihood of a hue (the paper&apos;s h_B): something else may be seen.</source>
-        <translation>Kleinste Likelihood eines Farbtons (h_B im Artikel): Es kann etwas anderes zu sehen sein.</translation>
+        <source>Smallest likelihood of a hue (h_B in the paper), because another object may be seen.</source>
+        <translation>Kleinste Likelihood eines Farbtons (h_B im Artikel), denn ein anderes Objekt kann zu sehen sein.</translation>
     </message>
     <message>
-        <source>Least likelihood of a saturation (the paper&apos;s s_B).</source>
+        <source>Smallest likelihood of a saturation (s_B in the paper).</source>
         <translation>Kleinste Likelihood einer Sättigung (s_B im Artikel).</translation>
     </message>
     <message>
-        <source>Least likelihood where a camera sees no motion (the paper&apos;s p_B: 0.2).</source>
+        <source>Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).</source>
         <translation>Kleinste Likelihood, wo eine Kamera keine Bewegung sieht (p_B im Artikel: 0,2).</translation>
     </message>
     <message>
@@ -2273,7 +2273,7 @@
         <translation>Maskenglättung</translation>
     </message>
     <message>
-        <source>Middle of the floor that is watched.</source>
+        <source>Center of the tracked floor area.</source>
         <translation>Mitte der beobachteten Bodenfläche.</translation>
     </message>
     <message>
@@ -2325,20 +2325,20 @@
         <translation>Geschwindigkeitsrauschen</translation>
     </message>
     <message>
-        <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
-        <translation>Was höchstens um diesen Faktor dunkler ist als sonst, bei gleichem Farbton, ist ein Schatten.</translation>
+        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness, at the same hue. Anything darker is foreground.</source>
+        <translation>Kleinste Helligkeit eines Schattens, als Anteil der Helligkeit des Hintergrunds, bei gleichem Farbton. Was dunkler ist, ist Vordergrund.</translation>
     </message>
     <message>
         <source>Calibration error</source>
         <translation>Fehler der Kalibrierung</translation>
     </message>
     <message>
-        <source>How far off the directions are in which the cameras see things. The stated uncertainty of a position includes it. 0.25 suits a calibration by hand.</source>
-        <translation>Wie weit die Richtungen daneben liegen, in denen die Kameras etwas sehen. Die angegebene Unsicherheit einer Position enthält es. 0,25 passt zu einer Kalibrierung von Hand.</translation>
+        <source>Error of the directions in which the cameras see objects. It is part of the reported uncertainty of a position. 0.25 suits a calibration by hand.</source>
+        <translation>Fehler der Richtungen, in denen die Kameras Objekte sehen. Er ist Teil der angegebenen Unsicherheit einer Position. 0,25 passt zu einer Kalibrierung von Hand.</translation>
     </message>
     <message>
-        <source>How far off the times of the images are. The stated uncertainty of a moving target includes it. 8 suits webcams.</source>
-        <translation>Wie weit die Zeiten der Bilder daneben liegen. Die angegebene Unsicherheit eines bewegten Ziels enthält es. 8 passt zu Webcams.</translation>
+        <source>Error of the times of the images. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
+        <translation>Fehler der Zeiten der Bilder. Er ist Teil der angegebenen Unsicherheit eines bewegten Ziels. 8 passt zu Webcams.</translation>
     </message>
     <message>
         <source>Time error</source>
@@ -2398,12 +2398,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
 <context>
     <name>People</name>
     <message>
-        <source>learning the empty room: %1 % · keep out of view</source>
-        <translation>lernt den leeren Raum: %1 % · bitte nicht ins Bild treten</translation>
+        <source>learning background: %1 % · keep the scene empty</source>
+        <translation>lernt Hintergrund: %1 % · bitte nicht ins Bild treten</translation>
     </message>
     <message>
-        <source>%1 % of the image moves: not looked at</source>
-        <translation>%1 % des Bildes bewegen sich: nicht beachtet</translation>
+        <source>%1 % of the image moves: ignored</source>
+        <translation>%1 % des Bildes bewegen sich: ignoriert</translation>
     </message>
     <message>
         <source>learning: %1 %</source>
@@ -2517,12 +2517,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>verdeckt</translation>
     </message>
     <message>
-        <source>at a look-alike</source>
-        <translation>bei einem Doppelgänger</translation>
+        <source>at a distractor</source>
+        <translation>bei einem Störobjekt</translation>
     </message>
     <message>
-        <source>%1 beside a look-alike</source>
-        <translation>%1 neben einem Doppelgänger</translation>
+        <source>%1 from a distractor</source>
+        <translation>%1 von einem Störobjekt</translation>
     </message>
     <message>
         <source>no color matches</source>
@@ -2533,15 +2533,15 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>seine Farbe ist %1 entfernt</translation>
     </message>
     <message>
-        <source>its color, but not its shape</source>
-        <translation>seine Farbe, aber nicht seine Form</translation>
+        <source>right color, wrong shape</source>
+        <translation>richtige Farbe, falsche Form</translation>
     </message>
     <message>
         <source>hidden here</source>
         <translation>hier verdeckt</translation>
     </message>
     <message>
-        <source>not in this picture</source>
+        <source>not in this image</source>
         <translation>nicht in diesem Bild</translation>
     </message>
 </context>
@@ -2647,12 +2647,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>korrigiert</translation>
     </message>
     <message>
-        <source>of earlier settings</source>
+        <source>from earlier settings</source>
         <translation>von früheren Einstellungen</translation>
     </message>
     <message>
-        <source>How well each target is held appears here when tracking runs.</source>
-        <translation>Wie gut jedes Ziel gehalten wird, erscheint hier, sobald die Verfolgung läuft.</translation>
+        <source>The state of each target appears here during tracking.</source>
+        <translation>Der Zustand jedes Ziels erscheint hier während der Verfolgung.</translation>
     </message>
 </context>
 <context>
@@ -2728,11 +2728,11 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>beginnt zu fallen</translation>
     </message>
     <message>
-        <source>still falls</source>
+        <source>is still falling</source>
         <translation>fällt noch</translation>
     </message>
     <message>
-        <source>Two cameras or more must see the ball.</source>
+        <source>At least two cameras must see the ball.</source>
         <translation>Mindestens zwei Kameras müssen den Ball sehen.</translation>
     </message>
     <message>
@@ -2740,20 +2740,20 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Lernen Sie zuerst die Farbe des Balls: L drücken und ihn in einem Bild anklicken.</translation>
     </message>
     <message>
-        <source>A stick has two balls of different colors: learn the second one (Shift+L).</source>
-        <translation>Ein Stab hat zwei Bälle verschiedener Farbe: lernen Sie den zweiten (Umschalt+L).</translation>
+        <source>A wand has two balls of different colors: learn the second color (Shift+L).</source>
+        <translation>Ein Stab hat zwei Bälle verschiedener Farben: Lernen Sie die zweite Farbe (Umschalt+L).</translation>
     </message>
     <message>
-        <source>The two ends of the stick are the same target: choose another.</source>
-        <translation>Beide Enden des Stabs sind dasselbe Ziel: wählen Sie ein anderes.</translation>
+        <source>Both ends of the wand are the same target: choose another target.</source>
+        <translation>Beide Enden des Stabs sind dasselbe Ziel: Wählen Sie ein anderes.</translation>
     </message>
     <message>
-        <source>The size is to come from a distance: take the moments at which the ball is at its two ends.</source>
-        <translation>Die Größe soll von einer Strecke kommen: nehmen Sie die Augenblicke, in denen der Ball an ihren beiden Enden ist.</translation>
+        <source>The size comes from a distance: add the times at which the ball is at its two ends.</source>
+        <translation>Die Größe kommt von einer Strecke: Fügen Sie die Zeitpunkte hinzu, zu denen der Ball an ihren beiden Enden ist.</translation>
     </message>
     <message>
-        <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
-        <translation>Ein Fall braucht zwei Augenblicke: einen, in dem der Ball zu fallen beginnt, und einen, in dem er noch fällt.</translation>
+        <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
+        <translation>Ein Fall braucht zwei Zeitpunkte: einen, zu dem der Ball zu fallen beginnt, und einen, zu dem er noch fällt.</translation>
     </message>
 </context>
 <context>
@@ -2787,7 +2787,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>So wird zitiert</translation>
     </message>
     <message>
-        <source>Show the whole text of the license, or hide it</source>
+        <source>Show or hide the full text of the license</source>
         <translation>Den ganzen Text der Lizenz zeigen oder verbergen</translation>
     </message>
     <message>
@@ -2795,8 +2795,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zitat kopieren</translation>
     </message>
     <message>
-        <source>Copy the line for your list of references</source>
-        <translation>Die Zeile für Ihr Literaturverzeichnis kopieren</translation>
+        <source>Copy the entry for your reference list</source>
+        <translation>Den Eintrag für Ihr Literaturverzeichnis kopieren</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2814,31 +2814,31 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Die Person anklicken</translation>
     </message>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass dort eine Person ist</translation>
+        <source>Image of %1: arrow keys move a cross, Enter adds a person there</source>
+        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe fügt dort eine Person hinzu</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::BackgroundImageTaker</name>
     <message>
-        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
-        <translation>„%1“ ist in diesem Bild: Wo es jetzt ist, würde es für den Raum gehalten. Besser einen Moment ohne es zeigen.</translation>
+        <source>“%1” is visible in this image and would become part of the background. Choose a frame without it.</source>
+        <translation>„%1“ ist in diesem Bild zu sehen und würde Teil des Hintergrunds. Wählen Sie ein Bild ohne es.</translation>
     </message>
     <message>
-        <source>Use it all the same</source>
+        <source>Use it anyway</source>
         <translation>Trotzdem verwenden</translation>
     </message>
     <message>
-        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <source>The camera has changed in the meantime. The image was saved as %1, but is not used.</source>
         <translation>Die Kamera wurde inzwischen geändert: Das Bild ist als %1 aufgehoben, wird aber nicht verwendet.</translation>
     </message>
     <message>
-        <source>Change empty room</source>
-        <translation>Leeren Raum ändern</translation>
+        <source>Change background image</source>
+        <translation>Hintergrundbild ändern</translation>
     </message>
     <message>
-        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
-        <translation>Das gezeigte Bild ist jetzt der leere Raum von %1; es liegt in %2.</translation>
+        <source>The current image is now the background image of %1. It was saved as %2.</source>
+        <translation>Das aktuelle Bild ist jetzt das Hintergrundbild von %1. Es wurde als %2 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -2848,11 +2848,11 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Position korrigieren</translation>
     </message>
     <message>
-        <source>The target was followed back to frame %1; from there on it is tracked again.</source>
+        <source>The target was tracked back to frame %1. From there, it is tracked again.</source>
         <translation>Das Ziel wurde bis Bild %1 zurückverfolgt; ab dort wird es neu verfolgt.</translation>
     </message>
     <message>
-        <source>Following the target back in time: frame %1.</source>
+        <source>Tracking the target backward: frame %1.</source>
         <translation>Das Ziel wird rückwärts verfolgt: Bild %1.</translation>
     </message>
     <message>
@@ -2882,52 +2882,52 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Tafel</translation>
     </message>
     <message>
-        <source>What to find</source>
-        <translation>Was zu finden ist</translation>
+        <source>Values to calibrate</source>
+        <translation>Zu bestimmende Werte</translation>
     </message>
     <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
     <message>
-        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
-        <translation>Die Tafel in der Aufnahme suchen und die Kameras damit kalibrieren; ein Schritt, der sich zurücknehmen lässt</translation>
+        <source>Find the board in the recording and calibrate the cameras with it (one undo step)</source>
+        <translation>Die Tafel in der Aufnahme suchen und die Kameras damit kalibrieren (ein Schritt zum Rückgängigmachen)</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop; the former calibration is kept</source>
-        <translation>Abbrechen; die bisherige Kalibrierung bleibt</translation>
+        <source>Stop and keep the previous calibration</source>
+        <translation>Abbrechen und die bisherige Kalibrierung behalten</translation>
     </message>
     <message>
         <source>Apply</source>
         <translation>Übernehmen</translation>
     </message>
     <message>
-        <source>Take the calibration into the project; one step that can be undone</source>
-        <translation>Die Kalibrierung ins Projekt übernehmen; ein Schritt, der sich zurücknehmen lässt</translation>
+        <source>Use the calibration in the project (one undo step)</source>
+        <translation>Die Kalibrierung im Projekt verwenden (ein Schritt zum Rückgängigmachen)</translation>
     </message>
     <message>
         <source>Report…</source>
         <translation>Bericht…</translation>
     </message>
     <message>
-        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <source>Save a page with the residuals, coverage and errors of all images, and open it</source>
         <translation>Eine Seite mit Residuen, Abdeckung und Fehlern aller Bilder speichern und öffnen</translation>
     </message>
     <message>
-        <source>How far the calibration is</source>
-        <translation>Wie weit die Kalibrierung ist</translation>
+        <source>Calibration progress</source>
+        <translation>Fortschritt der Kalibrierung</translation>
     </message>
     <message>
-        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
-        <translation>Zeigen Sie den Kameras eine gedruckte Tafel: Sie erfahren, was als Nächstes zu zeigen ist; aufgenommen wird, wenn Sie still halten.</translation>
+        <source>Show a printed board to the cameras. This page says what to show next. A view is captured when you hold the board still.</source>
+        <translation>Zeigen Sie den Kameras eine gedruckte Tafel. Diese Seite sagt, was als Nächstes zu zeigen ist. Eine Ansicht wird aufgenommen, wenn Sie die Tafel still halten.</translation>
     </message>
     <message>
-        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
-        <translation>Eine Aufnahme, in der eine gedruckte Tafel an vielen Orten still vor die Kameras gehalten wird, nah und geneigt, kalibriert sie.</translation>
+        <source>To calibrate from a recording, record a printed board that you hold still in many positions, also close and tilted.</source>
+        <translation>Um aus einer Aufnahme zu kalibrieren, nehmen Sie eine gedruckte Tafel auf, die Sie in vielen Positionen still halten, auch nah und geneigt.</translation>
     </message>
     <message>
         <source>Live cameras</source>
@@ -2938,8 +2938,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Diese Aufnahme</translation>
     </message>
     <message>
-        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
-        <translation>✓ Die Kameras sind kalibriert (Strg+Z nimmt es zurück).</translation>
+        <source>✓ The cameras are calibrated (Ctrl+Z undoes this).</source>
+        <translation>✓ Die Kameras sind kalibriert (Strg+Z macht es rückgängig).</translation>
     </message>
     <message>
         <source>Looking for the board: %p %</source>
@@ -2969,12 +2969,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
     <message>
-        <source>Stopped: the former calibration is kept.</source>
-        <translation>Abgebrochen: die bisherige Kalibrierung bleibt.</translation>
+        <source>Stopped. The previous calibration is kept.</source>
+        <translation>Abgebrochen. Die bisherige Kalibrierung bleibt.</translation>
     </message>
     <message>
-        <source>The project has other cameras by now: calibrate again.</source>
-        <translation>Das Projekt hat inzwischen andere Kameras: bitte neu kalibrieren.</translation>
+        <source>The cameras of the project have changed: calibrate again.</source>
+        <translation>Die Kameras des Projekts haben sich geändert: Bitte neu kalibrieren.</translation>
     </message>
     <message>
         <source>Calibrate with a board</source>
@@ -3008,7 +3008,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Art der Tafel</translation>
     </message>
     <message>
-        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <source>A ChArUco board may be partly hidden or outside the image; a chessboard must be completely visible</source>
         <translation>ChArUco-Tafeln dürfen teilweise verdeckt oder außerhalb des Bildes sein; Schachbretter müssen ganz zu sehen sein</translation>
     </message>
     <message>
@@ -3036,44 +3036,44 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Seite eines Feldes</translation>
     </message>
     <message>
-        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
-        <translation>Am Ausdruck gemessen: eine lange Zeile mit dem Lineal, geteilt durch ihre Felder</translation>
+        <source>Measure a long row on the print with a ruler and divide by the number of squares</source>
+        <translation>Messen Sie eine lange Zeile am Ausdruck mit dem Lineal, und teilen Sie durch die Zahl der Felder</translation>
     </message>
     <message>
         <source>Unit of the sizes</source>
         <translation>Einheit der Größen</translation>
     </message>
     <message>
-        <source>Unit in which the sizes are typed</source>
-        <translation>Einheit, in der die Größen eingegeben werden</translation>
+        <source>Unit of the sizes that you enter</source>
+        <translation>Einheit der Größen, die Sie eingeben</translation>
     </message>
     <message>
         <source>Side of a marker</source>
         <translation>Seite eines Markers</translation>
     </message>
     <message>
-        <source>Of the black square around the pattern</source>
-        <translation>Des schwarzen Quadrats um das Muster</translation>
+        <source>Side of the black square around the pattern</source>
+        <translation>Seite des schwarzen Quadrats um das Muster</translation>
     </message>
     <message>
         <source>Dictionary of the markers</source>
         <translation>Wörterbuch der Marker</translation>
     </message>
     <message>
-        <source>As the program called it that made it</source>
-        <translation>Wie das Programm es nannte, das die Tafel gemacht hat</translation>
+        <source>The dictionary name used when the board was generated</source>
+        <translation>Der Name des Wörterbuchs, mit dem die Tafel erzeugt wurde</translation>
     </message>
     <message>
-        <source>Even rows of older software</source>
-        <translation>Gerade Zeilenzahl älterer Software</translation>
+        <source>Legacy layout (even rows)</source>
+        <translation>Altes Layout (gerade Zeilenzahl)</translation>
     </message>
     <message>
-        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
-        <translation>Eine ChArUco-Tafel mit gerader Zeilenzahl aus Software vor OpenCV 4.6: ihr erstes Feld ist weiß</translation>
+        <source>For ChArUco boards with an even number of rows from software older than OpenCV 4.6: the first square is white</source>
+        <translation>Für ChArUco-Tafeln mit gerader Zeilenzahl aus Software vor OpenCV 4.6: Das erste Feld ist weiß</translation>
     </message>
     <message>
-        <source>Black and white exchanged</source>
-        <translation>Schwarz und Weiß vertauscht</translation>
+        <source>Inverted colors</source>
+        <translation>Farben umgekehrt</translation>
     </message>
     <message>
         <source>White markers and corners on a black page</source>
@@ -3084,16 +3084,16 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Diese Tafel drucken…</translation>
     </message>
     <message>
-        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
-        <translation>Die Tafel in wahrer Größe als PDF schreiben, mit einem Balken zum Nachmessen</translation>
+        <source>Save the board as a PDF at its true size, with a scale bar to check with a ruler</source>
+        <translation>Die Tafel in wahrer Größe als PDF speichern, mit einem Maßstab zum Nachmessen</translation>
     </message>
     <message>
         <source>Paper</source>
         <translation>Papier</translation>
     </message>
     <message>
-        <source>Size of the sheet that is printed on</source>
-        <translation>Größe des Blattes, auf das gedruckt wird</translation>
+        <source>Size of the paper</source>
+        <translation>Größe des Papiers</translation>
     </message>
     <message>
         <source>%1 × %2 inner corners; for the command line:</source>
@@ -3111,24 +3111,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Gesucht</translation>
     </message>
     <message>
-        <source>Lenses and places</source>
-        <translation>Objektive und Standorte</translation>
+        <source>Intrinsics and positions</source>
+        <translation>Intrinsik und Positionen</translation>
     </message>
     <message>
-        <source>Lenses</source>
-        <translation>Objektive</translation>
+        <source>Intrinsics</source>
+        <translation>Intrinsische Parameter</translation>
     </message>
     <message>
-        <source>Places of the cameras</source>
-        <translation>Standorte der Kameras</translation>
+        <source>Camera positions</source>
+        <translation>Kamerapositionen</translation>
     </message>
     <message>
-        <source>What is found</source>
-        <translation>Was gefunden wird</translation>
+        <source>Values to calibrate</source>
+        <translation>Zu bestimmende Werte</translation>
     </message>
     <message>
-        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
-        <translation>Objektive: wie jede Kamera für sich sieht. Standorte: wo die Kameras stehen, aus einer Tafel, die mehrere zugleich sehen</translation>
+        <source>Intrinsics: lens and sensor of each camera separately. Positions: where the cameras are, from a board that several of them see at the same time</source>
+        <translation>Intrinsik: Objektiv und Sensor jeder Kamera für sich. Positionen: wo die Kameras stehen, aus einer Tafel, die mehrere zugleich sehen</translation>
     </message>
     <message>
         <source>Lens model</source>
@@ -3147,19 +3147,19 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Fischauge</translation>
     </message>
     <message>
-        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <source>5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°</source>
         <translation>5 für die meisten Objektive; 8 für weitwinklige; Fischauge ab etwa 120°</translation>
     </message>
     <message>
-        <source>The board lies on the floor in frame</source>
-        <translation>Die Tafel liegt auf dem Boden in Bild</translation>
+        <source>Frame with the board on the floor</source>
+        <translation>Bild mit der Tafel auf dem Boden</translation>
     </message>
     <message>
-        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
-        <translation>Dieses Bild legt die Welt fest: X entlang der Zeilen, Y zur Oberkante, Z nach oben. Ohne es behält die erste Kamera ihren Platz</translation>
+        <source>This frame defines the world coordinates: X along the rows, Y toward the upper edge, Z up. Without it, the first camera keeps its position</source>
+        <translation>Dieses Bild legt die Weltkoordinaten fest: X entlang der Zeilen, Y zur Oberkante, Z nach oben. Ohne es behält die erste Kamera ihre Position</translation>
     </message>
     <message>
-        <source>Frame in which the board lies on the floor</source>
+        <source>Frame number with the board on the floor</source>
         <translation>Bild, in dem die Tafel auf dem Boden liegt</translation>
     </message>
     <message>
@@ -3167,83 +3167,83 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Nummer des Bildes</translation>
     </message>
     <message>
-        <source>This one</source>
-        <translation>Dieses</translation>
+        <source>Use current frame</source>
+        <translation>Aktuelles Bild</translation>
     </message>
     <message>
-        <source>The frame shown</source>
-        <translation>Das gezeigte Bild</translation>
+        <source>Use current frame for the floor</source>
+        <translation>Aktuelles Bild für den Boden verwenden</translation>
     </message>
     <message>
         <source>Take the frame that is shown now</source>
         <translation>Das Bild nehmen, das jetzt gezeigt wird</translation>
     </message>
     <message>
-        <source>Enough at</source>
-        <translation>Genug bei</translation>
+        <source>Stop at accuracy</source>
+        <translation>Ende bei Genauigkeit</translation>
     </message>
     <message>
-        <source>Accuracy wanted of lenses</source>
-        <translation>Gewünschte Genauigkeit der Objektive</translation>
+        <source>Desired accuracy of the intrinsics</source>
+        <translation>Gewünschte Genauigkeit der intrinsischen Parameter</translation>
     </message>
     <message>
-        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
-        <translation>Die Anleitung endet, wenn ein Strahl überall im Bild auf so viele Pixel bekannt ist</translation>
+        <source>The guidance ends when rays are known to this accuracy all over the image</source>
+        <translation>Die Anleitung endet, wenn Strahlen überall im Bild auf diese Genauigkeit bekannt sind</translation>
     </message>
     <message>
-        <source>Accuracy wanted of places</source>
-        <translation>Gewünschte Genauigkeit der Standorte</translation>
+        <source>Desired accuracy of the positions</source>
+        <translation>Gewünschte Genauigkeit der Positionen</translation>
     </message>
     <message>
-        <source>The guidance ends when the place of each camera is known so well</source>
-        <translation>Die Anleitung endet, wenn der Standort jeder Kamera so genau bekannt ist</translation>
+        <source>The guidance ends when the position of each camera is known to this accuracy</source>
+        <translation>Die Anleitung endet, wenn die Position jeder Kamera auf diese Genauigkeit bekannt ist</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardLive</name>
     <message>
-        <source>How long the board was held still before %1</source>
-        <translation>Wie lange die Tafel vor %1 still gehalten wurde</translation>
+        <source>Time for which the board was held still in front of %1</source>
+        <translation>Zeit, für die die Tafel vor %1 still gehalten wurde</translation>
     </message>
     <message>
-        <source>Where %1 saw the board</source>
-        <translation>Wo %1 die Tafel sah</translation>
+        <source>Positions in which %1 saw the board</source>
+        <translation>Positionen, in denen %1 die Tafel sah</translation>
     </message>
     <message>
-        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
-        <translation>Gefüllt: Bereiche und Neigungen, in denen die Tafel gezeigt wurde. Orange: was gewünscht ist. Grün: die Tafel, wie sie jetzt gesehen wird</translation>
+        <source>Filled: regions and tilts in which the board was shown. Orange: what to show next. Green: the board in the current image</source>
+        <translation>Gefüllt: Bereiche und Neigungen, in denen die Tafel gezeigt wurde. Orange: was als Nächstes zu zeigen ist. Grün: die Tafel im aktuellen Bild</translation>
     </message>
     <message>
         <source>Capture now</source>
         <translation>Jetzt aufnehmen</translation>
     </message>
     <message>
-        <source>Take the board as it is shown now, also when it is not held still</source>
-        <translation>Die Tafel nehmen, wie sie jetzt gezeigt wird, auch wenn sie nicht still gehalten wird</translation>
+        <source>Capture the board as it is shown now, even if it is not held still</source>
+        <translation>Die Tafel aufnehmen, wie sie jetzt gezeigt wird, auch wenn sie nicht still gehalten wird</translation>
     </message>
     <message>
-        <source>On the floor now</source>
-        <translation>Liegt jetzt auf dem Boden</translation>
+        <source>Set floor from board</source>
+        <translation>Boden aus Tafel setzen</translation>
     </message>
     <message>
-        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
-        <translation>Die Tafel nehmen, wie sie jetzt auf dem Boden liegt: sie legt die Welt fest. X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z nach oben</translation>
+        <source>Use the board on the floor to define the world coordinates: X along its rows, Y toward its upper edge, Z up</source>
+        <translation>Mit der Tafel auf dem Boden die Weltkoordinaten festlegen: X entlang ihrer Zeilen, Y zu ihrer Oberkante, Z nach oben</translation>
     </message>
     <message>
-        <source>Next: places</source>
-        <translation>Weiter: Standorte</translation>
+        <source>Next: positions</source>
+        <translation>Weiter: Positionen</translation>
     </message>
     <message>
-        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
-        <translation>Die Objektive so genau lassen, wie sie bekannt sind, und die Tafel mehreren Kameras zugleich zeigen</translation>
+        <source>Keep the accuracy of the intrinsics as it is, and show the board to several cameras at once</source>
+        <translation>Die Genauigkeit der intrinsischen Parameter so lassen, und die Tafel mehreren Kameras zugleich zeigen</translation>
     </message>
     <message>
         <source>Calibrate with these views</source>
         <translation>Mit diesen Ansichten kalibrieren</translation>
     </message>
     <message>
-        <source>End here: what was taken so far is enough</source>
-        <translation>Hier aufhören: was bisher aufgenommen wurde, genügt</translation>
+        <source>Finish now: the captured views are enough</source>
+        <translation>Jetzt abschließen: Die aufgenommenen Ansichten genügen</translation>
     </message>
     <message>
         <source>Start over</source>
@@ -3254,12 +3254,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Beginnen</translation>
     </message>
     <message>
-        <source>Look for the board in the live images, and be told what to show</source>
-        <translation>Die Tafel in den Livebildern suchen und sagen, was zu zeigen ist</translation>
+        <source>Find the board in the live images and get guidance on what to show</source>
+        <translation>Die Tafel in den Livebildern suchen und Hinweise erhalten, was zu zeigen ist</translation>
     </message>
     <message>
-        <source>Waiting for images: are the cameras playing?</source>
-        <translation>Warte auf Bilder: laufen die Kameras?</translation>
+        <source>Waiting for images. Check that the cameras are running.</source>
+        <translation>Warte auf Bilder. Prüfen Sie, ob die Kameras laufen.</translation>
     </message>
     <message>
         <source>Show the board to one camera after the other, as each of them asks.</source>
@@ -3277,16 +3277,16 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zwei Dateien werden geschrieben: boxes.csv (eine Zeile je Ziel und Bild: Rahmen, Mitte, Ähnlichkeit, gesehen oder verdeckt) und boxes_mot.txt (das Format der MOT Challenge). Alles in Pixeln.</translation>
     </message>
     <message>
-        <source>How boxes.csv begins</source>
-        <translation>Wie boxes.csv beginnt</translation>
+        <source>First lines of boxes.csv</source>
+        <translation>Erste Zeilen von boxes.csv</translation>
     </message>
     <message>
         <source>Folder</source>
         <translation>Ordner</translation>
     </message>
     <message>
-        <source>Both files go there; it is made if need be</source>
-        <translation>Beide Dateien kommen dorthin; er wird bei Bedarf angelegt</translation>
+        <source>Both files are saved in this folder; it is created if it does not exist</source>
+        <translation>Beide Dateien werden in diesem Ordner gespeichert; er wird angelegt, wenn es ihn nicht gibt</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -3313,12 +3313,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Ordner der Rahmen</translation>
     </message>
     <message>
-        <source>boxes.csv and boxes_mot.txt are in %1.</source>
-        <translation>boxes.csv und boxes_mot.txt liegen in %1.</translation>
+        <source>Saved boxes.csv and boxes_mot.txt in %1.</source>
+        <translation>boxes.csv und boxes_mot.txt wurden in %1 gespeichert.</translation>
     </message>
     <message>
-        <source>The boxes of another export are there already. Replace them?</source>
-        <translation>Dort liegen schon die Rahmen eines anderen Exports. Ersetzen?</translation>
+        <source>The folder already contains exported boxes. Replace them?</source>
+        <translation>Der Ordner enthält schon exportierte Rahmen. Ersetzen?</translation>
     </message>
     <message>
         <source>%1 exists already; nothing was written.</source>
@@ -3344,8 +3344,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zeit, s</translation>
     </message>
     <message>
-        <source>Seconds, of the frame</source>
-        <translation>Sekunden, des Bildes</translation>
+        <source>Time of the frame, in seconds</source>
+        <translation>Zeit des Bildes, in Sekunden</translation>
     </message>
     <message>
         <source>frame</source>
@@ -3400,8 +3400,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Ähnlichkeit</translation>
     </message>
     <message>
-        <source>How alike the colors in the box are to those it was given with, 0 to 1</source>
-        <translation>Wie ähnlich die Farben im Rahmen denen sind, mit denen er gegeben wurde, 0 bis 1</translation>
+        <source>Similarity of the colors in the box to the initial colors, 0 to 1</source>
+        <translation>Ähnlichkeit der Farben im Rahmen mit den anfänglichen Farben, 0 bis 1</translation>
     </message>
     <message>
         <source>spread, px</source>
@@ -3416,8 +3416,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zustand</translation>
     </message>
     <message>
-        <source>Hidden: it is held where it is thought to be</source>
-        <translation>Verdeckt: Es wird gehalten, wo es vermutet wird</translation>
+        <source>Hidden: held at its estimated position</source>
+        <translation>Verdeckt: an der geschätzten Position gehalten</translation>
     </message>
 </context>
 <context>
@@ -3427,8 +3427,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Rahmen der Ziele</translation>
     </message>
     <message>
-        <source>This method follows boxes in images: click the thing or drag a box around it in any camera view. Its box in every frame appears here, in pixels.</source>
-        <translation>Dieses Verfahren folgt Rahmen in Bildern: Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen. Hier erscheint sein Rahmen in jedem Bild, in Pixeln.</translation>
+        <source>This method tracks boxes in images. Click the object or drag a box around it in any camera view. Its box in each frame appears here, in pixels.</source>
+        <translation>Dieses Verfahren verfolgt Rahmen in Bildern. Klicken Sie das Objekt in einer Kameraansicht an, oder ziehen Sie einen Rahmen darum. Hier erscheint sein Rahmen in jedem Bild, in Pixeln.</translation>
     </message>
     <message numerus="yes">
         <source>%n boxes, in pixels of the image</source>
@@ -3441,8 +3441,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
 <context>
     <name>dewpoint::ui::BoxPicker</name>
     <message>
-        <source>This camera shows no image to take a box from.</source>
-        <translation>Diese Kamera zeigt kein Bild, aus dem ein Rahmen genommen werden könnte.</translation>
+        <source>This camera shows no image in which a box could be set.</source>
+        <translation>Diese Kamera zeigt kein Bild, in dem ein Rahmen gesetzt werden könnte.</translation>
     </message>
     <message>
         <source>Box of %1</source>
@@ -3460,24 +3460,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Kalibrierung wählen…</translation>
     </message>
     <message>
-        <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
-        <translation>Eine Kalibrierungsdatei von Dewpoint oder einem anderen Programm; Kameras werden nach ihren Namen gefunden, sonst in ihrer Reihenfolge genommen</translation>
+        <source>A calibration file of Dewpoint or another program. Cameras are matched by name, or by order if the names differ</source>
+        <translation>Eine Kalibrierungsdatei von Dewpoint oder einem anderen Programm. Kameras werden nach Namen zugeordnet, oder nach Reihenfolge, wenn die Namen nicht passen</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Go without a calibration file</source>
-        <translation>Ohne Kalibrierungsdatei</translation>
+        <source>Continue without a calibration file</source>
+        <translation>Ohne Kalibrierungsdatei fortfahren</translation>
     </message>
     <message>
         <source>Choose a calibration</source>
         <translation>Eine Kalibrierung wählen</translation>
     </message>
     <message>
-        <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
-        <translation>Erkannt: %1. Etwas bleibt darin offen: %2. Erstellen Sie das Projekt ohne sie; „Kalibrierung importieren“ fragt dann nach dem, was fehlt.</translation>
+        <source>Recognized: %1. Some information is missing: %2. Create the project without this file, then use Import calibration and enter what is missing.</source>
+        <translation>Erkannt: %1. Einige Angaben fehlen: %2. Erstellen Sie das Projekt ohne diese Datei, und geben Sie dann bei „Kalibrierung importieren“ das Fehlende an.</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
@@ -3492,7 +3492,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Nicht erkannt. Dewpoint liest: %1.</translation>
     </message>
     <message>
-        <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
+        <source>Recognized: %1. Its cameras do not match the cameras above: %2.</source>
         <translation>Erkannt: %1. Ihre Kameras passen nicht zu denen oben: %2.</translation>
     </message>
     <message numerus="yes">
@@ -3537,7 +3537,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Write the file; one that exists is replaced</source>
+        <source>Write the file; an existing file is replaced</source>
         <translation>Die Datei schreiben; eine vorhandene wird ersetzt</translation>
     </message>
     <message>
@@ -3545,7 +3545,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Format</translation>
     </message>
     <message>
-        <source>The program that is to read the file</source>
+        <source>The program that will read the file</source>
         <translation>Das Programm, das die Datei lesen soll</translation>
     </message>
     <message>
@@ -3553,12 +3553,12 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Of lengths, where the format leaves it open</source>
-        <translation>Der Längen, wo das Format sie offen lässt</translation>
+        <source>Unit of lengths, if the format does not define it</source>
+        <translation>Einheit der Längen, wenn das Format sie nicht festlegt</translation>
     </message>
     <message>
-        <source>as usual for the format</source>
-        <translation>wie im Format üblich</translation>
+        <source>format default</source>
+        <translation>Vorgabe des Formats</translation>
     </message>
     <message>
         <source>meters</source>
@@ -3573,7 +3573,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Zentimeter</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 (fitted anew)</source>
+        <source>%1: largest reprojection difference %2 (refitted)</source>
         <translation>%1: größter Unterschied der Rückprojektion %2 (neu angepasst)</translation>
     </message>
     <message>
@@ -3581,8 +3581,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>%1: größter Unterschied der Rückprojektion %2</translation>
     </message>
     <message>
-        <source>%1: %2 of 81 directions have no pixel any more</source>
-        <translation>%1: %2 von 81 Richtungen haben kein Pixel mehr</translation>
+        <source>%1: %2 of 81 directions no longer map to a pixel</source>
+        <translation>%1: %2 von 81 Richtungen fallen auf kein Pixel mehr</translation>
     </message>
     <message>
         <source>%1 exists and will be replaced.</source>
@@ -3604,8 +3604,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Eine Kalibrierung importieren</translation>
     </message>
     <message>
-        <source>as the names say</source>
-        <translation>wie die Namen sagen</translation>
+        <source>by name</source>
+        <translation>nach Namen</translation>
     </message>
     <message>
         <source>only %1</source>
@@ -3620,24 +3620,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Ordner…</translation>
     </message>
     <message>
-        <source>Find a folder with a file for each camera</source>
-        <translation>Einen Ordner mit einer Datei je Kamera suchen</translation>
+        <source>Choose a folder with one file per camera</source>
+        <translation>Einen Ordner mit einer Datei je Kamera wählen</translation>
     </message>
     <message>
         <source>Use these cameras</source>
         <translation>Diese Kameras verwenden</translation>
     </message>
     <message>
-        <source>Take the calibration into the project; it can be undone</source>
-        <translation>Die Kalibrierung ins Projekt übernehmen; das lässt sich zurücknehmen</translation>
+        <source>Use the calibration in the project; you can undo this</source>
+        <translation>Die Kalibrierung im Projekt verwenden; das lässt sich rückgängig machen</translation>
     </message>
     <message>
-        <source>as the file says</source>
-        <translation>wie die Datei sagt</translation>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
     </message>
     <message>
-        <source>recognized from the content</source>
-        <translation>am Inhalt erkannt</translation>
+        <source>detect automatically</source>
+        <translation>automatisch erkennen</translation>
     </message>
     <message>
         <source>meters</source>
@@ -3668,8 +3668,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>k1 k2 k3 k4 eines Fischauges</translation>
     </message>
     <message>
-        <source>as the format has them</source>
-        <translation>wie im Format</translation>
+        <source>format default</source>
+        <translation>Vorgabe des Formats</translation>
     </message>
     <message>
         <source>camera from world</source>
@@ -3692,19 +3692,19 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
-        <translation>Der Längen in der Datei; oder tippen Sie die Meter einer Einheit, etwa 0.025 für Felder von 25 mm</translation>
+        <source>Unit of the lengths in the file; or enter the length of one unit in meters, such as 0.025 for squares of 25 mm</source>
+        <translation>Einheit der Längen in der Datei; oder geben Sie die Länge einer Einheit in Metern ein, etwa 0.025 für Felder von 25 mm</translation>
     </message>
     <message>
         <source>Four coefficients</source>
         <translation>Vier Koeffizienten</translation>
     </message>
     <message>
-        <source>What four lens coefficients mean</source>
-        <translation>Was vier Objektivkoeffizienten bedeuten</translation>
+        <source>Meaning of the four lens coefficients</source>
+        <translation>Bedeutung der vier Objektivkoeffizienten</translation>
     </message>
     <message>
-        <source>Size of images</source>
+        <source>Image size</source>
         <translation>Bildgröße</translation>
     </message>
     <message>
@@ -3716,32 +3716,32 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Lagen</translation>
     </message>
     <message>
-        <source>Which way the poses in the file go</source>
-        <translation>In welche Richtung die Lagen der Datei gehen</translation>
+        <source>Direction of the transformation that the file stores as a pose</source>
+        <translation>Richtung der Transformation, die die Datei als Lage speichert</translation>
     </message>
     <message>
-        <source>For</source>
-        <translation>Für</translation>
+        <source>Camera</source>
+        <translation>Kamera</translation>
     </message>
     <message>
-        <source>Which camera a file of one camera is about</source>
-        <translation>Um welche Kamera es in einer Datei mit einer Kamera geht</translation>
+        <source>The camera to which a file with a single camera belongs</source>
+        <translation>Die Kamera, zu der eine Datei mit einer einzigen Kamera gehört</translation>
     </message>
     <message>
-        <source>The file leaves something open. Answer “%1” above.</source>
-        <translation>Die Datei lässt etwas offen. Beantworten Sie oben „%1“.</translation>
+        <source>The file does not contain all information. Set “%1” above.</source>
+        <translation>Die Datei enthält nicht alle Angaben. Stellen Sie oben „%1“ ein.</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
+        <translation>Die Kalibrierung verwendet andere Kameranamen. Die Kameras wurden nach Reihenfolge zugeordnet.</translation>
     </message>
     <message>
-        <source>There is no pose in the file: only the lens is taken, the pose stays.</source>
-        <translation>In der Datei steht keine Lage: nur das Objektiv wird übernommen, die Lage bleibt.</translation>
+        <source>The file contains no pose: only the intrinsics are imported, and the pose is kept.</source>
+        <translation>Die Datei enthält keine Lage: Nur die intrinsischen Parameter werden übernommen, und die Lage bleibt.</translation>
     </message>
     <message>
-        <source>%1 (in the file: %2): %3 and %4 from where it is now</source>
-        <translation>%1 (in der Datei: %2): %3 und %4 von da, wo sie jetzt ist</translation>
+        <source>%1 (in the file: %2): moves by %3 and rotates by %4</source>
+        <translation>%1 (in der Datei: %2): verschiebt sich um %3 und dreht sich um %4</translation>
     </message>
     <message>
         <source>Largest reprojection difference to the file: %1</source>
@@ -3752,8 +3752,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Kalibrierung importieren</translation>
     </message>
     <message>
-        <source>The cameras have the calibration of %1 now.</source>
-        <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
+        <source>The cameras now use the calibration from %1.</source>
+        <translation>Die Kameras verwenden jetzt die Kalibrierung aus %1.</translation>
     </message>
 </context>
 <context>
@@ -3777,8 +3777,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>The camera that is adjusted; clicking into its image chooses it too</source>
-        <translation>Die Kamera, die eingestellt wird; ein Klick in ihr Bild wählt sie auch</translation>
+        <source>The camera to adjust; you can also click its image</source>
+        <translation>Die Kamera, die eingestellt wird; Sie können auch ihr Bild anklicken</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3797,24 +3797,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Einheit der Positionen</translation>
     </message>
     <message>
-        <source>Unit in which positions are shown and typed</source>
-        <translation>Einheit, in der Positionen gezeigt und eingegeben werden</translation>
+        <source>Unit for showing and entering positions</source>
+        <translation>Einheit zum Anzeigen und Eingeben von Positionen</translation>
     </message>
     <message>
-        <source>Looks</source>
-        <translation>Blick</translation>
+        <source>Direction</source>
+        <translation>Blickrichtung</translation>
     </message>
     <message>
-        <source>at a point, roll</source>
-        <translation>auf einen Punkt, Rollen</translation>
+        <source>point, roll</source>
+        <translation>Punkt, Rollen</translation>
     </message>
     <message>
         <source>yaw, pitch, roll</source>
         <translation>Gieren, Nicken, Rollen</translation>
     </message>
     <message>
-        <source>How the direction is said</source>
-        <translation>Wie die Richtung angegeben wird</translation>
+        <source>Direction format</source>
+        <translation>Format der Blickrichtung</translation>
     </message>
     <message>
         <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
@@ -3833,8 +3833,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Bildwinkel</translation>
     </message>
     <message>
-        <source>How the lens is said</source>
-        <translation>Wie das Objektiv angegeben wird</translation>
+        <source>Lens parameter</source>
+        <translation>Objektivparameter</translation>
     </message>
     <message>
         <source>Focal length in pixels, or the horizontal field of view in degrees</source>
@@ -3845,8 +3845,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Brennweite oder Bildwinkel</translation>
     </message>
     <message>
-        <source>How much the camera magnifies; the keys + and − change it too</source>
-        <translation>Wie stark die Kamera vergrößert; auch die Tasten + und − ändern es</translation>
+        <source>Magnification of the camera; the keys + and − also change it</source>
+        <translation>Vergrößerung der Kamera; auch die Tasten + und − ändern sie</translation>
     </message>
     <message>
         <source>Dragging</source>
@@ -3861,20 +3861,20 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>verschiebt die Kamera</translation>
     </message>
     <message>
-        <source>What dragging does</source>
-        <translation>Was Ziehen bewirkt</translation>
+        <source>Effect of dragging</source>
+        <translation>Wirkung des Ziehens</translation>
     </message>
     <message>
         <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
         <translation>Was die Kamera tut, während das Gitter gezogen wird und nichts festgehalten ist. Klicks auf Punkte des Gitters halten bis zu drei davon fest.</translation>
     </message>
     <message>
-        <source>Three held points: the focal length gives way</source>
-        <translation>Drei gehaltene Punkte: die Brennweite gibt nach</translation>
+        <source>With three held points, adjust the focal length</source>
+        <translation>Bei drei gehaltenen Punkten die Brennweite anpassen</translation>
     </message>
     <message>
-        <source>Three held points fix the pose; dragging then changes the focal length, and the camera follows</source>
-        <translation>Drei gehaltene Punkte legen die Pose fest; Ziehen ändert dann die Brennweite, und die Kamera folgt</translation>
+        <source>Three held points fix the pose. Dragging then changes the focal length, and the pose follows</source>
+        <translation>Drei gehaltene Punkte legen die Lage fest. Ziehen ändert dann die Brennweite, und die Lage folgt</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -3889,28 +3889,28 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>drehen</translation>
     </message>
     <message>
-        <source>What keys do</source>
-        <translation>Was Tasten bewirken</translation>
+        <source>Effect of the keys</source>
+        <translation>Wirkung der Tasten</translation>
     </message>
     <message>
         <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
         <translation>Pfeile oder W A S D, dazu Q und E oder die Bildtasten: 1 cm oder 0,2° je Schritt. Umschalt: das Zehnfache; Strg mit Pfeilen und Bildtasten: ein Zehntel.</translation>
     </message>
     <message>
-        <source>as it looks</source>
-        <translation>wie sie blickt</translation>
+        <source>camera axes</source>
+        <translation>Kameraachsen</translation>
     </message>
     <message>
-        <source>along x, y, z</source>
-        <translation>entlang x, y, z</translation>
+        <source>world axes</source>
+        <translation>Weltachsen</translation>
     </message>
     <message>
-        <source>Directions of keys</source>
-        <translation>Richtungen der Tasten</translation>
+        <source>Axes of the keys</source>
+        <translation>Achsen der Tasten</translation>
     </message>
     <message>
-        <source>Right, forward and up as the camera looks, or the axes of the world</source>
-        <translation>Rechts, vorwärts und aufwärts, wie die Kamera blickt, oder die Achsen der Welt</translation>
+        <source>Move along the camera&apos;s right, forward and up directions, or along the world axes</source>
+        <translation>Entlang rechts, vorwärts und aufwärts der Kamera bewegen, oder entlang der Weltachsen</translation>
     </message>
     <message>
         <source>Yaw</source>
@@ -3925,24 +3925,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Position %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, along %1</source>
-        <translation>Wo die Kamera steht, entlang %1</translation>
+        <source>%1 coordinate of the camera&apos;s position</source>
+        <translation>%1-Koordinate der Kameraposition</translation>
     </message>
     <message>
         <source>Looks at %1</source>
         <translation>Blickt auf %1</translation>
     </message>
     <message>
-        <source>The point the camera looks at, along %1</source>
-        <translation>Der Punkt, auf den die Kamera blickt, entlang %1</translation>
+        <source>%1 coordinate of the point that the camera looks at</source>
+        <translation>%1-Koordinate des Punktes, auf den die Kamera blickt</translation>
     </message>
     <message>
         <source>Direction from above: 0° along x, 90° along y</source>
         <translation>Richtung von oben: 0° entlang x, 90° entlang y</translation>
     </message>
     <message>
-        <source>Above the horizon; straight down is −90°</source>
-        <translation>Über dem Horizont; senkrecht hinab ist −90°</translation>
+        <source>Angle above the horizon; straight down is −90°</source>
+        <translation>Winkel über dem Horizont; senkrecht nach unten ist −90°</translation>
     </message>
     <message>
         <source>roll</source>
@@ -3953,8 +3953,8 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Rollen</translation>
     </message>
     <message>
-        <source>Turned about its line of sight, clockwise</source>
-        <translation>Um die Blickrichtung gedreht, im Uhrzeigersinn</translation>
+        <source>Clockwise rotation about the line of sight</source>
+        <translation>Drehung um die Blickrichtung, im Uhrzeigersinn</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
@@ -3988,24 +3988,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Ihre neue Lage wird gerade bestimmt.</translation>
     </message>
     <message>
-        <source>Its pose can be solved again from what it sees.</source>
-        <translation>Ihre Lage lässt sich aus dem, was sie sieht, neu bestimmen.</translation>
+        <source>Its pose can be recomputed from what it sees.</source>
+        <translation>Ihre Lage lässt sich aus dem, was sie sieht, neu berechnen.</translation>
     </message>
     <message>
-        <source>Re-solve %1</source>
-        <translation>%1 neu bestimmen</translation>
+        <source>Recompute %1</source>
+        <translation>%1 neu berechnen</translation>
     </message>
     <message>
-        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
-        <translation>Aus dem, was sie sieht, lässt sich das nicht neu bestimmen: neu kalibrieren oder zurückstellen.</translation>
+        <source>Its pose cannot be recomputed from what it sees: calibrate the camera again, or put it back.</source>
+        <translation>Ihre Lage lässt sich aus dem, was sie sieht, nicht neu berechnen: Kalibrieren Sie die Kamera neu, oder stellen Sie sie zurück.</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
         <translation>%1 kalibrieren…</translation>
     </message>
     <message>
-        <source>%1 stands again as it was calibrated.</source>
-        <translation>%1 steht wieder so, wie sie kalibriert wurde.</translation>
+        <source>%1 is back in its calibrated pose.</source>
+        <translation>%1 ist wieder in ihrer kalibrierten Lage.</translation>
     </message>
 </context>
 <context>
@@ -4047,7 +4047,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Video file, folder of images, device or address of a stream</source>
+        <source>Video file, image folder, device, or stream address</source>
         <translation>Videodatei, Ordner mit Bildern, Gerät oder Adresse eines Stroms</translation>
     </message>
     <message>
@@ -4055,24 +4055,24 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Wählen…</translation>
     </message>
     <message>
-        <source>Find the recording of this camera in another place</source>
-        <translation>Die Aufnahme dieser Kamera an einem anderen Ort finden</translation>
+        <source>Choose the file, folder or device of this camera</source>
+        <translation>Datei, Ordner oder Gerät dieser Kamera wählen</translation>
     </message>
     <message>
-        <source>Turned</source>
+        <source>Rotated</source>
         <translation>Gedreht</translation>
     </message>
     <message>
-        <source>Images are turned clockwise by so much before use</source>
-        <translation>Bilder werden vor Gebrauch um so viel im Uhrzeigersinn gedreht</translation>
+        <source>Clockwise rotation of the images before use</source>
+        <translation>Drehung der Bilder im Uhrzeigersinn vor der Verwendung</translation>
     </message>
     <message>
         <source>Load calibration…</source>
         <translation>Kalibrierung laden…</translation>
     </message>
     <message>
-        <source>Take the calibration of all cameras from a file</source>
-        <translation>Die Kalibrierung aller Kameras aus einer Datei nehmen</translation>
+        <source>Load the calibration of all cameras from a file</source>
+        <translation>Die Kalibrierung aller Kameras aus einer Datei laden</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -4101,72 +4101,72 @@ bei %4, %5, %6</translation>
         <translation>Gespiegelt</translation>
     </message>
     <message>
-        <source>Images are mirrored left to right, after they were turned</source>
-        <translation>Bilder werden nach dem Drehen seitenverkehrt</translation>
+        <source>Mirror the images left to right, after rotation</source>
+        <translation>Die Bilder nach dem Drehen seitenverkehrt spiegeln</translation>
     </message>
     <message>
-        <source>Empty room</source>
-        <translation>Leerer Raum</translation>
+        <source>Background image</source>
+        <translation>Hintergrundbild</translation>
     </message>
     <message>
-        <source>Image, video or folder of images in which this camera shows the scene without any target: what has its color there is not taken for it</source>
-        <translation>Bild, Video oder Ordner mit Bildern, in denen diese Kamera die Szene ohne Ziel zeigt: Was dort seine Farbe hat, wird nicht für das Ziel gehalten</translation>
+        <source>Image, video or image folder that shows the scene without any target. Regions that have the target&apos;s color there are not taken for the target</source>
+        <translation>Bild, Video oder Bilderordner, der die Szene ohne Ziel zeigt. Bereiche, die dort die Farbe des Ziels haben, werden nicht für das Ziel gehalten</translation>
     </message>
     <message>
-        <source>Choose the empty room</source>
-        <translation>Leeren Raum wählen</translation>
+        <source>Choose background image</source>
+        <translation>Hintergrundbild wählen</translation>
     </message>
     <message>
         <source>Find an image or a video of the scene without any target</source>
         <translation>Ein Bild oder Video der Szene ohne Ziel suchen</translation>
     </message>
     <message>
-        <source>Use the image shown</source>
-        <translation>Gezeigtes Bild verwenden</translation>
+        <source>Use current image</source>
+        <translation>Aktuelles Bild verwenden</translation>
     </message>
     <message>
-        <source>Keep the image this camera shows now as the one of the empty room</source>
-        <translation>Das Bild, das diese Kamera jetzt zeigt, als das des leeren Raums behalten</translation>
+        <source>Save the current image of this camera as its background image</source>
+        <translation>Das aktuelle Bild dieser Kamera als ihr Hintergrundbild speichern</translation>
     </message>
     <message>
-        <source>Change empty room</source>
-        <translation>Leeren Raum ändern</translation>
+        <source>Change background image</source>
+        <translation>Hintergrundbild ändern</translation>
     </message>
     <message>
-        <source>Choose an image or a video of the empty room</source>
-        <translation>Bild oder Video des leeren Raums wählen</translation>
+        <source>Choose a background image or video</source>
+        <translation>Hintergrundbild oder -video wählen</translation>
     </message>
     <message>
-        <source>Change how late the images are</source>
-        <translation>Verspätung der Bilder ändern</translation>
+        <source>Change delay</source>
+        <translation>Verzögerung ändern</translation>
     </message>
     <message>
-        <source>Late by</source>
-        <translation>Verspätet um</translation>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
     </message>
     <message>
         <source> ms</source>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Milliseconds by which its images are late: they are put together with those of the other cameras by it. Calibrate by waving finds it</source>
-        <translation>Millisekunden, um die ihre Bilder zu spät sind: Danach werden sie den Bildern der anderen Kameras zugeordnet. „Durch Schwenken kalibrieren“ findet sie</translation>
+        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure it</source>
+        <translation>Verzögerung der Bilder dieser Kamera in ms, um sie mit den anderen Kameras zu synchronisieren. Die Kalibrierung mit Stab kann sie messen</translation>
     </message>
     <message>
-        <source>Milliseconds by which the images are late</source>
-        <translation>Millisekunden, um die die Bilder zu spät sind</translation>
+        <source>Delay of the images in milliseconds</source>
+        <translation>Verzögerung der Bilder in Millisekunden</translation>
     </message>
     <message>
         <source>Load calibration</source>
         <translation>Kalibrierung laden</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
+        <translation>Die Kalibrierung verwendet andere Kameranamen. Die Kameras wurden nach Reihenfolge zugeordnet.</translation>
     </message>
     <message>
-        <source>The cameras have the calibration of %1 now.</source>
-        <translation>Die Kameras haben jetzt die Kalibrierung aus %1.</translation>
+        <source>The cameras now use the calibration from %1.</source>
+        <translation>Die Kameras verwenden jetzt die Kalibrierung aus %1.</translation>
     </message>
 </context>
 <context>
@@ -4198,12 +4198,12 @@ bei %4, %5, %6</translation>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tried when the project is made</source>
+        <source>Live: tested when the project is created</source>
         <translation>Live: wird ausprobiert, wenn das Projekt erstellt wird</translation>
     </message>
     <message>
-        <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
-        <translation>Die Videos haben verschiedene Bildraten: Bild N des einen ist nicht derselbe Moment wie Bild N des anderen.</translation>
+        <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
+        <translation>Die Videos haben verschiedene Bildraten: Bild N zeigt nicht in jedem denselben Zeitpunkt.</translation>
     </message>
     <message numerus="yes">
         <source>Videos differ in length: using the first %n frames.</source>
@@ -4281,8 +4281,8 @@ bei %4, %5, %6</translation>
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Take a box here</source>
-        <translation>Hier Rahmen nehmen</translation>
+        <source>Set box here</source>
+        <translation>Rahmen hier setzen</translation>
     </message>
     <message>
         <source>Learn the color here</source>
@@ -4293,8 +4293,8 @@ bei %4, %5, %6</translation>
         <translation>Hier Probe hinzufügen</translation>
     </message>
     <message>
-        <source>This is not the target</source>
-        <translation>Das ist nicht das Ziel</translation>
+        <source>Exclude this color</source>
+        <translation>Diese Farbe ausschließen</translation>
     </message>
     <message>
         <source>Track this object, starting from a box around it</source>
@@ -4309,8 +4309,8 @@ bei %4, %5, %6</translation>
         <translation>Diese Farbe zu denen des Ziels hinzufügen (Umschalt-Klick tut dasselbe)</translation>
     </message>
     <message>
-        <source>Exclude this color (Alt-click does the same)</source>
-        <translation>Diese Farbe ausschließen (Alt-Klick tut dasselbe)</translation>
+        <source>Learn that this color is not the target (or Alt-click)</source>
+        <translation>Lernen, dass diese Farbe nicht das Ziel ist (auch per Alt-Klick)</translation>
     </message>
 </context>
 <context>
@@ -4320,8 +4320,8 @@ bei %4, %5, %6</translation>
         <translation>Diese Kamera zeigt kein Bild, aus dem gelernt werden kann.</translation>
     </message>
     <message>
-        <source>Click the target first; then exclude what is not it.</source>
-        <translation>Erst das Ziel anklicken; dann ausschließen, was es nicht ist.</translation>
+        <source>Click the target first. Then exclude colors that are not the target.</source>
+        <translation>Klicken Sie zuerst das Ziel an. Schließen Sie dann Farben aus, die nicht zum Ziel gehören.</translation>
     </message>
     <message>
         <source>Exclude color</source>
@@ -4343,8 +4343,8 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorPanel</name>
     <message>
-        <source>Looking at the images…</source>
-        <translation>Die Bilder werden betrachtet …</translation>
+        <source>Analyzing images…</source>
+        <translation>Bilder werden ausgewertet…</translation>
     </message>
     <message>
         <source>No target yet</source>
@@ -4355,32 +4355,32 @@ bei %4, %5, %6</translation>
         <translation>Ein neues Ziel</translation>
     </message>
     <message>
-        <source>Drag ring and bars, or press Learn and click the target.</source>
-        <translation>Ring und Balken ziehen, oder Lernen drücken und das Ziel anklicken.</translation>
+        <source>Drag the ring and the bars, or press Learn and click the target.</source>
+        <translation>Ziehen Sie den Ring und die Balken, oder drücken Sie „Lernen“, und klicken Sie das Ziel an.</translation>
     </message>
     <message>
-        <source>Click the thing to follow in any camera image.</source>
-        <translation>In irgendeinem Kamerabild auf das klicken, was verfolgt werden soll.</translation>
+        <source>Click the object to track in any camera image.</source>
+        <translation>Klicken Sie in einem Kamerabild das Objekt an, das verfolgt werden soll.</translation>
     </message>
     <message>
         <source>Change color range</source>
         <translation>Farbbereich ändern</translation>
     </message>
     <message>
-        <source>Click the thing to follow</source>
-        <translation>Klicke an, was verfolgt werden soll</translation>
+        <source>Click the object to track</source>
+        <translation>Das Objekt anklicken, das verfolgt werden soll</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it</source>
-        <translation>Das Ding anklicken oder einen Rahmen darum ziehen</translation>
+        <source>Click the object or drag a box around it</source>
+        <translation>Das Objekt anklicken oder einen Rahmen darum ziehen</translation>
     </message>
     <message>
-        <source>Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press Box and click the thing for another box.</source>
-        <translation>Verfolgt von seinem Rahmen in %1 an, Bild %2: %3 × %4. Dieses Verfahren braucht keine Farbe; für einen anderen Rahmen auf Rahmen drücken und das Ding anklicken.</translation>
+        <source>Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set another box, press Box and click the object.</source>
+        <translation>Verfolgt ab seinem Rahmen in %1, Bild %2: %3 × %4. Dieses Verfahren braucht keine Farbe. Für einen anderen Rahmen drücken Sie „Rahmen“ und klicken das Objekt an.</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>Klicken Sie das Objekt in einer Kameraansicht an, oder ziehen Sie einen Rahmen darum.</translation>
     </message>
     <message>
         <source>Remove color</source>
@@ -4426,8 +4426,8 @@ bei %4, %5, %6</translation>
         <translation>Größte Intensität, 0 bis 1</translation>
     </message>
     <message>
-        <source>Drag the ends or the middle; with the keyboard, Tab chooses and the arrows move (with Shift ten times as far)</source>
-        <translation>Enden oder Mitte ziehen; mit der Tastatur wählt Tab, und die Pfeile bewegen (mit Umschalt zehnmal so weit)</translation>
+        <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
+        <translation>Ziehen Sie die Enden oder die Mitte. Tastatur: Tab wählt einen Griff, Pfeiltasten bewegen ihn (mit Umschalt zehnmal so weit)</translation>
     </message>
     <message>
         <source>Range of hues</source>
@@ -4457,8 +4457,8 @@ bei %4, %5, %6</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>not this: %1, frame %2, at %3, %4</source>
-        <translation>dies nicht: %1, Bild %2, bei %3, %4</translation>
+        <source>excluded: %1, frame %2, at %3, %4</source>
+        <translation>ausgeschlossen: %1, Bild %2, bei %3, %4</translation>
     </message>
     <message>
         <source>%1, frame %2, at %3, %4</source>
@@ -4469,12 +4469,12 @@ bei %4, %5, %6</translation>
         <translation>gefunden: %1, Bild %2, bei %3, %4</translation>
     </message>
     <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples marked “found” were not clicked, but found in other cameras.</source>
-        <translation>Umschalt+Klick in einem Bild fügt eine hinzu, Alt+Klick oder Strg+Umschalt+Klick schließt eine aus. Mit „gefunden“ bezeichnete Proben wurden nicht angeklickt, sondern in anderen Kameras gefunden.</translation>
+        <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
+        <translation>Umschalt+Klick in einem Bild fügt eine Probe hinzu, Alt+Klick oder Strg+Umschalt+Klick schließt eine aus. Mit „gefunden“ bezeichnete Proben wurden in anderen Kameras erkannt.</translation>
     </message>
     <message>
-        <source>Forget the chosen sample and learn from the rest (Del). A found sample becomes an excluded one.</source>
-        <translation>Die gewählte Probe vergessen und aus den übrigen lernen (Entf). Eine gefundene Probe wird zu einer ausgeschlossenen.</translation>
+        <source>Remove the selected sample and learn from the others (Del). A found sample becomes an excluded one.</source>
+        <translation>Die gewählte Probe entfernen und aus den übrigen lernen (Entf). Eine gefundene Probe wird zu einer ausgeschlossenen.</translation>
     </message>
 </context>
 <context>
@@ -4492,15 +4492,15 @@ bei %4, %5, %6</translation>
         <translation>Gefundene Aktionen</translation>
     </message>
     <message>
-        <source>Nothing here is called “%1”.</source>
-        <translation>Hier heißt nichts „%1“.</translation>
+        <source>No action is called “%1”.</source>
+        <translation>Keine Aktion heißt „%1“.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
-        <source>Drag the target in an image to where it is; the same in another image fixes its depth. Esc ends it.</source>
-        <translation>Das Ziel in einem Bild dorthin ziehen, wo es ist; dasselbe in einem zweiten Bild legt die Tiefe fest. Esc beendet es.</translation>
+        <source>Drag the target to its true position in an image; do the same in another image to fix its depth. Press Esc to finish.</source>
+        <translation>Ziehen Sie das Ziel in einem Bild an seine wahre Position; dasselbe in einem zweiten Bild legt die Tiefe fest. Esc beendet es.</translation>
     </message>
     <message>
         <source>Correct position</source>
@@ -4515,19 +4515,19 @@ bei %4, %5, %6</translation>
         <translation>Korrektur entfernen</translation>
     </message>
     <message>
-        <source>Say that the target is here in the frame shown: tracking goes on from there</source>
-        <translation>Sagen, dass das Ziel im gezeigten Bild hier ist: Von dort wird weiter verfolgt</translation>
+        <source>Set the target&apos;s position in this frame to this point; tracking continues from there</source>
+        <translation>Die Position des Ziels in diesem Bild auf diesen Punkt setzen; von dort wird weiter verfolgt</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
     <message>
-        <source>Drag the target to where it is</source>
-        <translation>Das Ziel dorthin ziehen, wo es ist</translation>
+        <source>Drag the target to its true position</source>
+        <translation>Ziehen Sie das Ziel an seine wahre Position</translation>
     </message>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter says that the target is there</source>
-        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe sagt, dass das Ziel dort ist</translation>
+        <source>Image of %1: arrow keys move a cross, Enter sets the target&apos;s position there</source>
+        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe setzt die Position des Ziels dort</translation>
     </message>
     <message>
         <source>Frames are being tracked again: wait until that is done, or pause.</source>
@@ -4552,16 +4552,16 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::DockTitle</name>
     <message>
-        <source>Float this view, or put it back (double click the title: whole window)</source>
-        <translation>Diese Ansicht lösen oder zurücksetzen (Doppelklick auf den Titel: ganzes Fenster)</translation>
+        <source>Float or dock this view (double-click the title to maximize it)</source>
+        <translation>Diese Ansicht lösen oder andocken (Doppelklick auf den Titel maximiert sie)</translation>
     </message>
     <message>
         <source>Show all views</source>
         <translation>Alle Ansichten zeigen</translation>
     </message>
     <message>
-        <source>Give the other views their places back (Esc, or double click here)</source>
-        <translation>Den anderen Ansichten ihre Plätze zurückgeben (Esc oder Doppelklick hier)</translation>
+        <source>Restore the other views (Esc, or double-click here)</source>
+        <translation>Die anderen Ansichten wiederherstellen (Esc oder Doppelklick hier)</translation>
     </message>
 </context>
 <context>
@@ -4613,16 +4613,16 @@ bei %4, %5, %6</translation>
         <translation>Datei wählen</translation>
     </message>
     <message>
-        <source>Find the file</source>
+        <source>Choose the file to read or write</source>
         <translation>Die Datei suchen</translation>
     </message>
     <message>
-        <source>What is decided</source>
-        <translation>Was entschieden ist</translation>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
     <message>
-        <source>Choose a file. What is decided about it is shown here before anything changes.</source>
-        <translation>Wählen Sie eine Datei. Was über sie entschieden wird, steht hier, bevor sich etwas ändert.</translation>
+        <source>Choose a file. A preview of the result is shown here before anything changes.</source>
+        <translation>Wählen Sie eine Datei. Eine Vorschau des Ergebnisses steht hier, bevor sich etwas ändert.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4648,8 +4648,8 @@ bei %4, %5, %6</translation>
         <translation>Wie viele Startzahlen: Mehr dauern länger und sind sicherer</translation>
     </message>
     <message>
-        <source>The report, its pictures and its numbers go there</source>
-        <translation>Dorthin kommen der Bericht, seine Bilder und seine Zahlen</translation>
+        <source>Folder for the report, its pictures and its numbers</source>
+        <translation>Ordner für den Bericht, seine Bilder und seine Zahlen</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4660,8 +4660,8 @@ bei %4, %5, %6</translation>
         <translation>Den Ordner des Berichts wählen</translation>
     </message>
     <message>
-        <source>How far the experiment is</source>
-        <translation>Wie weit das Experiment ist</translation>
+        <source>Experiment progress</source>
+        <translation>Fortschritt des Experiments</translation>
     </message>
     <message>
         <source>Run the chosen experiment (Enter)</source>
@@ -4672,8 +4672,8 @@ bei %4, %5, %6</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop the experiment; nothing is written</source>
-        <translation>Das Experiment anhalten; nichts wird geschrieben</translation>
+        <source>Stop the experiment without writing anything</source>
+        <translation>Das Experiment anhalten, ohne etwas zu schreiben</translation>
     </message>
     <message>
         <source>Open the report</source>
@@ -4692,8 +4692,8 @@ bei %4, %5, %6</translation>
         <translation>Ordner des Berichts</translation>
     </message>
     <message>
-        <source>Name the folder of the report first.</source>
-        <translation>Nenne zuerst den Ordner des Berichts.</translation>
+        <source>Choose the folder for the report first.</source>
+        <translation>Wählen Sie zuerst den Ordner für den Bericht.</translation>
     </message>
     <message>
         <source>Running “%1”…</source>
@@ -4712,7 +4712,7 @@ bei %4, %5, %6</translation>
         <translation>Ordner</translation>
     </message>
     <message>
-        <source>Run it</source>
+        <source>Run</source>
         <translation>Ausführen</translation>
     </message>
     <message>
@@ -4724,8 +4724,8 @@ bei %4, %5, %6</translation>
         <translation>Kleidung</translation>
     </message>
     <message>
-        <source>Whether the clothes of the simulated people tell them apart</source>
-        <translation>Ob die Kleidung der simulierten Personen sie unterscheidet</translation>
+        <source>Whether the simulated people wear different clothes</source>
+        <translation>Ob die simulierten Personen verschiedene Kleidung tragen</translation>
     </message>
     <message>
         <source>both kinds</source>
@@ -4763,8 +4763,8 @@ bei %4, %5, %6</translation>
         <translation>Bahn exportieren</translation>
     </message>
     <message>
-        <source>Write a figure</source>
-        <translation>Abbildung schreiben</translation>
+        <source>Save figure</source>
+        <translation>Abbildung speichern</translation>
     </message>
     <message>
         <source>Figures (*.svg *.pdf)</source>
@@ -4807,16 +4807,16 @@ bei %4, %5, %6</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop the work under way; what is there already stays as it was</source>
-        <translation>Die laufende Arbeit anhalten; was schon da ist, bleibt, wie es war</translation>
+        <source>Stop the current work; files that already exist stay unchanged</source>
+        <translation>Die laufende Arbeit anhalten; vorhandene Dateien bleiben unverändert</translation>
     </message>
     <message>
         <source>Figure…</source>
         <translation>Abbildung…</translation>
     </message>
     <message>
-        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
-        <translation>Eine Abbildung als SVG oder PDF schreiben: x, y, z über der Zeit und von oben</translation>
+        <source>Save a figure of the trajectory as SVG or PDF: x, y, z over time, and the view from above</source>
+        <translation>Eine Abbildung der Bahn als SVG oder PDF speichern: x, y, z über der Zeit und die Ansicht von oben</translation>
     </message>
     <message>
         <source>Export</source>
@@ -4831,7 +4831,7 @@ bei %4, %5, %6</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Close; an export that is under way goes on</source>
+        <source>Close; a running export continues</source>
         <translation>Schließen; ein laufender Export geht weiter</translation>
     </message>
     <message>
@@ -4854,24 +4854,24 @@ bei %4, %5, %6</translation>
         <translation>Format</translation>
     </message>
     <message>
-        <source>Which program is to read it</source>
-        <translation>Welches Programm sie lesen soll</translation>
+        <source>The program that will read the file</source>
+        <translation>Das Programm, das die Datei lesen soll</translation>
     </message>
     <message>
         <source>Targets</source>
         <translation>Ziele</translation>
     </message>
     <message>
-        <source>Those with a mark are exported; all, if none has one</source>
-        <translation>Die angekreuzten werden exportiert; alle, wenn keines angekreuzt ist</translation>
+        <source>Only checked targets are exported; if none is checked, all are exported</source>
+        <translation>Nur angekreuzte Ziele werden exportiert; ist keines angekreuzt, alle</translation>
     </message>
     <message>
         <source>Estimates</source>
         <translation>Schätzungen</translation>
     </message>
     <message>
-        <source>As they were known live, or as all frames before and after tell</source>
-        <translation>Wie sie live bekannt waren, oder wie alle Bilder davor und danach sie zeigen</translation>
+        <source>Live: as estimated during the run. Smoothed: from all frames, before and after</source>
+        <translation>Live: wie während des Laufs geschätzt. Geglättet: aus allen Bildern, davor und danach</translation>
     </message>
     <message>
         <source>From</source>
@@ -4902,24 +4902,24 @@ bei %4, %5, %6</translation>
         <translation>Lücken</translation>
     </message>
     <message>
-        <source>What to write where the target is not known</source>
-        <translation>Was geschrieben wird, wo das Ziel nicht bekannt ist</translation>
+        <source>What to write while the position is unknown</source>
+        <translation>Was geschrieben wird, solange die Position unbekannt ist</translation>
     </message>
     <message>
         <source>Longest gap</source>
         <translation>Längste Lücke</translation>
     </message>
     <message>
-        <source>A longer gap is left, 0.01 to 60 s</source>
-        <translation>Eine längere Lücke bleibt, 0,01 bis 60 s</translation>
+        <source>Longer gaps are not filled, 0.01 to 60 s</source>
+        <translation>Längere Lücken werden nicht gefüllt, 0,01 bis 60 s</translation>
     </message>
     <message>
         <source>World axes</source>
         <translation>Weltachsen</translation>
     </message>
     <message>
-        <source>Which axis points up in the file</source>
-        <translation>Welche Achse in der Datei nach oben zeigt</translation>
+        <source>Axis that points up in the file</source>
+        <translation>Achse, die in der Datei nach oben zeigt</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -4974,8 +4974,8 @@ bei %4, %5, %6</translation>
         <translation>füllen</translation>
     </message>
     <message>
-        <source>as usual in the format</source>
-        <translation>wie im Format üblich</translation>
+        <source>format default</source>
+        <translation>Vorgabe des Formats</translation>
     </message>
     <message>
         <source>Z up</source>
@@ -5005,8 +5005,8 @@ bei %4, %5, %6</translation>
         <translation>Den Ordner der geschriebenen Datei öffnen</translation>
     </message>
     <message>
-        <source>No file manager was found. The file is %1.</source>
-        <translation>Kein Dateimanager wurde gefunden. Die Datei ist %1.</translation>
+        <source>No file manager was found. The path of the file is %1.</source>
+        <translation>Kein Dateimanager wurde gefunden. Der Pfad der Datei ist %1.</translation>
     </message>
 </context>
 <context>
@@ -5099,52 +5099,52 @@ bei %4, %5, %6</translation>
         <translation>Art des Gitters</translation>
     </message>
     <message>
-        <source>What the grid lies on in the room</source>
-        <translation>Worauf das Gitter im Raum liegt</translation>
+        <source>Surface of the room on which the grid lies</source>
+        <translation>Fläche des Raums, auf der das Gitter liegt</translation>
     </message>
     <message>
         <source>Size along x, y, z</source>
         <translation>Größe entlang x, y, z</translation>
     </message>
     <message>
-        <source>Begins at x, y, z</source>
-        <translation>Beginnt bei x, y, z</translation>
+        <source>Origin x, y, z</source>
+        <translation>Ursprung x, y, z</translation>
     </message>
     <message>
         <source>Size along %1</source>
         <translation>Größe entlang %1</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in meters</source>
-        <translation>Wie weit das Gitter reicht, in Metern</translation>
+        <source>Size of the grid, in meters</source>
+        <translation>Größe des Gitters, in Metern</translation>
     </message>
     <message>
         <source>Origin %1</source>
         <translation>Ursprung %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in meters</source>
-        <translation>Die Ecke, in der seine Achsen beginnen, in Metern</translation>
+        <source>Corner at which the grid&apos;s axes start, in meters</source>
+        <translation>Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
     </message>
     <message>
-        <source>Step, turn</source>
-        <translation>Schritt, Drehung</translation>
+        <source>Spacing, rotation</source>
+        <translation>Abstand, Drehung</translation>
     </message>
     <message>
-        <source>Step of the grid</source>
-        <translation>Schritt des Gitters</translation>
+        <source>Spacing of the grid</source>
+        <translation>Abstand der Gitterlinien</translation>
     </message>
     <message>
-        <source>Meters from line to line</source>
-        <translation>Meter von Linie zu Linie</translation>
+        <source>Distance between lines, in meters</source>
+        <translation>Abstand zwischen den Linien, in Metern</translation>
     </message>
     <message>
-        <source>Turn of the grid</source>
+        <source>Rotation of the grid</source>
         <translation>Drehung des Gitters</translation>
     </message>
     <message>
-        <source>Turned about the vertical, counterclockwise from above</source>
-        <translation>Um die Senkrechte gedreht, von oben gegen den Uhrzeigersinn</translation>
+        <source>Rotation about the vertical, counterclockwise as seen from above</source>
+        <translation>Drehung um die Senkrechte, von oben gesehen gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -5159,12 +5159,12 @@ bei %4, %5, %6</translation>
         <translation>Wie kräftig das Gitter über den Bildern gezeichnet wird</translation>
     </message>
     <message>
-        <source>Show edges of the images</source>
-        <translation>Kanten der Bilder zeigen</translation>
+        <source>Show image edges</source>
+        <translation>Bildkanten zeigen</translation>
     </message>
     <message>
-        <source>Let the rest of the images step back behind their edges</source>
-        <translation>Alles andere in den Bildern tritt hinter die Kanten zurück</translation>
+        <source>Dim the images except for their edges</source>
+        <translation>Die Bilder bis auf ihre Kanten abdunkeln</translation>
     </message>
     <message>
         <source>Before</source>
@@ -5175,8 +5175,8 @@ bei %4, %5, %6</translation>
         <translation>Die Kameras zeigen, wie sie vorher waren</translation>
     </message>
     <message>
-        <source>While held down (or B, over an image): the grid as it was when the calibration was opened</source>
-        <translation>Solange gedrückt (oder B, über einem Bild): das Gitter, wie es beim Öffnen der Kalibrierung war</translation>
+        <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
+        <translation>Gedrückt halten (oder B über einem Bild), um das Gitter zu zeigen, wie es beim Öffnen der Kalibrierung war</translation>
     </message>
 </context>
 <context>
@@ -5186,8 +5186,8 @@ bei %4, %5, %6</translation>
         <translation>Gitter über dem Bild von %1</translation>
     </message>
     <message>
-        <source>Drag the grid onto the real thing; click to hold a point; arrows, W A S D, Q and E move or turn the camera</source>
-        <translation>Das Gitter auf das Wirkliche ziehen; Klick hält einen Punkt; Pfeile, W A S D, Q und E verschieben oder drehen die Kamera</translation>
+        <source>Drag the grid onto the real scene. Click a point to hold it. Arrow keys, W A S D, Q and E move or rotate the camera</source>
+        <translation>Ziehen Sie das Gitter auf die wirkliche Szene. Ein Klick hält einen Punkt. Pfeiltasten, W A S D, Q und E bewegen oder drehen die Kamera</translation>
     </message>
     <message>
         <source>before</source>
@@ -5208,8 +5208,8 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::HistoryDock</name>
     <message>
-        <source>As it was opened</source>
-        <translation>Wie geöffnet</translation>
+        <source>Initial state</source>
+        <translation>Anfangszustand</translation>
     </message>
     <message>
         <source>History of changes</source>
@@ -5239,8 +5239,8 @@ bei %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter points there</source>
-        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Enter zeigt dorthin</translation>
+        <source>Image of %1: arrow keys move a cross, Enter clicks there</source>
+        <translation>Bild von %1: Pfeiltasten bewegen ein Kreuz, Eingabe klickt dort</translation>
     </message>
 </context>
 <context>
@@ -5262,24 +5262,24 @@ bei %4, %5, %6</translation>
         <translation>Probe hinzufügen</translation>
     </message>
     <message>
-        <source>Not this</source>
-        <translation>Dies nicht</translation>
+        <source>Exclude</source>
+        <translation>Ausschließen</translation>
     </message>
     <message>
         <source>Learn the color first: click the target in a camera image.</source>
         <translation>Erst die Farbe lernen: das Ziel in einem Kamerabild anklicken.</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: not this · Esc</source>
-        <translation>Klick: Probe hinzufügen · Alt: dies nicht · Esc</translation>
+        <source>Click: add a sample · Alt: exclude · Esc</source>
+        <translation>Klick: Probe hinzufügen · Alt: ausschließen · Esc</translation>
     </message>
     <message>
-        <source>Click what is not the target · Esc</source>
-        <translation>Anklicken, was nicht das Ziel ist · Esc</translation>
+        <source>Click a color to exclude · Esc</source>
+        <translation>Klick: Farbe ausschließen · Esc</translation>
     </message>
     <message>
-        <source>Click: learn · Shift: add · Alt: not this · Esc</source>
-        <translation>Klick: lernen · Umschalt: hinzufügen · Alt: dies nicht · Esc</translation>
+        <source>Click: learn · Shift: add · Alt: exclude · Esc</source>
+        <translation>Klick: lernen · Umschalt: hinzufügen · Alt: ausschließen · Esc</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -5313,32 +5313,32 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Kreuz: die Schätzung, das gewichtete Mittel der Partikel.</translation>
     </message>
     <message>
-        <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
-        <translation>Durchgezogene Ellipse: Mit 95 % Wahrscheinlichkeit ist das Ziel darin. Je kleiner, desto sicherer.</translation>
+        <source>Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse is more certain.</source>
+        <translation>Durchgezogene Ellipse: Das Ziel ist mit einer Wahrscheinlichkeit von 95 % darin. Eine kleinere Ellipse ist sicherer.</translation>
     </message>
     <message>
         <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
         <translation>Gestrichelte Ellipse: die Größe des Ziels selbst, wo es kein Ball ist.</translation>
     </message>
     <message>
-        <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
-        <translation>Weiße Raute: wo das Ziel wirklich ist. Nur simulierte Szenen wie die Demo wissen es.</translation>
+        <source>White diamond: the true position of the target, known only in simulated scenes such as the demo.</source>
+        <translation>Weiße Raute: die wahre Position des Ziels, bekannt nur in simulierten Szenen wie der Demo.</translation>
     </message>
     <message>
         <source>Triangle: the particle of highest weight (View › Show best particle).</source>
         <translation>Dreieck: das Partikel mit dem höchsten Gewicht (Ansicht › Bestes Partikel zeigen).</translation>
     </message>
     <message>
-        <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
-        <translation>Linie durch das Bild: der Strahl einer anderen Kamera, auf dem das Ziel sein muss, während Sie es dorthin ziehen, wo es ist.</translation>
+        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on it.</source>
+        <translation>Linie durch das Bild: die Sichtlinie einer anderen Kamera, gezeigt, während Sie das Ziel ziehen. Das Ziel muss auf ihr liegen.</translation>
     </message>
     <message>
-        <source>Dots: particles. Each is one guess of where the target is; the brighter, the better it fits the images.</source>
-        <translation>Punkte: Partikel. Jedes ist eine Vermutung, wo das Ziel ist; je heller, desto besser passt es zu den Bildern.</translation>
+        <source>Dots: particles. Each one is a guess of where the target is. Brighter particles fit the images better.</source>
+        <translation>Punkte: Partikel. Jedes ist eine Vermutung, wo das Ziel ist. Hellere Partikel passen besser zu den Bildern.</translation>
     </message>
     <message>
-        <source>Tinted and outlined: where the image has the color of the target (View › Show mask).</source>
-        <translation>Getönt und umrandet: wo das Bild die Farbe des Ziels hat (Ansicht › Maske zeigen).</translation>
+        <source>Tinted and outlined: regions with the color of the target (View › Show mask).</source>
+        <translation>Getönt und umrandet: Bereiche mit der Farbe des Ziels (Ansicht › Maske zeigen).</translation>
     </message>
 </context>
 <context>
@@ -5355,28 +5355,28 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
-        <source>Three points are held already: click one of them to let go of it</source>
-        <translation>Drei Punkte sind schon gehalten: ein Klick auf einen lässt ihn los</translation>
+        <source>Three points are already held. Click one of them to release it</source>
+        <translation>Drei Punkte sind schon gehalten. Klicken Sie einen davon an, um ihn loszulassen</translation>
     </message>
     <message>
         <source>Drag the grid in %1</source>
         <translation>Gitter in %1 ziehen</translation>
     </message>
     <message>
-        <source>No further: a point would leave what the camera can see</source>
-        <translation>Nicht weiter: ein Punkt läge außerhalb dessen, was die Kamera sehen kann</translation>
+        <source>Limit reached: a point would leave the camera&apos;s field of view</source>
+        <translation>Grenze erreicht: Ein Punkt würde das Sichtfeld der Kamera verlassen</translation>
     </message>
     <message>
-        <source>No further: the held points and this one lie on one ray or line</source>
-        <translation>Nicht weiter: die gehaltenen Punkte und dieser liegen auf einem Strahl oder einer Geraden</translation>
+        <source>Limit reached: the held points and this point lie on one ray or line</source>
+        <translation>Grenze erreicht: Die gehaltenen Punkte und dieser liegen auf einem Strahl oder einer Geraden</translation>
     </message>
     <message>
-        <source>No further: no pose near this one shows the held points where they are</source>
-        <translation>Nicht weiter: keine Pose in der Nähe zeigt die gehaltenen Punkte dort, wo sie sind</translation>
+        <source>Limit reached: no nearby pose keeps the held points in place</source>
+        <translation>Grenze erreicht: Keine Lage in der Nähe hält die gehaltenen Punkte an ihrem Ort</translation>
     </message>
     <message>
-        <source>Three held points fix the pose: let go of one, or let the focal length change</source>
-        <translation>Drei gehaltene Punkte legen die Pose fest: einen loslassen oder die Brennweite nachgeben lassen</translation>
+        <source>Three held points fix the pose. Release one of them, or let the focal length change</source>
+        <translation>Drei gehaltene Punkte legen die Lage fest. Lassen Sie einen davon los, oder lassen Sie die Brennweite anpassen</translation>
     </message>
     <message>
         <source>right</source>
@@ -5414,8 +5414,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
-        <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
-        <translation>Das Gitter in einem Bild ziehen, bis es auf dem Wirklichen liegt. Ein Klick auf einen Punkt hält ihn dort fest.</translation>
+        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place.</source>
+        <translation>Ziehen Sie das Gitter in einem Bild, bis es zur wirklichen Szene passt. Ein Klick auf einen Gitterpunkt hält ihn fest.</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -5445,12 +5445,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Seiten des Handbuchs</translation>
     </message>
     <message>
-        <source>Back to the page before</source>
+        <source>Back to the previous page</source>
         <translation>Zurück zur vorigen Seite</translation>
     </message>
     <message>
-        <source>Forward again</source>
-        <translation>Wieder vorwärts</translation>
+        <source>Forward to the next page</source>
+        <translation>Vorwärts zur nächsten Seite</translation>
     </message>
     <message>
         <source>The manual was not found. It is expected in the folder %1.</source>
@@ -5460,23 +5460,23 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::MarkerEditor</name>
     <message>
-        <source>Name of the mark</source>
+        <source>Name of the marker</source>
         <translation>Name der Marke</translation>
     </message>
     <message>
-        <source>Mark %1</source>
+        <source>Marker %1</source>
         <translation>Marke %1</translation>
     </message>
     <message>
-        <source>Add a mark</source>
+        <source>Add a marker</source>
         <translation>Marke setzen</translation>
     </message>
     <message>
-        <source>Remove a mark</source>
+        <source>Remove a marker</source>
         <translation>Marke entfernen</translation>
     </message>
     <message>
-        <source>Rename a mark</source>
+        <source>Rename a marker</source>
         <translation>Marke umbenennen</translation>
     </message>
 </context>
@@ -5520,8 +5520,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep where they are.</source>
-        <translation>Mit den wiedergefundenen Dateien geöffnet. Speichern Sie das Projekt, um zu behalten, wo sie sind.</translation>
+        <source>Opened with the located files. Save the project to keep their new paths.</source>
+        <translation>Mit den wiedergefundenen Dateien geöffnet. Speichern Sie das Projekt, um die neuen Pfade zu behalten.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -5548,31 +5548,31 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Alle an diesen Rechner angeschlossenen Kameras</translation>
     </message>
     <message>
-        <source>A device number or a network stream; type it in</source>
-        <translation>Eine Gerätenummer oder ein Netzwerkstrom; zum Eintippen</translation>
+        <source>Enter a device number or a network stream</source>
+        <translation>Eine Gerätenummer oder einen Netzwerkstrom eingeben</translation>
     </message>
     <message>
-        <source>Take the chosen cameras out</source>
-        <translation>Die gewählten Kameras herausnehmen</translation>
+        <source>Remove the selected cameras</source>
+        <translation>Die gewählten Kameras entfernen</translation>
     </message>
     <message>
-        <source>Make the project and show its first images</source>
-        <translation>Das Projekt machen und seine ersten Bilder zeigen</translation>
+        <source>Create the project and show its first images</source>
+        <translation>Das Projekt erstellen und seine ersten Bilder zeigen</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Back without making a project</source>
-        <translation>Zurück, ohne ein Projekt zu machen</translation>
+        <source>Go back without creating a project</source>
+        <translation>Zurück, ohne ein Projekt zu erstellen</translation>
     </message>
     <message>
         <source>Name of the project</source>
         <translation>Name des Projekts</translation>
     </message>
     <message>
-        <source>Rate of image folders, 0.1 to 10,000 per second</source>
+        <source>Frame rate of image folders, 0.1 to 10,000 per second</source>
         <translation>Bildrate von Bilderordnern, 0,1 bis 10.000 je Sekunde</translation>
     </message>
     <message>
@@ -5604,12 +5604,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>An diesen Rechner ist keine Kamera angeschlossen. Eine Netzwerkkamera lässt sich mit ihrer Adresse hinzufügen.</translation>
     </message>
     <message>
-        <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
-        <translation>Ohne Kalibrierung sind die Kamerapositionen geraten: In den Bildern lässt sich verfolgen, aber Positionen im Raum bedeuten noch nichts.</translation>
+        <source>Without a calibration, the camera positions are guesses: targets can be tracked in the images, but their 3D positions are meaningless.</source>
+        <translation>Ohne Kalibrierung sind die Kamerapositionen geraten: Ziele lassen sich in den Bildern verfolgen, aber ihre 3D-Positionen bedeuten nichts.</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>Die Kalibrierung nennt ihre Kameras anders: Sie wurden in ihrer Reihenfolge genommen.</translation>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
+        <translation>Die Kalibrierung verwendet andere Kameranamen. Die Kameras wurden nach Reihenfolge zugeordnet.</translation>
     </message>
     <message>
         <source>Add videos…</source>
@@ -5644,12 +5644,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Bilder je Sekunde:</translation>
     </message>
     <message>
-        <source>Neither a video, nor images, nor a calibration: %1.</source>
-        <translation>Weder ein Video noch Bilder noch eine Kalibrierung: %1.</translation>
+        <source>Not a video, image or calibration file: %1.</source>
+        <translation>Keine Video-, Bild- oder Kalibrierungsdatei: %1.</translation>
     </message>
     <message>
-        <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
-        <translation>Eine Zeile je Kamera. Videos müssen synchronisiert sein: Bild N zeigt in allen denselben Moment.</translation>
+        <source>One row per camera. The videos must be synchronized: frame N must show the same time in all of them.</source>
+        <translation>Eine Zeile je Kamera. Die Videos müssen synchronisiert sein: Bild N muss in allen denselben Zeitpunkt zeigen.</translation>
     </message>
     <message>
         <source>(folder name)</source>
@@ -5697,12 +5697,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>&amp;Verfahren</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>Klicken Sie das Objekt in einer Kameraansicht an, oder ziehen Sie einen Rahmen darum.</translation>
     </message>
     <message>
-        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
-        <translation>Dieses Verfahren arbeitet im Raum: Zuerst die Kameras kalibrieren (Menü Kalibrierung), ihre Orte sind nur geraten.</translation>
+        <source>This method tracks in 3D, but the camera positions are only guesses: calibrate the cameras first (menu Calibration).</source>
+        <translation>Dieses Verfahren verfolgt in 3D, aber die Kamerapositionen sind nur geraten: Kalibrieren Sie zuerst die Kameras (Menü Kalibrierung).</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -5717,28 +5717,28 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Weniger als „%1“, das dann nicht wirkt.</translation>
     </message>
     <message>
-        <source>How the targets are tracked. Another method starts again; the rest stays.</source>
-        <translation>Wie die Ziele verfolgt werden. Ein anderes Verfahren beginnt neu; der Rest bleibt.</translation>
+        <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
+        <translation>Verfahren der Verfolgung. Ein Wechsel beginnt die Verfolgung neu; andere Einstellungen bleiben.</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>Alle zurücksetzen</translation>
     </message>
     <message>
-        <source>Give all parameters of this method their defaults</source>
-        <translation>Allen Parametern dieses Verfahrens ihre Vorgaben geben</translation>
+        <source>Reset all parameters of this method to their defaults</source>
+        <translation>Alle Parameter dieses Verfahrens auf ihre Vorgaben zurücksetzen</translation>
     </message>
     <message>
         <source>Volume of interest</source>
         <translation>Suchraum</translation>
     </message>
     <message>
-        <source>Targets are searched for in a box alone.</source>
+        <source>Targets are searched for only inside a box.</source>
         <translation>Ziele werden nur in einem Quader gesucht.</translation>
     </message>
     <message>
-        <source>Something here differs from its default.</source>
-        <translation>Hier weicht etwas von seiner Vorgabe ab.</translation>
+        <source>Some values here differ from their defaults.</source>
+        <translation>Einige Werte hier weichen von ihren Vorgaben ab.</translation>
     </message>
 </context>
 <context>
@@ -5748,32 +5748,32 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Personen</translation>
     </message>
     <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>Jemanden in einem Kamerabild oder den Boden in der Vogelperspektive anklicken. Esc beendet es.</translation>
+        <source>Click a person in a camera image, or the floor in the bird&apos;s-eye view. Press Esc to cancel.</source>
+        <translation>Klicken Sie eine Person in einem Kamerabild an, oder den Boden in der Vogelperspektive. Esc bricht ab.</translation>
     </message>
     <message>
-        <source>Folder for the tables of people</source>
+        <source>Folder for the people tables</source>
         <translation>Ordner für die Tabellen der Personen</translation>
     </message>
     <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>In %1 liegen Tabellen eines anderen Laufs. Ersetzen?</translation>
+        <source>%1 contains tables of another run. Replace them?</source>
+        <translation>%1 enthält Tabellen eines anderen Laufs. Ersetzen?</translation>
     </message>
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
     <message>
-        <source>That run is over; the tables of its people were not written.</source>
-        <translation>Dieser Lauf ist vorbei; die Tabellen seiner Personen wurden nicht geschrieben.</translation>
+        <source>That run has ended. Its people tables were not saved.</source>
+        <translation>Dieser Lauf ist beendet. Seine Tabellen der Personen wurden nicht gespeichert.</translation>
     </message>
     <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>Orte, Volumen, Hüllen und Dichten der Personen liegen in %1 (Bilder: %2).</translation>
+        <source>Saved people&apos;s positions, volumes, hulls and densities in %1 (frames: %2).</source>
+        <translation>Positionen, Volumen, Hüllen und Dichten der Personen wurden in %1 gespeichert (Bilder: %2).</translation>
     </message>
     <message>
-        <source>Writing the tables of people…</source>
-        <translation>Die Tabellen der Personen werden geschrieben…</translation>
+        <source>Saving the people tables…</source>
+        <translation>Die Tabellen der Personen werden gespeichert…</translation>
     </message>
     <message>
         <source>Add a person</source>
@@ -5787,103 +5787,103 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::PeoplePanel</name>
     <message>
-        <source>People who are there</source>
+        <source>People in view</source>
         <translation>Anwesende Personen</translation>
     </message>
     <message>
-        <source>How much of the empty room is learned</source>
-        <translation>Wie viel vom leeren Raum gelernt ist</translation>
+        <source>Progress of learning the background</source>
+        <translation>Fortschritt beim Lernen des Hintergrunds</translation>
     </message>
     <message>
         <source>No.</source>
         <translation>Nr.</translation>
     </message>
     <message>
-        <source>Number of the person, which nobody else gets in this run</source>
-        <translation>Nummer der Person, die in diesem Lauf niemand sonst bekommt</translation>
+        <source>Number of the person; it is not used again in this run</source>
+        <translation>Nummer der Person; sie wird in diesem Lauf nicht noch einmal vergeben</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Ort</translation>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in meters</source>
-        <translation>Ort im Raum, x und y in Metern</translation>
+        <source>Position on the floor, x and y in meters</source>
+        <translation>Position auf dem Boden, x und y in Metern</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Estimated height, meters; empty: the method does not estimate it</source>
-        <translation>Geschätzte Größe, Meter; leer: Das Verfahren schätzt sie nicht</translation>
+        <source>Estimated height in meters; empty if the method does not estimate it</source>
+        <translation>Geschätzte Größe in Metern; leer, wenn das Verfahren sie nicht schätzt</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Meters per second over the floor</source>
-        <translation>Meter je Sekunde über dem Boden</translation>
+        <source>Speed over the floor, in meters per second</source>
+        <translation>Tempo über dem Boden, in Metern je Sekunde</translation>
     </message>
     <message>
         <source>Seen</source>
         <translation>Gesehen</translation>
     </message>
     <message>
-        <source>Cameras that see the person, of all</source>
-        <translation>Kameras, die die Person sehen, von allen</translation>
+        <source>Number of cameras that see the person, out of all cameras</source>
+        <translation>Zahl der Kameras, die die Person sehen, von allen Kameras</translation>
     </message>
     <message>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
-        <translation>Volumen der Hülle, die 95 % der Person enthält, Kubikmeter; leer, solange keine Hüllen gezeigt werden</translation>
+        <source>Volume in cubic meters of the hull that contains 95 % of the person; empty while hulls are not shown</source>
+        <translation>Volumen der Hülle, die 95 % der Person enthält, in Kubikmetern; leer, solange keine Hüllen gezeigt werden</translation>
     </message>
     <message>
-        <source>Since</source>
-        <translation>Seit</translation>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
     <message>
-        <source>How long the person has been there, seconds</source>
-        <translation>Wie lange die Person da ist, Sekunden</translation>
+        <source>Time since the person entered, in seconds</source>
+        <translation>Zeit, seit die Person gekommen ist, in Sekunden</translation>
     </message>
     <message>
         <source>Near</source>
         <translation>Nah</translation>
     </message>
     <message>
-        <source>Somebody else is so near that colors are not learned</source>
-        <translation>Jemand anderes ist so nah, dass Farben nicht gelernt werden</translation>
+        <source>Another person is so close that colors are not learned</source>
+        <translation>Eine andere Person ist so nah, dass keine Farben gelernt werden</translation>
     </message>
     <message>
-        <source>Learning the empty room: %1 %. Keep out of view.</source>
-        <translation>Der leere Raum wird gelernt: %1 %. Bitte nicht ins Bild treten.</translation>
+        <source>Learning the background: %1 %. Keep the scene empty.</source>
+        <translation>Der Hintergrund wird gelernt: %1 %. Bitte nicht ins Bild treten.</translation>
     </message>
     <message>
-        <source>Nobody is there. People appear when two cameras see them.</source>
-        <translation>Niemand ist da. Personen erscheinen, wenn zwei Kameras sie sehen.</translation>
+        <source>Nobody is in view. People appear when two cameras see them.</source>
+        <translation>Niemand ist im Bild. Personen erscheinen, wenn zwei Kameras sie sehen.</translation>
     </message>
     <message>
-        <source>People there: %1</source>
-        <translation>Personen da: %1</translation>
+        <source>People in view: %1</source>
+        <translation>Personen im Bild: %1</translation>
     </message>
     <message>
         <source>People appear here once a method for people runs.</source>
         <translation>Personen erscheinen hier, sobald ein Verfahren für Personen läuft.</translation>
     </message>
     <message>
-        <source>Somebody is near</source>
-        <translation>Jemand ist nah</translation>
+        <source>Another person is close</source>
+        <translation>Eine andere Person ist nah</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::PlanPage</name>
     <message>
-        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
-        <translation>Wie gut werden diese Kameras messen, und wo hülfe eine weitere? Eine Kamera in der Vogelperspektive ziehen: die Karte folgt.</translation>
+        <source>See how accurately these cameras will measure, and where another camera would help. Drag a camera in the bird&apos;s-eye view to update the map.</source>
+        <translation>Sehen Sie, wie genau diese Kameras messen werden und wo eine weitere Kamera helfen würde. Ziehen Sie eine Kamera in der Vogelperspektive, und die Karte ändert sich.</translation>
     </message>
     <message>
         <source>Map of expected errors</source>
@@ -5894,8 +5894,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Geplante Kameras</translation>
     </message>
     <message>
-        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
-        <translation>Geplante Kameras werden nicht mit dem Projekt gespeichert und gehören nicht zum Lauf. Die Karte berücksichtigt nichts im Raum, was einen Ort verdeckt.</translation>
+        <source>Planned cameras are not saved with the project and take no part in the run. The map does not account for objects that block the view.</source>
+        <translation>Geplante Kameras werden nicht mit dem Projekt gespeichert und gehören nicht zum Lauf. Die Karte berücksichtigt keine Objekte, die die Sicht versperren.</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -5905,12 +5905,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::PlannerForm</name>
     <message>
-        <source>Add a camera to plan</source>
-        <translation>Eine Kamera einplanen</translation>
+        <source>Add planned camera</source>
+        <translation>Geplante Kamera hinzufügen</translation>
     </message>
     <message>
-        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
-        <translation>Eine Kamera, die es noch nicht gibt: in der Vogelperspektive ziehen oder ihren Ort eingeben (%1)</translation>
+        <source>A camera that does not exist yet: drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
+        <translation>Eine Kamera, die es noch nicht gibt: Ziehen Sie sie in der Vogelperspektive, oder geben Sie ihre Position ein (%1)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5921,8 +5921,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Die geplante Kamera entfernen</translation>
     </message>
     <message>
-        <source>Take the chosen planned camera away</source>
-        <translation>Die gewählte geplante Kamera wegnehmen</translation>
+        <source>Remove the selected planned camera</source>
+        <translation>Die gewählte geplante Kamera entfernen</translation>
     </message>
     <message>
         <source>Planned camera</source>
@@ -5933,8 +5933,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Die geplante Kamera, zu der die Zahlen darunter gehören</translation>
     </message>
     <message>
-        <source>Stands at x, y, z</source>
-        <translation>Steht bei x, y, z</translation>
+        <source>Position x, y, z</source>
+        <translation>Position x, y, z</translation>
     </message>
     <message>
         <source>Looks at x, y, z</source>
@@ -5949,8 +5949,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Geplanter Ort %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in meters</source>
-        <translation>Wo die Kamera steht, in Metern</translation>
+        <source>Position of the camera, in meters</source>
+        <translation>Position der Kamera, in Metern</translation>
     </message>
     <message>
         <source>Planned camera looks at %1</source>
@@ -5965,36 +5965,36 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Blickwinkel</translation>
     </message>
     <message>
-        <source>How wide the camera sees, from left to right</source>
-        <translation>Wie weit die Kamera sieht, von links nach rechts</translation>
+        <source>Horizontal field of view of the camera</source>
+        <translation>Waagerechter Blickwinkel der Kamera</translation>
     </message>
     <message>
         <source>Image width</source>
         <translation>Bildbreite</translation>
     </message>
     <message>
-        <source>Pixels of its image, from left to right</source>
-        <translation>Pixel ihres Bildes, von links nach rechts</translation>
+        <source>Width of its image in pixels</source>
+        <translation>Breite ihres Bildes in Pixeln</translation>
     </message>
     <message>
         <source>Image height</source>
         <translation>Bildhöhe</translation>
     </message>
     <message>
-        <source>Pixels of its image, from top to bottom</source>
-        <translation>Pixel ihres Bildes, von oben nach unten</translation>
+        <source>Height of its image in pixels</source>
+        <translation>Höhe ihres Bildes in Pixeln</translation>
     </message>
     <message>
-        <source>Walls and ceiling outside the volume by</source>
-        <translation>Wände und Decke außerhalb des Raums um</translation>
+        <source>Distance of walls and ceiling</source>
+        <translation>Abstand von Wänden und Decke</translation>
     </message>
     <message>
-        <source>Distance of the walls</source>
-        <translation>Abstand der Wände</translation>
+        <source>Distance of the walls and the ceiling</source>
+        <translation>Abstand der Wände und der Decke</translation>
     </message>
     <message>
-        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
-        <translation>Gesucht wird an den vier Wänden und der Decke um den Raum, so weit außerhalb</translation>
+        <source>The search places the camera on four walls and a ceiling at this distance from the volume</source>
+        <translation>Die Suche setzt die Kamera an vier Wände und eine Decke in diesem Abstand vom Raum</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6005,24 +6005,24 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Die Suche abbrechen</translation>
     </message>
     <message>
-        <source>End the search; nothing is added</source>
-        <translation>Die Suche beenden; nichts wird hinzugefügt</translation>
+        <source>Stop the search without adding a camera</source>
+        <translation>Die Suche beenden, ohne eine Kamera hinzuzufügen</translation>
     </message>
     <message>
         <source>none yet</source>
         <translation>noch keine</translation>
     </message>
     <message>
-        <source>none chosen</source>
+        <source>none selected</source>
         <translation>keine gewählt</translation>
     </message>
     <message>
-        <source>Find the best place for %1</source>
-        <translation>Den besten Ort für %1 suchen</translation>
+        <source>Find best position for %1</source>
+        <translation>Beste Position für %1 suchen</translation>
     </message>
     <message>
-        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
-        <translation>An Wänden und Decke den Ort suchen, von dem eine weitere Kamera am meisten hilft (%1)</translation>
+        <source>Search the walls and the ceiling for the position where another camera would help most (%1)</source>
+        <translation>An Wänden und Decke die Position suchen, an der eine weitere Kamera am meisten helfen würde (%1)</translation>
     </message>
 </context>
 <context>
@@ -6121,64 +6121,64 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Gemessenen Punkt umbenennen</translation>
     </message>
     <message>
-        <source>Place of %1</source>
-        <translation>Ort von %1</translation>
+        <source>Position of %1</source>
+        <translation>Position von %1</translation>
     </message>
     <message>
         <source>Click %1 in %2</source>
         <translation>%1 in %2 anklicken</translation>
     </message>
     <message>
-        <source>Forget %1 in %2</source>
-        <translation>%1 in %2 vergessen</translation>
+        <source>Remove %1 in %2</source>
+        <translation>%1 in %2 entfernen</translation>
     </message>
     <message>
-        <source>Solve cameras from measured points</source>
-        <translation>Kameras aus gemessenen Punkten bestimmen</translation>
+        <source>Compute cameras from measured points</source>
+        <translation>Kameras aus gemessenen Punkten berechnen</translation>
     </message>
     <message>
-        <source>No point was clicked yet: choose one, then click it in the images</source>
-        <translation>Noch kein Punkt wurde angeklickt: einen wählen, dann in den Bildern anklicken</translation>
+        <source>No point has been clicked yet: select one, then click it in the images</source>
+        <translation>Noch kein Punkt wurde angeklickt: Wählen Sie einen aus, und klicken Sie ihn in den Bildern an</translation>
     </message>
     <message>
-        <source>%1: %2 off on average</source>
-        <translation>%1: im Mittel %2 daneben</translation>
+        <source>%1: average error %2</source>
+        <translation>%1: mittlerer Fehler %2</translation>
     </message>
     <message>
-        <source>%1: %2 points are too few, click four or more</source>
-        <translation>%1: %2 Punkte sind zu wenige, vier oder mehr anklicken</translation>
+        <source>%1: %2 points are not enough, click at least four</source>
+        <translation>%1: %2 Punkte reichen nicht, klicken Sie mindestens vier an</translation>
     </message>
     <message>
-        <source>%1: its points lie on one line, add one beside it</source>
-        <translation>%1: ihre Punkte liegen auf einer Geraden, einen daneben hinzufügen</translation>
+        <source>%1: its points lie on one line, add a point beside the line</source>
+        <translation>%1: Ihre Punkte liegen auf einer Geraden, fügen Sie einen Punkt daneben hinzu</translation>
     </message>
     <message>
-        <source>%1: %2, but a second pose fits as well: add a point outside the plane</source>
-        <translation>%1: %2, aber eine zweite Pose passt ebenso gut: einen Punkt außerhalb der Ebene hinzufügen</translation>
+        <source>%1: %2, but a second pose fits equally well: add a point outside the plane</source>
+        <translation>%1: %2, aber eine zweite Lage passt ebenso gut: Fügen Sie einen Punkt außerhalb der Ebene hinzu</translation>
     </message>
     <message>
-        <source>%1: no pose shows the points there</source>
-        <translation>%1: keine Pose zeigt die Punkte dort</translation>
+        <source>%1: no pose fits the clicked points</source>
+        <translation>%1: Keine Lage passt zu den angeklickten Punkten</translation>
     </message>
     <message>
-        <source>%1, unless it was mounted so</source>
-        <translation>%1, falls sie nicht so montiert ist</translation>
+        <source>%1 (ignore this if the camera is mounted that way)</source>
+        <translation>%1 (ignorieren Sie dies, wenn die Kamera so montiert ist)</translation>
     </message>
     <message>
-        <source>%1: then its points fit to %2</source>
-        <translation>%1: dann passen ihre Punkte auf %2</translation>
+        <source>%1: after that, its points fit within %2</source>
+        <translation>%1: danach passen ihre Punkte auf %2</translation>
     </message>
     <message>
-        <source>%1 does not fit the rest (%2, %3): measure or click it again</source>
-        <translation>%1 passt nicht zum Rest (%2, %3): neu messen oder neu anklicken</translation>
+        <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
+        <translation>%1 passt nicht zu den anderen Punkten (%2, %3): Messen Sie ihn neu, oder klicken Sie ihn neu an</translation>
     </message>
     <message>
-        <source>Worst: %1 (%2, %3)</source>
-        <translation>Am schlechtesten: %1 (%2, %3)</translation>
+        <source>Largest error: %1 (%2, %3)</source>
+        <translation>Größter Fehler: %1 (%2, %3)</translation>
     </message>
     <message>
-        <source>Set how %1 lies</source>
-        <translation>Lage der Bilder von %1 setzen</translation>
+        <source>Set orientation of %1</source>
+        <translation>Ausrichtung von %1 setzen</translation>
     </message>
 </context>
 <context>
@@ -6188,8 +6188,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Gemessene Punkte</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
-        <translation>Mit dem Maßband gemessene Orte, in Metern: Doppelklick zum Eingeben. Die markierte Zeile passt am schlechtesten.</translation>
+        <source>Positions measured with a tape, in meters: double-click to edit. The highlighted row has the largest error.</source>
+        <translation>Mit dem Maßband gemessene Positionen, in Metern: Doppelklick zum Bearbeiten. Die hervorgehobene Zeile hat den größten Fehler.</translation>
     </message>
     <message>
         <source>Point</source>
@@ -6224,8 +6224,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Punkt hinzufügen</translation>
     </message>
     <message>
-        <source>Add a place of the room that you measured</source>
-        <translation>Einen Ort des Raumes hinzufügen, der gemessen wurde</translation>
+        <source>Add a position that you measured in the room</source>
+        <translation>Eine Position hinzufügen, die Sie im Raum gemessen haben</translation>
     </message>
     <message>
         <source>Remove point</source>
@@ -6240,44 +6240,44 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>In Bildern anklicken</translation>
     </message>
     <message>
-        <source>Then click the chosen point in every image that shows it: corners are found to a fraction of a pixel (Alt: exactly where you click). Esc ends it.</source>
-        <translation>Dann den gewählten Punkt in jedem Bild anklicken, das ihn zeigt: Ecken werden auf Bruchteile eines Pixels gefunden (Alt: genau wo geklickt wird). Esc beendet es.</translation>
+        <source>Click the selected point in every image that shows it. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
+        <translation>Klicken Sie den gewählten Punkt in jedem Bild an, das ihn zeigt. Ecken werden auf Bruchteile eines Pixels gefunden (Alt: genau dort, wo Sie klicken). Esc beendet es.</translation>
     </message>
     <message>
-        <source>Forget click</source>
-        <translation>Klick vergessen</translation>
+        <source>Remove click</source>
+        <translation>Klick entfernen</translation>
     </message>
     <message>
-        <source>Forget the click of this point in the chosen camera</source>
-        <translation>Den Klick dieses Punktes in der gewählten Kamera vergessen</translation>
+        <source>Remove the click on this point in the selected camera</source>
+        <translation>Den Klick auf diesen Punkt in der gewählten Kamera entfernen</translation>
     </message>
     <message>
-        <source>Solve focal lengths too</source>
-        <translation>Auch Brennweiten bestimmen</translation>
+        <source>Compute focal lengths</source>
+        <translation>Brennweiten berechnen</translation>
     </message>
     <message>
         <source>For cameras with six points or more</source>
         <translation>Für Kameras mit sechs oder mehr Punkten</translation>
     </message>
     <message>
-        <source>Solve cameras</source>
-        <translation>Kameras bestimmen</translation>
+        <source>Compute cameras</source>
+        <translation>Kameras berechnen</translation>
     </message>
     <message>
-        <source>Find the poses of all cameras in which points were clicked; four points or more each</source>
-        <translation>Die Posen aller Kameras finden, in denen Punkte angeklickt wurden; je vier oder mehr</translation>
+        <source>Compute the poses of all cameras in which points were clicked; each needs at least four points</source>
+        <translation>Die Lagen aller Kameras berechnen, in denen Punkte angeklickt wurden; jede braucht mindestens vier Punkte</translation>
     </message>
     <message>
         <source>%1: %2, %3</source>
         <translation>%1: %2, %3</translation>
     </message>
     <message>
-        <source>Set it: %1</source>
-        <translation>Setzen: %1</translation>
+        <source>Apply: %1</source>
+        <translation>Anwenden: %1</translation>
     </message>
     <message>
-        <source>Turn or mirror the images of this camera so, and solve again</source>
-        <translation>Die Bilder dieser Kamera so drehen oder spiegeln und neu bestimmen</translation>
+        <source>Rotate or mirror the images of this camera and compute its pose again</source>
+        <translation>Die Bilder dieser Kamera drehen oder spiegeln und ihre Lage neu berechnen</translation>
     </message>
 </context>
 <context>
@@ -6299,12 +6299,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Some of these results are of earlier settings.</source>
+        <source>Some of these results are from earlier settings.</source>
         <translation>Einige dieser Ergebnisse stammen von früheren Einstellungen.</translation>
     </message>
     <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>Die Vorschau wurde angehalten. Die nächste Änderung beginnt sie neu.</translation>
+        <source>The preview was stopped. It starts again at the next change.</source>
+        <translation>Die Vorschau wurde angehalten. Sie beginnt bei der nächsten Änderung von vorn.</translation>
     </message>
 </context>
 <context>
@@ -6314,8 +6314,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Problem melden – Dewpoint</translation>
     </message>
     <message>
-        <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
-        <translation>Schreiben Sie denen, von denen Sie Dewpoint haben: was Sie getan haben, was Sie erwartet haben und was stattdessen geschah. Fügen Sie den Text unten hinzu und, wenn möglich, die Projektdatei und ein Bildschirmfoto. Von selbst wird nichts gesendet.</translation>
+        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
+        <translation>Schreiben Sie an die Stelle, von der Sie Dewpoint haben. Beschreiben Sie, was Sie getan haben, was Sie erwartet haben und was geschah. Fügen Sie den Text unten an und, wenn möglich, die Projektdatei und ein Bildschirmfoto. Nichts wird automatisch gesendet.</translation>
     </message>
     <message>
         <source>Text for the report</source>
@@ -6341,12 +6341,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::ProjectController</name>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen.</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>Klicken Sie das Objekt in einer Kameraansicht an, oder ziehen Sie einen Rahmen darum.</translation>
     </message>
     <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>Klicken Sie in irgendeinem Bild auf das, was verfolgt werden soll: Seine Farbe wird gelernt, und die Verfolgung beginnt.</translation>
+        <source>Click the object to track in any image. Its color is learned and tracking starts.</source>
+        <translation>Klicken Sie in einem Bild das Objekt an, das verfolgt werden soll. Seine Farbe wird gelernt, und die Verfolgung beginnt.</translation>
     </message>
     <message>
         <source>Open a project</source>
@@ -6368,16 +6368,16 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Die Kameras bestätigen, wo das Ziel ist.</translation>
     </message>
     <message>
-        <source>Something else fits about as well. Press X and drag the target to where it is.</source>
-        <translation>Etwas anderes passt etwa genauso gut. Drücken Sie X, und ziehen Sie das Ziel dorthin, wo es ist.</translation>
+        <source>Another object fits about as well. Press X and drag the target to its true position.</source>
+        <translation>Ein anderes Objekt passt etwa genauso gut. Drücken Sie X, und ziehen Sie das Ziel an seine wahre Position.</translation>
     </message>
     <message>
         <source>Not found yet, or not seen for less than a second.</source>
         <translation>Noch nicht gefunden, oder seit weniger als einer Sekunde nicht gesehen.</translation>
     </message>
     <message>
-        <source>Not seen for a second. The line at the bottom says why.</source>
-        <translation>Seit einer Sekunde nicht gesehen. Die Zeile unten sagt, warum.</translation>
+        <source>Not seen for more than a second. The status bar shows why.</source>
+        <translation>Seit mehr als einer Sekunde nicht gesehen. Die Statusleiste zeigt, warum.</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
@@ -6388,15 +6388,15 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Was Sie sehen</translation>
     </message>
     <message>
-        <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation>Jede Kameraansicht zeigt ihr Bild und darüber, was das Programm glaubt. Die Vogelperspektive zeigt dasselbe im Raum.</translation>
+        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the same in the room.</source>
+        <translation>Jede Kameraansicht zeigt ihr Bild und darüber die Schätzungen. Die Vogelperspektive zeigt dasselbe im Raum.</translation>
     </message>
     <message>
-        <source>How sure it is</source>
-        <translation>Wie sicher es ist</translation>
+        <source>State of a target</source>
+        <translation>Zustand eines Ziels</translation>
     </message>
     <message>
-        <source>How to begin</source>
+        <source>How to start</source>
         <translation>Wie Sie beginnen</translation>
     </message>
     <message>
@@ -6404,24 +6404,24 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>1.  Öffnen Sie ein Video je Kamera, oder schließen Sie Kameras an: Datei › Neues Projekt (%1). Oder probieren Sie zuerst die Demo aus.</translation>
     </message>
     <message>
-        <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
-        <translation>2.  Geben Sie die Kalibrierung der Kameras an, oder machen Sie eine: Menü Kalibrierung (%1 beginnt von Hand). Ohne sie werden Ziele nur in den Bildern verfolgt.</translation>
+        <source>2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by hand). Without it, targets are tracked only in the images.</source>
+        <translation>2.  Laden Sie eine Kalibrierung der Kameras, oder erstellen Sie eine: Menü Kalibrierung (%1 beginnt von Hand). Ohne sie werden Ziele nur in den Bildern verfolgt.</translation>
     </message>
     <message>
-        <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
-        <translation>3.  Klicken Sie in irgendeinem Bild das Ding an, das verfolgt werden soll. Seine Farbe wird in allen Kameras gelernt, und die Verfolgung beginnt.</translation>
+        <source>3.  Click the object to track in any image. Its color is learned in all cameras, and tracking starts.</source>
+        <translation>3.  Klicken Sie in einem Bild das Objekt an, das verfolgt werden soll. Seine Farbe wird in allen Kameras gelernt, und die Verfolgung beginnt.</translation>
     </message>
     <message>
-        <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
-        <translation>4.  %1 spielt ab und hält an. Ziehen Sie auf der Zeitleiste, um zurückzublicken: Jede Ansicht zeigt das Bild, wie es war.</translation>
+        <source>4.  Press %1 to play or pause. Drag along the timeline to look back: all views then show that frame as it was tracked.</source>
+        <translation>4.  %1 spielt ab und hält an. Ziehen Sie auf der Zeitleiste, um zurückzublicken: Alle Ansichten zeigen dann dieses Bild, wie es verfolgt wurde.</translation>
     </message>
     <message>
         <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
         <translation>5.  Exportieren Sie die Bahn: Datei › Bahn exportieren (%1).</translation>
     </message>
     <message>
-        <source>All signs…</source>
-        <translation>Alle Zeichen…</translation>
+        <source>Show legend…</source>
+        <translation>Legende zeigen…</translation>
     </message>
     <message>
         <source>Open the legend of all that is drawn over the images</source>
@@ -6447,76 +6447,76 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::RecentList</name>
     <message>
-        <source>The file is gone</source>
+        <source>The file no longer exists</source>
         <translation>Die Datei ist nicht mehr da</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecentMenu</name>
     <message>
-        <source>Nothing yet</source>
-        <translation>Noch nichts</translation>
+        <source>No recent projects</source>
+        <translation>Keine zuletzt geöffneten Projekte</translation>
     </message>
     <message>
-        <source>Forget these</source>
-        <translation>Diese vergessen</translation>
+        <source>Clear list</source>
+        <translation>Liste leeren</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecoveryOffer</name>
     <message>
-        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
-        <translation>Dewpoint wurde nicht ordentlich beendet. Ungespeicherte Arbeit an „%1“ ist von %2.</translation>
+        <source>Dewpoint closed unexpectedly. Unsaved changes to “%1” from %2 can be recovered.</source>
+        <translation>Dewpoint wurde unerwartet beendet. Ungespeicherte Änderungen an „%1“ von %2 lassen sich wiederherstellen.</translation>
     </message>
     <message>
-        <source>Recover it</source>
+        <source>Recover</source>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Throw it away</source>
+        <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>Ungespeicherte Arbeit an „%1“ wurde verworfen.</translation>
+        <source>Unsaved changes to “%1” were discarded.</source>
+        <translation>Ungespeicherte Änderungen an „%1“ wurden verworfen.</translation>
     </message>
     <message>
-        <source>Take it back</source>
-        <translation>Zurückholen</translation>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>%1 hierher: x %2, y %3, z %4. Dann liegen %5 des Raums innerhalb von %6, statt %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), %5 of the volume is within %6, instead of %7.</source>
+        <translation>Mit %1 hier (x %2, y %3, z %4) liegen %5 des Raums innerhalb von %6, statt %7.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RunAlerts</name>
     <message>
-        <source>No camera was bumped.</source>
-        <translation>Keine Kamera wurde verdreht.</translation>
+        <source>No camera has moved.</source>
+        <translation>Keine Kamera hat sich bewegt.</translation>
     </message>
     <message>
-        <source>%1 cannot be solved again now.</source>
-        <translation>%1 lässt sich jetzt nicht neu bestimmen.</translation>
+        <source>The pose of %1 cannot be recomputed now.</source>
+        <translation>Die Lage von %1 lässt sich jetzt nicht neu berechnen.</translation>
     </message>
     <message>
-        <source>Re-solve %1</source>
-        <translation>%1 neu bestimmen</translation>
+        <source>Recompute %1</source>
+        <translation>%1 neu berechnen</translation>
     </message>
     <message>
-        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
-        <translation>%1 ist jetzt so kalibriert, wie sie steht. Rückgängig nimmt es zurück.</translation>
+        <source>The pose of %1 was recomputed. Undo restores the previous pose.</source>
+        <translation>Die Lage von %1 wurde neu berechnet. „Rückgängig“ stellt die vorige Lage wieder her.</translation>
     </message>
     <message>
-        <source>The target was %1 beside where the others see it, and is %2 now.</source>
-        <translation>Das Ziel lag %1 neben dem, wo die anderen es sehen, jetzt %2.</translation>
+        <source>Disagreement with the other cameras: %1 before, %2 now.</source>
+        <translation>Abweichung von den anderen Kameras: vorher %1, jetzt %2.</translation>
     </message>
     <message>
-        <source>Done: %1. Undo takes it back.</source>
-        <translation>Erledigt: %1. „Rückgängig“ nimmt es zurück.</translation>
+        <source>Done: %1. You can undo this.</source>
+        <translation>Erledigt: %1. Sie können es rückgängig machen.</translation>
     </message>
 </context>
 <context>
@@ -6526,20 +6526,20 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Median %1, 99 von 100 innerhalb von %2, längste %3</translation>
     </message>
     <message>
-        <source>none is set</source>
-        <translation>keines festgelegt</translation>
+        <source>not set</source>
+        <translation>nicht festgelegt</translation>
     </message>
     <message>
         <source>%1, kept in %2 % of the iterations of this run</source>
         <translation>%1, in %2 % der Iterationen dieses Laufs eingehalten</translation>
     </message>
     <message>
-        <source>Time per iteration, median</source>
-        <translation>Zeit pro Iteration, Median</translation>
+        <source>Median time per iteration</source>
+        <translation>Mediane Zeit pro Iteration</translation>
     </message>
     <message>
-        <source>From a frame to its estimate</source>
-        <translation>Vom Bild zu seiner Schätzung</translation>
+        <source>Time from frame to estimate</source>
+        <translation>Zeit vom Bild zur Schätzung</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
@@ -6562,8 +6562,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>Kept of the past</source>
-        <translation>Aufbewahrter Verlauf</translation>
+        <source>History memory</source>
+        <translation>Speicher für den Verlauf</translation>
     </message>
     <message>
         <source>%1 of %2 particles</source>
@@ -6577,8 +6577,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
 <context>
     <name>dewpoint::ui::SessionController</name>
     <message>
-        <source>Restart the run? What was tracked so far is lost.</source>
-        <translation>Den Lauf neu beginnen? Was bisher verfolgt wurde, geht verloren.</translation>
+        <source>Restart the run? The results so far will be lost.</source>
+        <translation>Den Lauf neu beginnen? Die bisherigen Ergebnisse gehen verloren.</translation>
     </message>
     <message>
         <source>Restart</source>
@@ -6612,8 +6612,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>What it does</source>
-        <translation>Was sie tut</translation>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
     </message>
     <message>
         <source>Actions and their shortcuts</source>
@@ -6632,43 +6632,43 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Kein Tastenkürzel</translation>
     </message>
     <message>
-        <source>Take the shortcut of the chosen action away</source>
-        <translation>Der gewählten Aktion das Tastenkürzel nehmen</translation>
+        <source>Remove the shortcut of the selected action</source>
+        <translation>Das Tastenkürzel der gewählten Aktion entfernen</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>Alle zurücksetzen</translation>
     </message>
     <message>
-        <source>All shortcuts as they were at first</source>
-        <translation>Alle Tastenkürzel wie am Anfang</translation>
+        <source>Reset all shortcuts to their defaults</source>
+        <translation>Alle Tastenkürzel auf ihre Vorgaben zurücksetzen</translation>
     </message>
     <message>
         <source>Choose an action, click into the field below and press the new keys.</source>
         <translation>Eine Aktion wählen, in das Feld unten klicken und die neuen Tasten drücken.</translation>
     </message>
     <message>
-        <source>“%1” has no shortcut now.</source>
-        <translation>„%1“ hat jetzt kein Tastenkürzel.</translation>
+        <source>“%1” no longer has a shortcut.</source>
+        <translation>„%1“ hat kein Tastenkürzel mehr.</translation>
     </message>
     <message>
-        <source>All shortcuts are as they were at first.</source>
-        <translation>Alle Tastenkürzel sind wie am Anfang.</translation>
+        <source>All shortcuts were reset to their defaults.</source>
+        <translation>Alle Tastenkürzel wurden auf ihre Vorgaben zurückgesetzt.</translation>
     </message>
     <message>
         <source>“%1” is now %2.</source>
         <translation>„%1“ ist jetzt %2.</translation>
     </message>
     <message>
-        <source>“%1” is now %2; “%3” has lost it.</source>
-        <translation>„%1“ ist jetzt %2; „%3“ hat es verloren.</translation>
+        <source>“%1” is now %2; it was removed from “%3”.</source>
+        <translation>„%1“ ist jetzt %2; bei „%3“ wurde es entfernt.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Close; changed shortcuts are kept already</source>
+        <source>Close; changed shortcuts are already saved</source>
         <translation>Schließen; geänderte Kürzel sind schon gespeichert</translation>
     </message>
 </context>
@@ -6685,8 +6685,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>How fast the recording is played. Live cameras are always tracked as they come.</source>
-        <translation>Wie schnell die Aufnahme abgespielt wird. Livekameras werden immer so verfolgt, wie ihre Bilder kommen.</translation>
+        <source>Playback speed of the recording. Live cameras are always tracked in real time.</source>
+        <translation>Wiedergabegeschwindigkeit der Aufnahme. Livekameras werden immer in Echtzeit verfolgt.</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6724,7 +6724,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Eine Sekunde lang verdeckt</translation>
     </message>
     <message>
-        <source>A box passes in front of the ball. One camera is enough to keep it.</source>
+        <source>A box passes in front of the ball. One camera is enough to keep tracking it.</source>
         <translation>Eine Kiste zieht vor dem Ball vorbei. Eine Kamera genügt, um ihn zu halten.</translation>
     </message>
     <message>
@@ -6736,15 +6736,15 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Personen in einem Büro</translation>
     </message>
     <message>
-        <source>Four cameras carve everybody out of space, and give each a number.</source>
-        <translation>Vier Kameras schälen jede Person aus dem Raum heraus und geben ihr eine Nummer.</translation>
+        <source>Four cameras find everyone in 3D and give each person a number.</source>
+        <translation>Vier Kameras finden jede Person in 3D und geben ihr eine Nummer.</translation>
     </message>
     <message>
         <source>One camera and a box</source>
         <translation>Eine Kamera und ein Rahmen</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is followed by its colors.</source>
+        <source>No calibration: a box in the image is tracked by its colors.</source>
         <translation>Keine Kalibrierung: Ein Rahmen im Bild wird anhand seiner Farben verfolgt.</translation>
     </message>
     <message>
@@ -6752,8 +6752,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Von Hand kalibrieren</translation>
     </message>
     <message>
-        <source>Drag a grid over the images until it lies on the floor.</source>
-        <translation>Ein Gitter über die Bilder ziehen, bis es auf dem Boden liegt.</translation>
+        <source>Drag a grid over the images until it matches the floor.</source>
+        <translation>Ein Gitter über die Bilder ziehen, bis es zum Boden passt.</translation>
     </message>
     <message>
         <source>Follow colored objects in 3D with ordinary cameras.</source>
@@ -6764,8 +6764,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Zwei simulierte Kameras sehen einen rosa Ball; ein Partikelfilter findet ihn und verfolgt ihn durch den Raum. Anhalten, zurückblicken, alles ändern: Nichts kann kaputtgehen.</translation>
     </message>
     <message>
-        <source>Your own</source>
-        <translation>Ihr Eigenes</translation>
+        <source>Your own data</source>
+        <translation>Eigene Daten</translation>
     </message>
     <message>
         <source>Open videos…</source>
@@ -6780,19 +6780,19 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Kameras verwenden…</translation>
     </message>
     <message>
-        <source>Connected ones, or network streams</source>
-        <translation>Angeschlossene oder Netzwerkströme</translation>
+        <source>Connected cameras or network streams</source>
+        <translation>Angeschlossene Kameras oder Netzwerkströme</translation>
     </message>
     <message>
         <source>Open a project…</source>
         <translation>Projekt öffnen…</translation>
     </message>
     <message>
-        <source>One that was saved before</source>
-        <translation>Ein früher gespeichertes</translation>
+        <source>A project saved earlier</source>
+        <translation>Ein früher gespeichertes Projekt</translation>
     </message>
     <message>
-        <source>Four balls alike</source>
+        <source>Four identical balls</source>
         <translation>Vier gleiche Bälle</translation>
     </message>
 </context>
@@ -6847,16 +6847,16 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Rückblick</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier moment, or tracking it again</source>
-        <translation>Läuft, angehalten, am Ende, im Rückblick auf einen früheren Moment oder diesen erneut verfolgend</translation>
+        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking it again</source>
+        <translation>Läuft, angehalten, am Ende, im Rückblick auf ein früheres Bild oder dieses erneut verfolgend</translation>
     </message>
     <message>
-        <source>held where it is thought to be</source>
-        <translation>gehalten, wo es vermutet wird</translation>
+        <source>held at its estimated position</source>
+        <translation>an der geschätzten Position gehalten</translation>
     </message>
     <message>
-        <source>click it or drag a box around it</source>
-        <translation>anklicken oder einen Rahmen darum ziehen</translation>
+        <source>click the object or drag a box around it</source>
+        <translation>Objekt anklicken oder einen Rahmen darum ziehen</translation>
     </message>
     <message>
         <source>x %1  y %2  %3 × %4</source>
@@ -6871,20 +6871,20 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>○ Personen: %1, sucht</translation>
     </message>
     <message>
-        <source>others fit as well: press X, drag the target</source>
-        <translation>anderes passt ebenso gut: X drücken, Ziel ziehen</translation>
+        <source>other objects fit equally well: press X, drag the target</source>
+        <translation>andere Objekte passen ebenso gut: X drücken, Ziel ziehen</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
-        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Etwas anderes passt etwa genauso gut. Verloren: seit einer Sekunde nicht gehalten.</translation>
+        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not held for more than a second.</source>
+        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Verloren: seit mehr als einer Sekunde nicht gehalten.</translation>
     </message>
     <message>
         <source>± %1</source>
         <translation>± %1</translation>
     </message>
     <message>
-        <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
-        <translation>Wie genau die Position bekannt ist: die Standardabweichung in 3D, x, y und z zusammen (die Kurven zeigen sie einzeln)</translation>
+        <source>Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the plots show each of them)</source>
+        <translation>Unsicherheit der Position: die Standardabweichung in 3D, x, y und z zusammen (die Kurven zeigen sie einzeln)</translation>
     </message>
     <message>
         <source>%1 m/s</source>
@@ -6899,8 +6899,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Details</translation>
     </message>
     <message>
-        <source>Times, particles, and what is kept of the past</source>
-        <translation>Zeiten, Partikel und der aufbewahrte Verlauf</translation>
+        <source>Times, particles and history memory</source>
+        <translation>Zeiten, Partikel und Speicher für den Verlauf</translation>
     </message>
 </context>
 <context>
@@ -6930,8 +6930,8 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated.</source>
-        <translation>Radius des Balls, 0 bis 2.000 mm. Unbekannt: Er wird geschätzt.</translation>
+        <source>Radius of the ball, 0 to 2,000 mm. If unknown, it is estimated.</source>
+        <translation>Radius des Balls, 0 bis 2.000 mm. Ist er unbekannt, wird er geschätzt.</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -6950,16 +6950,16 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>beliebig</translation>
     </message>
     <message>
-        <source>Ball: its outline is a circle in every image. Any: its extent is learned, and its center is that of its color. Automatic: the images decide. Only method dewpoint uses this.</source>
-        <translation>Ball: Sein Umriss ist in jedem Bild ein Kreis. Beliebig: Die Ausdehnung wird gelernt, und der Mittelpunkt ist der seiner Farbe. Automatisch: Die Bilder entscheiden. Nur das Verfahren dewpoint verwendet dies.</translation>
+        <source>Ball: the outline is a circle in every image. Any: the size is learned, and the center is the center of the color. Automatic: determined from the images. Only method dewpoint uses this.</source>
+        <translation>Ball: Der Umriss ist in jedem Bild ein Kreis. Beliebig: Die Größe wird gelernt, und der Mittelpunkt ist der Mittelpunkt der Farbe. Automatisch: aus den Bildern bestimmt. Nur das Verfahren dewpoint verwendet dies.</translation>
     </message>
     <message>
-        <source>No target yet: click the thing to follow in any camera image.</source>
-        <translation>Noch kein Ziel: In einem Kamerabild auf das klicken, was verfolgt werden soll.</translation>
+        <source>No target yet: click the object to track in any camera image.</source>
+        <translation>Noch kein Ziel: Klicken Sie in einem Kamerabild das Objekt an, das verfolgt werden soll.</translation>
     </message>
     <message>
-        <source>The color of a target is learned by clicking it in a camera image.</source>
-        <translation>Die Farbe eines Ziels wird gelernt, wenn man es in einem Kamerabild anklickt.</translation>
+        <source>Click a target in a camera image to learn its color.</source>
+        <translation>Klicken Sie ein Ziel in einem Kamerabild an, um seine Farbe zu lernen.</translation>
     </message>
     <message>
         <source>Rename target</source>
@@ -6978,12 +6978,12 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Ziel entfernen</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view: it is followed from there on.</source>
-        <translation>Das Ding in einer Kameraansicht anklicken oder einen Rahmen darum ziehen: Von da an wird ihm gefolgt.</translation>
+        <source>Click the object or drag a box around it in any camera view. It is tracked from there.</source>
+        <translation>Klicken Sie das Objekt in einer Kameraansicht an, oder ziehen Sie einen Rahmen darum. Von da an wird es verfolgt.</translation>
     </message>
     <message>
-        <source>No box at this moment.</source>
-        <translation>Zu diesem Zeitpunkt kein Rahmen.</translation>
+        <source>No box in this frame.</source>
+        <translation>In diesem Bild kein Rahmen.</translation>
     </message>
     <message>
         <source>%1, in %2
@@ -7047,23 +7047,23 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Threads</translation>
     </message>
     <message>
-        <source>as suits this machine</source>
-        <translation>wie es zu diesem Rechner passt</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
-        <source>How many threads share the work of the filter; results are the same with any number</source>
-        <translation>Wie viele Threads sich die Arbeit des Filters teilen; die Ergebnisse sind mit jeder Anzahl dieselben</translation>
+        <source>Number of threads of the filter; it does not change the results</source>
+        <translation>Zahl der Threads des Filters; sie ändert die Ergebnisse nicht</translation>
     </message>
     <message>
-        <source>Used from the next frame on.</source>
-        <translation>Gilt ab dem nächsten Bild.</translation>
+        <source>The new number is used from the next frame.</source>
+        <translation>Die neue Anzahl gilt ab dem nächsten Bild.</translation>
     </message>
     <message>
         <source>OK</source>
         <translation>OK</translation>
     </message>
     <message>
-        <source>Keep this number</source>
+        <source>Use this number</source>
         <translation>Diese Anzahl übernehmen</translation>
     </message>
     <message>
@@ -7078,11 +7078,11 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
-        <translation>Speicher, um im Lauf zurückzugehen: Bilder, Partikel und Kopien des Verfahrens. Ist er voll, behalten ältere Momente nur ihre Schätzungen.</translation>
+        <source>Memory for looking back: images, particles and copies of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Speicher für den Rückblick: Bilder, Partikel und Kopien des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
     </message>
     <message>
-        <source>Nothing tracked yet: play (Space), then drag here through time.</source>
+        <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
         <translation>Noch nichts verfolgt: abspielen (Leertaste), dann hier durch die Zeit ziehen.</translation>
     </message>
     <message>
@@ -7090,8 +7090,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
-        <translation>Die Änderung gilt ab jetzt. „%1“ zeigt, was sie aus diesem Moment macht.</translation>
+        <source>The change applies to new frames. Use “%1” to track again from the current frame.</source>
+        <translation>Die Änderung gilt für neue Bilder. Mit „%1“ verfolgen Sie ab dem aktuellen Bild erneut.</translation>
     </message>
 </context>
 <context>
@@ -7101,36 +7101,36 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Der Ball %1</translation>
     </message>
     <message>
-        <source>What the ball does at the moment</source>
-        <translation>Was der Ball in dem Augenblick tut</translation>
+        <source>What the ball does at this time</source>
+        <translation>Was der Ball zu diesem Zeitpunkt tut</translation>
     </message>
     <message>
-        <source>Three places of the floor, or a fall, tell where up is</source>
-        <translation>Drei Stellen des Bodens oder ein Fall sagen, wo oben ist</translation>
+        <source>The upward direction comes from three positions on the floor, or from a fall</source>
+        <translation>Die Richtung nach oben ergibt sich aus drei Positionen auf dem Boden oder aus einem Fall</translation>
     </message>
     <message>
-        <source>Take this moment</source>
-        <translation>Diesen Augenblick nehmen</translation>
+        <source>Add current time</source>
+        <translation>Aktuelle Zeit hinzufügen</translation>
     </message>
     <message>
-        <source>The moment that the images show is one at which the ball does this</source>
-        <translation>In dem Augenblick, den die Bilder zeigen, tut der Ball dies</translation>
+        <source>Add the time of the images shown as one at which the ball does this</source>
+        <translation>Die Zeit der gezeigten Bilder als Zeitpunkt hinzufügen, zu dem der Ball dies tut</translation>
     </message>
     <message>
-        <source>Remove moment</source>
-        <translation>Augenblick entfernen</translation>
+        <source>Remove time</source>
+        <translation>Zeit entfernen</translation>
     </message>
     <message>
-        <source>Take the chosen moment off the list</source>
-        <translation>Den gewählten Augenblick aus der Liste nehmen</translation>
+        <source>Remove the selected time from the list</source>
+        <translation>Den gewählten Zeitpunkt aus der Liste entfernen</translation>
     </message>
     <message>
-        <source>Moments taken</source>
-        <translation>Genommene Augenblicke</translation>
+        <source>Added times</source>
+        <translation>Hinzugefügte Zeitpunkte</translation>
     </message>
     <message>
-        <source>Double click or Enter shows the moment</source>
-        <translation>Doppelklick oder Eingabe zeigt den Augenblick</translation>
+        <source>Double-click or press Enter to show the images of this time</source>
+        <translation>Doppelklick oder Eingabe zeigt die Bilder dieses Zeitpunkts</translation>
     </message>
     <message>
         <source>%1 – %2</source>
@@ -7152,8 +7152,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Zeit, s</translation>
     </message>
     <message>
-        <source>Seconds, of the frame</source>
-        <translation>Sekunden, des Bildes</translation>
+        <source>Time of the frame, in seconds</source>
+        <translation>Zeit des Bildes, in Sekunden</translation>
     </message>
     <message>
         <source>frame</source>
@@ -7208,8 +7208,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Existenz</translation>
     </message>
     <message>
-        <source>Probability that the target is where the estimate says</source>
-        <translation>Wahrscheinlichkeit, dass das Ziel dort ist, wo die Schätzung sagt</translation>
+        <source>Probability that the target is at the estimated position</source>
+        <translation>Wahrscheinlichkeit, dass das Ziel an der geschätzten Position ist</translation>
     </message>
     <message>
         <source>state</source>
@@ -7224,8 +7224,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>◇ mehrdeutig</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Corrected: you said where the target is</source>
-        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Etwas anderes passt etwa genauso gut. Korrigiert: Sie haben gesagt, wo das Ziel ist</translation>
+        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
+        <translation>Gehalten: Die Kameras bestätigen die Schätzung. Mehrdeutig: Ein anderes Objekt passt etwa genauso gut. Korrigiert: Sie haben die Position gesetzt</translation>
     </message>
 </context>
 <context>
@@ -7280,11 +7280,11 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Rahmen sind als CSV in der Zwischenablage.</translation>
     </message>
     <message>
-        <source>Remove the correction</source>
-        <translation>Die Korrektur entfernen</translation>
+        <source>Remove correction</source>
+        <translation>Korrektur entfernen</translation>
     </message>
     <message>
-        <source>Speed and height appear when tracking runs.</source>
+        <source>Speed and height appear during tracking.</source>
         <translation>Geschwindigkeit und Höhe erscheinen, sobald die Verfolgung läuft.</translation>
     </message>
 </context>
@@ -7295,8 +7295,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Karte in der Vogelperspektive zeigen</translation>
     </message>
     <message>
-        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
-        <translation>Wie weit ein Ziel an jedem Ort voraussichtlich danebenliegt; folgt jeder Bewegung einer Kamera</translation>
+        <source>Expected position error of a target at each point; updated whenever a camera moves</source>
+        <translation>Erwarteter Positionsfehler eines Ziels an jedem Punkt; folgt jeder Bewegung einer Kamera</translation>
     </message>
     <message>
         <source>Colors show</source>
@@ -7311,28 +7311,28 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>die Zahl der Kameras</translation>
     </message>
     <message>
-        <source>What the colors show</source>
-        <translation>Was die Farben zeigen</translation>
+        <source>Meaning of the colors</source>
+        <translation>Bedeutung der Farben</translation>
     </message>
     <message>
-        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
-        <translation>Der erwartete Fehler (Standardabweichung in der schlechtesten Richtung), oder wie viele Kameras einen Ort sehen</translation>
+        <source>The expected error (standard deviation in the worst direction), or the number of cameras that see a point</source>
+        <translation>Der erwartete Fehler (Standardabweichung in der schlechtesten Richtung), oder die Zahl der Kameras, die einen Punkt sehen</translation>
     </message>
     <message>
-        <source>Good enough</source>
-        <translation>Gut genug</translation>
+        <source>Acceptable error</source>
+        <translation>Zulässiger Fehler</translation>
     </message>
     <message>
-        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
-        <translation>Der Fehler, der gut genug ist: bis dahin ist die Karte blau, und danach richten sich der Satz und die Suche nach einem Ort</translation>
+        <source>Errors up to this value are blue in the map. The summary and the search for a camera position use it, too</source>
+        <translation>Fehler bis zu diesem Wert sind in der Karte blau. Auch die Zusammenfassung und die Suche nach einer Kameraposition verwenden ihn</translation>
     </message>
     <message>
-        <source>Error of a sighting</source>
-        <translation>Fehler einer Sichtung</translation>
+        <source>Detection error</source>
+        <translation>Erkennungsfehler</translation>
     </message>
     <message>
-        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
-        <translation>Wie weit daneben ein Ziel im Bild gefunden wird, in Pixeln (eine Standardabweichung)</translation>
+        <source>Error of a target&apos;s position in an image, in pixels (one standard deviation)</source>
+        <translation>Fehler der Position eines Ziels im Bild, in Pixeln (eine Standardabweichung)</translation>
     </message>
     <message>
         <source>Layer at</source>
@@ -7355,12 +7355,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Höhe der Schicht in Metern</translation>
     </message>
     <message>
-        <source>Volume: surfaces around what is good and what is fair</source>
-        <translation>Raum: Flächen um Gutes und Brauchbares</translation>
+        <source>Surfaces around good and fair regions</source>
+        <translation>Flächen um gute und brauchbare Bereiche</translation>
     </message>
     <message>
-        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
-        <translation>Im ganzen Raum zeigen, wo der Fehler höchstens das 0,4-, 1- und 2-fache dessen ist, was gut genug ist, oder wo zwei, drei und vier Kameras sehen</translation>
+        <source>Show surfaces in the room where the error is at most 0.4, 1 and 2 times the acceptable error, or where two, three and four cameras see</source>
+        <translation>Im Raum Flächen zeigen, in denen der Fehler höchstens das 0,4-, 1- und 2-fache des zulässigen Fehlers ist, oder wo zwei, drei und vier Kameras sehen</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7375,20 +7375,20 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Raum von %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in meters</source>
-        <translation>Wo der Raum beginnt, in Metern</translation>
+        <source>Lower corner of the volume, in meters</source>
+        <translation>Untere Ecke des Raums, in Metern</translation>
     </message>
     <message>
         <source>Volume to %1</source>
         <translation>Raum bis %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in meters</source>
-        <translation>Wo der Raum endet, in Metern</translation>
+        <source>Upper corner of the volume, in meters</source>
+        <translation>Obere Ecke des Raums, in Metern</translation>
     </message>
     <message>
-        <source>Like the reference grid</source>
-        <translation>Wie das Bezugsgitter</translation>
+        <source>Use reference grid</source>
+        <translation>Bezugsgitter verwenden</translation>
     </message>
     <message>
         <source>The volume above the reference grid, up to the highest camera</source>
@@ -7406,11 +7406,11 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Vorn</translation>
     </message>
     <message>
-        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <source>View from above: X to the right, Y up. Drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>Blick von oben: X nach rechts, Y nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
     </message>
     <message>
-        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <source>View from the front: X to the right, Z up. Drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>Blick von vorn: X nach rechts, Z nach oben. Ziehen verschiebt, das Rad zoomt, ein Doppelklick zeigt alles.</translation>
     </message>
     <message>
@@ -7426,8 +7426,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>See everything again, in the same view. Double click does it too.</source>
-        <translation>Wieder alles sehen, in derselben Ansicht. Ein Doppelklick tut es auch.</translation>
+        <source>Fit everything in the view, in the same direction (or double-click)</source>
+        <translation>Alles in die Ansicht einpassen, bei gleicher Richtung (auch per Doppelklick)</translation>
     </message>
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
@@ -7476,19 +7476,19 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Suchraum bis %1</translation>
     </message>
     <message>
-        <source>Where the volume of interest begins, in meters; targets are searched for in it alone</source>
-        <translation>Wo der Suchraum beginnt, in Metern; Ziele werden nur in ihm gesucht</translation>
+        <source>Lower corner of the volume of interest, in meters; targets are searched for only inside it</source>
+        <translation>Untere Ecke des Suchraums, in Metern; Ziele werden nur in ihm gesucht</translation>
     </message>
     <message>
-        <source>Where the volume of interest ends, in meters; targets are searched for in it alone</source>
-        <translation>Wo der Suchraum endet, in Metern; Ziele werden nur in ihm gesucht</translation>
+        <source>Upper corner of the volume of interest, in meters; targets are searched for only inside it</source>
+        <translation>Obere Ecke des Suchraums, in Metern; Ziele werden nur in ihm gesucht</translation>
     </message>
     <message>
         <source>From the cameras</source>
         <translation>Aus den Kameras</translation>
     </message>
     <message>
-        <source>Search for targets in the box around what at least two cameras see</source>
+        <source>Search for targets in the box around the region that at least two cameras see</source>
         <translation>Ziele in dem Quader suchen, der umschließt, was mindestens zwei Kameras sehen</translation>
     </message>
     <message>
@@ -7508,12 +7508,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Suchraum entfernen</translation>
     </message>
     <message>
-        <source>Targets are searched for in this box alone.</source>
+        <source>Targets are searched for only inside this box.</source>
         <translation>Ziele werden nur in diesem Quader gesucht.</translation>
     </message>
     <message>
-        <source>None: targets are searched for anywhere. The numbers are what the cameras see; change one to search in a box.</source>
-        <translation>Keiner: Ziele werden überall gesucht. Die Zahlen sind das, was die Kameras sehen; ändern Sie eine, um in einem Quader zu suchen.</translation>
+        <source>None: targets are searched for everywhere. The numbers show the region that the cameras see; change one of them to search in a box.</source>
+        <translation>Keiner: Ziele werden überall gesucht. Die Zahlen zeigen den Bereich, den die Kameras sehen; ändern Sie eine, um in einem Quader zu suchen.</translation>
     </message>
     <message>
         <source>None: targets are searched for anywhere. Change a number to search in a box.</source>
@@ -7527,28 +7527,24 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
-        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
+        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
         <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Schwenken Sie dann den Ball oder einen Stab mit zwei Bällen durch den ganzen Raum, und verfeinern Sie.</translation>
     </message>
     <message>
-        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
-        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Die Aufnahme eines Balls oder eines Stabs mit zwei Bällen, durch den ganzen Raum geschwenkt, macht sie dann genau.</translation>
+        <source>Align the cameras by hand until they are roughly right. A recording in which you wave a ball, or a wand with two balls, through the whole volume then refines them.</source>
+        <translation>Richten Sie die Kameras von Hand aus, bis sie ungefähr stimmen. Eine Aufnahme, in der Sie einen Ball oder einen Stab mit zwei Bällen durch den ganzen Raum schwenken, verfeinert sie dann.</translation>
     </message>
     <message>
-        <source>Where the floor is</source>
-        <translation>Wo der Boden ist</translation>
+        <source>Floor</source>
+        <translation>Boden</translation>
     </message>
     <message>
-        <source>Waving</source>
-        <translation>Schwenken</translation>
+        <source>Wand</source>
+        <translation>Stab</translation>
     </message>
     <message>
         <source>Refine</source>
         <translation>Verfeinern</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Schwenken</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -7558,16 +7554,16 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrator</name>
     <message>
-        <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
-        <translation>Drücken Sie „Schwenken beginnen“, und schwenken Sie eine halbe Minute lang dort, wo verfolgt werden soll.</translation>
+        <source>Press Start waving, then wave for half a minute in the volume in which you want to track.</source>
+        <translation>Drücken Sie „Schwenken beginnen“, und schwenken Sie eine halbe Minute lang in dem Raum, in dem verfolgt werden soll.</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved stick</source>
-        <translation>Kameras mit geschwenktem Stab verfeinern</translation>
+        <source>Refine cameras with a wand</source>
+        <translation>Kameras mit Stab verfeinern</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved ball</source>
-        <translation>Kameras mit geschwenktem Ball verfeinern</translation>
+        <source>Refine cameras with a ball</source>
+        <translation>Kameras mit Ball verfeinern</translation>
     </message>
 </context>
 <context>
@@ -7581,47 +7577,47 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>dem Durchmesser des Balls, %1</translation>
     </message>
     <message>
-        <source>the cameras as they are</source>
-        <translation>den Kameras, wie sie sind</translation>
+        <source>the current cameras</source>
+        <translation>den aktuellen Kameras</translation>
     </message>
     <message>
-        <source>a distance touched</source>
-        <translation>einer berührten Strecke</translation>
+        <source>a known distance</source>
+        <translation>einer bekannten Strecke</translation>
     </message>
     <message>
-        <source>Waved</source>
-        <translation>Geschwenkt</translation>
+        <source>Wand</source>
+        <translation>Stab</translation>
     </message>
     <message>
         <source>one ball</source>
         <translation>ein Ball</translation>
     </message>
     <message>
-        <source>a stick with two balls</source>
-        <translation>ein Stab mit zwei Bällen</translation>
+        <source>wand with two balls</source>
+        <translation>Stab mit zwei Bällen</translation>
     </message>
     <message>
-        <source>What is waved</source>
-        <translation>Was geschwenkt wird</translation>
+        <source>Kind of wand</source>
+        <translation>Art des Stabs</translation>
     </message>
     <message>
-        <source>A stick also gives the size, better than anything else</source>
-        <translation>Ein Stab gibt auch die Größe, besser als alles andere</translation>
+        <source>A wand with two balls also gives the size, more accurately than the other ways</source>
+        <translation>Ein Stab mit zwei Bällen gibt auch die Größe, genauer als die anderen Wege</translation>
     </message>
     <message>
         <source>Ball</source>
         <translation>Ball</translation>
     </message>
     <message>
-        <source>The target that is waved: its color is looked for</source>
-        <translation>Das Ziel, das geschwenkt wird: seine Farbe wird gesucht</translation>
+        <source>The target that you wave; it is detected by its color</source>
+        <translation>Das Ziel, das Sie schwenken; es wird an seiner Farbe erkannt</translation>
     </message>
     <message>
         <source>Second ball</source>
         <translation>Zweiter Ball</translation>
     </message>
     <message>
-        <source>The target at the other end of the stick</source>
+        <source>The target at the other end of the wand</source>
         <translation>Das Ziel am anderen Ende des Stabs</translation>
     </message>
     <message>
@@ -7629,12 +7625,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Length of the stick</source>
+        <source>Length of the wand</source>
         <translation>Länge des Stabs</translation>
     </message>
     <message>
-        <source>From the middle of one ball to that of the other</source>
-        <translation>Von der Mitte des einen Balls zu der des anderen</translation>
+        <source>From the center of one ball to the center of the other</source>
+        <translation>Von der Mitte des einen Balls zur Mitte des anderen</translation>
     </message>
     <message>
         <source> cm</source>
@@ -7645,44 +7641,44 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Größe von</translation>
     </message>
     <message>
-        <source>What gives the size</source>
-        <translation>Was die Größe gibt</translation>
+        <source>Source of the size</source>
+        <translation>Quelle der Größe</translation>
     </message>
     <message>
-        <source>Images alone do not tell a large room from a small one: a diameter is good to about one percent, a distance to what you measure</source>
-        <translation>Bilder allein unterscheiden keinen großen Raum von einem kleinen: ein Durchmesser ist auf etwa ein Prozent gut, eine Strecke so gut, wie Sie messen</translation>
+        <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
+        <translation>Bilder allein zeigen nicht, ob ein Raum groß oder klein ist. Ein Durchmesser ist auf etwa ein Prozent genau, eine Strecke so genau, wie Sie sie messen</translation>
     </message>
     <message>
         <source>Distance</source>
         <translation>Strecke</translation>
     </message>
     <message>
-        <source>Distance touched</source>
-        <translation>Berührte Strecke</translation>
+        <source>Known distance</source>
+        <translation>Bekannte Strecke</translation>
     </message>
     <message>
-        <source>Between the two places that the middle of the ball was held at</source>
-        <translation>Zwischen den beiden Orten, an die die Mitte des Balls gehalten wurde</translation>
+        <source>Distance between the two positions at which you held the center of the ball</source>
+        <translation>Abstand der beiden Positionen, an denen Sie die Mitte des Balls gehalten haben</translation>
     </message>
     <message>
-        <source>Off by up to</source>
-        <translation>Daneben um bis zu</translation>
+        <source>Initial error</source>
+        <translation>Anfangsfehler</translation>
     </message>
     <message>
-        <source>How far cameras may be off</source>
-        <translation>Wie weit Kameras daneben sein können</translation>
+        <source>Initial position error</source>
+        <translation>Anfänglicher Positionsfehler</translation>
     </message>
     <message>
-        <source>How well the cameras are nudged: about how far each may be from its true place</source>
-        <translation>Wie gut die Kameras ausgerichtet sind: etwa wie weit jede von ihrem wahren Ort sein kann</translation>
+        <source>Roughly how far each camera may be from its true position</source>
+        <translation>Etwa wie weit jede Kamera von ihrer wahren Position entfernt sein kann</translation>
     </message>
     <message>
-        <source>How much cameras may be turned</source>
-        <translation>Wie weit Kameras verdreht sein können</translation>
+        <source>Initial rotation error</source>
+        <translation>Anfänglicher Drehfehler</translation>
     </message>
     <message>
-        <source>About how far each may be turned from where it truly looks</source>
-        <translation>Etwa wie weit jede von ihrer wahren Blickrichtung verdreht sein kann</translation>
+        <source>Roughly how far each camera may be rotated from its true orientation</source>
+        <translation>Etwa wie weit jede Kamera gegen ihre wahre Ausrichtung gedreht sein kann</translation>
     </message>
     <message>
         <source>Find time offsets</source>
@@ -7697,15 +7693,15 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Brennweiten suchen</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or zoomed</source>
-        <translation>Für Objektive, die nie kalibriert oder gezoomt wurden</translation>
+        <source>For lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>Für Objektive, die nie kalibriert wurden oder deren Zoom sich geändert hat</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>Die Verzeichnung k1 suchen</translation>
     </message>
     <message>
-        <source>The first coefficient of each lens; needs a ball seen up to the edges of the images</source>
+        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
         <translation>Der erste Koeffizient jedes Objektivs; dazu muss der Ball bis an die Bildränder gesehen werden</translation>
     </message>
     <message>
@@ -7713,8 +7709,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Nur der ausgewählte Abschnitt</translation>
     </message>
     <message>
-        <source>Look through the stretch selected in the timeline, not the whole recording</source>
-        <translation>Den in der Zeitleiste ausgewählten Abschnitt durchsehen, nicht die ganze Aufnahme</translation>
+        <source>Use only the part of the recording that is selected in the timeline</source>
+        <translation>Nur den Teil der Aufnahme verwenden, der in der Zeitleiste gewählt ist</translation>
     </message>
 </context>
 <context>
@@ -7724,16 +7720,16 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Kameras verfeinern</translation>
     </message>
     <message>
-        <source>Find the ball in all images, and the cameras that explain them best</source>
-        <translation>Den Ball in allen Bildern finden, und die Kameras, die sie am besten erklären</translation>
+        <source>Detect the ball in all images and compute the cameras that fit best</source>
+        <translation>Den Ball in allen Bildern erkennen und die am besten passenden Kameras berechnen</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop; the cameras stay as they are</source>
-        <translation>Anhalten; die Kameras bleiben, wie sie sind</translation>
+        <source>Stop and keep the cameras unchanged</source>
+        <translation>Anhalten und die Kameras unverändert lassen</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -7744,28 +7740,28 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>While it is pressed, the grid is drawn with the cameras as they were</source>
-        <translation>Solange gedrückt, wird das Gitter mit den Kameras gezeichnet, wie sie waren</translation>
+        <source>Hold down to draw the grid with the previous cameras</source>
+        <translation>Gedrückt halten, um das Gitter mit den vorigen Kameras zu zeichnen</translation>
     </message>
     <message>
         <source>Use it anyway</source>
         <translation>Trotzdem verwenden</translation>
     </message>
     <message>
-        <source>Take these cameras although something seems to be wrong; it can be undone</source>
-        <translation>Diese Kameras nehmen, obwohl etwas nicht zu stimmen scheint; das lässt sich zurücknehmen</translation>
+        <source>Use these cameras although the result looks wrong; you can undo this</source>
+        <translation>Diese Kameras verwenden, obwohl das Ergebnis falsch aussieht; das lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>Save report…</source>
         <translation>Bericht speichern…</translation>
     </message>
     <message>
-        <source>A page with all figures, residuals as arrows, coverage and a drawing in space</source>
-        <translation>Eine Seite mit allen Zahlen, Residuen als Pfeilen, Abdeckung und einer Zeichnung im Raum</translation>
+        <source>A page with all numbers, residuals as arrows, coverage and a 3D drawing</source>
+        <translation>Eine Seite mit allen Zahlen, Residuen als Pfeilen, Abdeckung und einer 3D-Zeichnung</translation>
     </message>
     <message>
-        <source>Cameras found</source>
-        <translation>Gefundene Kameras</translation>
+        <source>Refined cameras</source>
+        <translation>Verfeinerte Kameras</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -7780,36 +7776,36 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>bewegt cm</translation>
     </message>
     <message>
-        <source>turned °</source>
+        <source>rotated °</source>
         <translation>gedreht °</translation>
     </message>
     <message>
-        <source>late ms</source>
-        <translation>spät ms</translation>
+        <source>delay ms</source>
+        <translation>Verzug ms</translation>
     </message>
     <message>
-        <source>Root mean square distance between seen and projected balls</source>
-        <translation>Quadratisches Mittel der Abstände zwischen gesehenen und projizierten Bällen</translation>
+        <source>Reprojection error: root mean square distance between detected and projected balls</source>
+        <translation>Reprojektionsfehler: quadratisches Mittel der Abstände zwischen erkannten und projizierten Bällen</translation>
     </message>
     <message>
-        <source>How far the camera is from where it was</source>
-        <translation>Wie weit die Kamera von da ist, wo sie war</translation>
+        <source>Distance between the old and the new position of the camera</source>
+        <translation>Abstand zwischen der alten und der neuen Position der Kamera</translation>
     </message>
     <message>
-        <source>How far it is turned from where it looked</source>
-        <translation>Wie weit sie von ihrer früheren Blickrichtung gedreht ist</translation>
+        <source>Angle between the old and the new orientation of the camera</source>
+        <translation>Winkel zwischen der alten und der neuen Ausrichtung der Kamera</translation>
     </message>
     <message>
-        <source>The cameras are as they were.</source>
-        <translation>Die Kameras sind, wie sie waren.</translation>
+        <source>The cameras are unchanged.</source>
+        <translation>Die Kameras sind unverändert.</translation>
     </message>
     <message>
-        <source>Solutions without a part of the recording differ %1 times more than noise explains; the verdict includes that.</source>
-        <translation>Lösungen ohne einen Teil der Aufnahme weichen %1-mal mehr ab, als Rauschen erklärt; das Urteil enthält das.</translation>
+        <source>Solutions from parts of the recording vary %1 times more than noise predicts. The stated accuracy includes this.</source>
+        <translation>Lösungen aus Teilen der Aufnahme schwanken %1-mal mehr, als das Rauschen erwarten lässt. Die angegebene Genauigkeit enthält das.</translation>
     </message>
     <message>
-        <source>The fall says %1 m/s² (9.81 is expected).</source>
-        <translation>Der Fall sagt %1 m/s² (9,81 wird erwartet).</translation>
+        <source>The fall gives a gravity of %1 m/s² (9.81 is expected).</source>
+        <translation>Der Fall ergibt eine Schwerkraft von %1 m/s² (9,81 wird erwartet).</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -7820,31 +7816,31 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Webseiten (*.html)</translation>
     </message>
     <message>
-        <source>What was found of each camera; point at a heading to see what it means</source>
-        <translation>Was über jede Kamera gefunden wurde; zeige auf eine Überschrift, um zu sehen, was sie bedeutet</translation>
+        <source>Results for each camera; hover over a heading to see its meaning</source>
+        <translation>Ergebnisse für jede Kamera; zeigen Sie auf eine Überschrift, um ihre Bedeutung zu sehen</translation>
     </message>
     <message>
-        <source>The cameras were changed since; this is about how they were refined.</source>
-        <translation>Die Kameras wurden seither geändert; dies gilt für den Stand nach dem Verfeinern.</translation>
+        <source>The cameras have changed since this refinement.</source>
+        <translation>Die Kameras haben sich seit diesem Verfeinern geändert.</translation>
     </message>
     <message>
-        <source>By how much its images are later than the first camera&apos;s, beyond what was known</source>
-        <translation>Um wie viel ihre Bilder später sind als die der ersten Kamera, über das Bekannte hinaus</translation>
+        <source>Additional delay of this camera&apos;s images relative to the first camera</source>
+        <translation>Zusätzliche Verzögerung der Bilder dieser Kamera gegenüber der ersten Kamera</translation>
     </message>
     <message>
-        <source>That is less sure than the cameras were (off by up to %1): wave through more of the volume.</source>
-        <translation>Das ist unsicherer, als die Kameras waren (bis zu %1 daneben): Schwenken Sie durch mehr vom Raum.</translation>
+        <source>This is less accurate than the initial cameras (error up to %1): wave through more of the volume.</source>
+        <translation>Das ist ungenauer als die anfänglichen Kameras (Fehler bis %1): Schwenken Sie durch einen größeren Teil des Raums.</translation>
     </message>
     <message>
-        <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
-        <translation>Wie sehr Kameras verspätet sind, steht nun im Projekt: Bilder werden ab jetzt danach zusammengestellt.</translation>
+        <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
+        <translation>Die Verzögerungen der Kameras sind im Projekt gespeichert und synchronisieren ab jetzt die Bilder.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
-        <translation>Sammeln, wo jede Kamera den Ball sieht; neu beginnen vergisst, was vorher gesammelt wurde</translation>
+        <source>Collect the positions of the ball in every camera; starting again discards what was collected before</source>
+        <translation>Die Positionen des Balls in jeder Kamera sammeln; ein neuer Beginn verwirft, was vorher gesammelt wurde</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -7875,12 +7871,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Jede Kamera hat genug gesehen: beenden oder verfeinern.</translation>
     </message>
     <message>
-        <source>Go on: each camera should see the ball 150 times, in half of its image.</source>
+        <source>Continue: each camera should see the ball 150 times, in half of its image.</source>
         <translation>Weiter: jede Kamera soll den Ball 150-mal sehen, in der Hälfte ihres Bildes.</translation>
     </message>
     <message>
-        <source>Image sets left out because they came too fast: %1.</source>
-        <translation>Ausgelassene Bildsätze, weil sie zu schnell kamen: %1.</translation>
+        <source>Frames skipped because they arrived too fast: %1.</source>
+        <translation>Übersprungene Bilder, weil sie zu schnell kamen: %1.</translation>
     </message>
 </context>
 <context>
@@ -7934,8 +7930,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Diese Ansicht zeigen</translation>
     </message>
     <message>
-        <source>Speak this language</source>
-        <translation>Diese Sprache sprechen</translation>
+        <source>Switch to this language</source>
+        <translation>Zu dieser Sprache wechseln</translation>
     </message>
     <message>
         <source>&amp;Help</source>

@@ -4,10 +4,10 @@
 <context>
     <name>ColorText</name>
     <message numerus="yes">
-        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <source>%n objects have this color and size: follow all of them, or cover the others.</source>
         <translation>
-            <numerusform>%n thing has this color and size: follow it, or cover the others.</numerusform>
-            <numerusform>%n things have this color and size: follow all of them, or cover the others.</numerusform>
+            <numerusform>%n object has this color and size: follow it, or cover the others.</numerusform>
+            <numerusform>%n objects have this color and size: follow all of them, or cover the others.</numerusform>
         </translation>
     </message>
 </context>

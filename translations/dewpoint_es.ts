@@ -16,7 +16,7 @@
         <translation>Proyecto nuevo…</translation>
     </message>
     <message>
-        <source>Make a project from videos or connected cameras</source>
+        <source>Create a project from videos or connected cameras</source>
         <translation>Crear un proyecto con vídeos o cámaras conectadas</translation>
     </message>
     <message>
@@ -76,7 +76,7 @@
         <translation>Deshacer</translation>
     </message>
     <message>
-        <source>Take back the last change</source>
+        <source>Undo the last change</source>
         <translation>Deshacer el último cambio</translation>
     </message>
     <message>
@@ -84,8 +84,8 @@
         <translation>Rehacer</translation>
     </message>
     <message>
-        <source>Make the change that was taken back again</source>
-        <translation>Volver a hacer el cambio deshecho</translation>
+        <source>Redo the last undone change</source>
+        <translation>Rehacer el último cambio deshecho</translation>
     </message>
     <message>
         <source>Shortcuts…</source>
@@ -116,8 +116,8 @@
         <translation>Una iteración</translation>
     </message>
     <message>
-        <source>One filter iteration on the frame shown, and pause</source>
-        <translation>Una iteración del filtro sobre el fotograma mostrado y pausar</translation>
+        <source>Run one filter iteration on the current frame and pause</source>
+        <translation>Ejecutar una iteración del filtro sobre el fotograma actual y pausar</translation>
     </message>
     <message>
         <source>Restart</source>
@@ -164,8 +164,8 @@
         <translation>Encontrar cualquier acción por su nombre</translation>
     </message>
     <message>
-        <source>Put all views back where they were at first</source>
-        <translation>Poner todas las vistas donde estaban al principio</translation>
+        <source>Restore the default arrangement of the views</source>
+        <translation>Restaurar la disposición predeterminada de las vistas</translation>
     </message>
     <message>
         <source>Colors of the system</source>
@@ -192,32 +192,32 @@
         <translation>Quitar el objetivo</translation>
     </message>
     <message>
-        <source>Stop following the target that is chosen</source>
-        <translation>Dejar de seguir el objetivo elegido</translation>
+        <source>Stop tracking the selected target</source>
+        <translation>Dejar de seguir el objetivo seleccionado</translation>
     </message>
     <message>
         <source>Learn the color</source>
         <translation>Aprender el color</translation>
     </message>
     <message>
-        <source>Then click the target in a camera image: its color is learned</source>
-        <translation>Después haga clic en el objetivo en una imagen: se aprende su color</translation>
+        <source>Click the target in a camera image to learn its color</source>
+        <translation>Hacer clic en el objetivo en una imagen para aprender su color</translation>
     </message>
     <message>
         <source>Add a target</source>
         <translation>Añadir un objetivo</translation>
     </message>
     <message>
-        <source>Follow one more thing: click it in a camera image</source>
-        <translation>Seguir una cosa más: haga clic en ella en una imagen</translation>
+        <source>Track one more object: click it in a camera image</source>
+        <translation>Seguir un objeto más: haga clic en él en una imagen</translation>
     </message>
     <message>
         <source>Export trajectory…</source>
         <translation>Exportar la trayectoria…</translation>
     </message>
     <message>
-        <source>Write the trajectory so far for another program</source>
-        <translation>Escribir la trayectoria hasta ahora para otro programa</translation>
+        <source>Export the trajectory so far for use in another program</source>
+        <translation>Exportar la trayectoria obtenida hasta ahora para otro programa</translation>
     </message>
     <message>
         <source>Save a picture of a view…</source>
@@ -232,72 +232,72 @@
         <translation>Fotograma anterior</translation>
     </message>
     <message>
-        <source>Show the frame before this one as it was</source>
-        <translation>Mostrar el fotograma anterior tal como era</translation>
+        <source>Show the previous frame as it was tracked</source>
+        <translation>Mostrar el fotograma anterior tal como se siguió</translation>
     </message>
     <message>
-        <source>Back to now</source>
-        <translation>Volver al presente</translation>
+        <source>Go to latest frame</source>
+        <translation>Ir al último fotograma</translation>
     </message>
     <message>
-        <source>Show again where the run stands</source>
-        <translation>Mostrar de nuevo el punto en que está la ejecución</translation>
+        <source>Stop looking back and show the latest tracked frame</source>
+        <translation>Dejar de mirar atrás y mostrar el último fotograma seguido</translation>
     </message>
     <message>
         <source>Track again from here</source>
         <translation>Seguir de nuevo desde aquí</translation>
     </message>
     <message>
-        <source>Track again from the moment shown, with the method, parameters and colors of now; pausing stops it</source>
-        <translation>Seguir de nuevo desde el momento mostrado, con el método, los parámetros y los colores actuales; la pausa lo detiene</translation>
+        <source>Track again from the frame shown with the current method, parameters and colors; pause to stop</source>
+        <translation>Seguir de nuevo desde el fotograma mostrado con el método, los parámetros y los colores actuales; la pausa lo detiene</translation>
     </message>
     <message>
-        <source>Mark this moment</source>
-        <translation>Marcar este momento</translation>
+        <source>Add marker</source>
+        <translation>Añadir marca</translation>
     </message>
     <message>
-        <source>Put a named mark on the moment shown</source>
-        <translation>Poner una marca con nombre en el momento mostrado</translation>
+        <source>Add a named marker at the frame shown</source>
+        <translation>Añadir una marca con nombre en el fotograma mostrado</translation>
     </message>
     <message>
-        <source>Remove the mark</source>
-        <translation>Quitar la marca</translation>
+        <source>Remove marker</source>
+        <translation>Quitar marca</translation>
     </message>
     <message>
-        <source>Take the mark away from the moment shown</source>
-        <translation>Quitar la marca del momento mostrado</translation>
+        <source>Remove the marker at the frame shown</source>
+        <translation>Quitar la marca del fotograma mostrado</translation>
     </message>
     <message>
-        <source>Previous mark</source>
+        <source>Previous marker</source>
         <translation>Marca anterior</translation>
     </message>
     <message>
-        <source>Show the moment of the mark before this one</source>
-        <translation>Mostrar el momento de la marca anterior</translation>
+        <source>Go to the previous marker</source>
+        <translation>Ir a la marca anterior</translation>
     </message>
     <message>
-        <source>Next mark</source>
+        <source>Next marker</source>
         <translation>Marca siguiente</translation>
     </message>
     <message>
-        <source>Show the moment of the next mark</source>
-        <translation>Mostrar el momento de la marca siguiente</translation>
+        <source>Go to the next marker</source>
+        <translation>Ir a la marca siguiente</translation>
     </message>
     <message>
         <source>Zoom to the selected span</source>
         <translation>Ampliar el tramo seleccionado</translation>
     </message>
     <message>
-        <source>Let the timeline show the selected span only</source>
+        <source>Show only the selected span in the timeline</source>
         <translation>Mostrar en la línea de tiempo solo el tramo seleccionado</translation>
     </message>
     <message>
-        <source>Show evidence</source>
-        <translation>Mostrar evidencias</translation>
+        <source>Show likelihood map</source>
+        <translation>Mostrar mapa de verosimilitud</translation>
     </message>
     <message>
-        <source>Show how likely the cameras find each place around the target, and which places were considered</source>
-        <translation>Mostrar lo probable que es para las cámaras cada lugar alrededor del objetivo y qué lugares se consideraron</translation>
+        <source>Show the likelihood of each position around the target, and the candidate positions</source>
+        <translation>Mostrar la verosimilitud de cada posición alrededor del objetivo y las posiciones candidatas</translation>
     </message>
     <message>
         <source>Show best particle</source>
@@ -324,56 +324,56 @@
         <translation>Mostrar tamaño efectivo de la muestra</translation>
     </message>
     <message>
-        <source>How many particles the weighted ones are worth, and how many there are</source>
-        <translation>Cuántas partículas valen las ponderadas y cuántas hay</translation>
+        <source>Effective sample size, and number of particles</source>
+        <translation>Tamaño efectivo de la muestra y número de partículas</translation>
     </message>
     <message>
         <source>Plot likelihood</source>
         <translation>Mostrar verosimilitud</translation>
     </message>
     <message>
-        <source>What each camera says of the estimate: its log likelihood</source>
-        <translation>Lo que dice cada cámara de la estimación: su log-verosimilitud</translation>
+        <source>Log likelihood of the estimate in each camera</source>
+        <translation>Log-verosimilitud de la estimación en cada cámara</translation>
     </message>
     <message>
         <source>Plot existence</source>
         <translation>Mostrar existencia</translation>
     </message>
     <message>
-        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
-        <translation>Probabilidad de que el objetivo esté en la estimación, según todas las cámaras y según cada una</translation>
+        <source>Existence probability: from all cameras together, and from each camera alone</source>
+        <translation>Probabilidad de existencia: según todas las cámaras juntas y según cada una</translation>
     </message>
     <message>
         <source>Plot error</source>
         <translation>Mostrar error</translation>
     </message>
     <message>
-        <source>Distance of the estimate from the truth, where it is known</source>
-        <translation>Distancia de la estimación a la verdad, donde se conoce</translation>
+        <source>Distance between estimate and ground truth, if it is known</source>
+        <translation>Distancia entre la estimación y la posición verdadera, si se conoce</translation>
     </message>
     <message>
         <source>Plot time per step</source>
         <translation>Mostrar tiempo por paso</translation>
     </message>
     <message>
-        <source>Microseconds that each filter iteration took, per target</source>
-        <translation>Microsegundos que tardó cada iteración del filtro, por objetivo</translation>
+        <source>Duration of each filter iteration per target, in microseconds</source>
+        <translation>Duración de cada iteración del filtro por objetivo, en microsegundos</translation>
     </message>
     <message>
         <source>Over time</source>
         <translation>En el tiempo</translation>
     </message>
     <message>
-        <source>Plot over seconds instead of filter iterations</source>
-        <translation>Representar en segundos en lugar de iteraciones del filtro</translation>
+        <source>Plot against time in seconds instead of filter iterations</source>
+        <translation>Representar según el tiempo en segundos en lugar de las iteraciones del filtro</translation>
     </message>
     <message>
         <source>Whole run</source>
         <translation>Toda la ejecución</translation>
     </message>
     <message>
-        <source>Plot the whole run again (double click does the same)</source>
-        <translation>Mostrar de nuevo toda la ejecución (doble clic hace lo mismo)</translation>
+        <source>Show the whole run in the plots again (or double-click)</source>
+        <translation>Mostrar de nuevo toda la ejecución en los gráficos (o doble clic)</translation>
     </message>
     <message>
         <source>Copy plots as CSV</source>
@@ -404,32 +404,32 @@
         <translation>Calibrar a mano…</translation>
     </message>
     <message>
-        <source>Adjust cameras until a grid lies on the real thing in their images</source>
-        <translation>Ajustar las cámaras hasta que una cuadrícula coincida con lo real en sus imágenes</translation>
+        <source>Adjust the cameras until a grid matches the real scene in their images</source>
+        <translation>Ajustar las cámaras hasta que una cuadrícula coincida con la escena real en sus imágenes</translation>
     </message>
     <message>
         <source>Import calibration…</source>
         <translation>Importar calibración…</translation>
     </message>
     <message>
-        <source>Take the cameras&apos; calibration from a file of any tool</source>
-        <translation>Tomar la calibración de las cámaras de un archivo de cualquier programa</translation>
+        <source>Load the calibration of the cameras from a file of another tool</source>
+        <translation>Cargar la calibración de las cámaras de un archivo de otro programa</translation>
     </message>
     <message>
         <source>Export calibration…</source>
         <translation>Exportar calibración…</translation>
     </message>
     <message>
-        <source>Write the cameras&apos; calibration for another tool</source>
-        <translation>Escribir la calibración de las cámaras para otro programa</translation>
+        <source>Save the calibration of the cameras for another tool</source>
+        <translation>Guardar la calibración de las cámaras para otro programa</translation>
     </message>
     <message>
-        <source>Calibrate by waving…</source>
-        <translation>Calibrar agitando…</translation>
+        <source>Calibrate with wand…</source>
+        <translation>Calibrar con varita…</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved ball, or a stick with two balls</source>
-        <translation>Refinar las cámaras con una pelota agitada o una vara con dos pelotas</translation>
+        <source>Refine the cameras with a ball, or a wand with two balls, that you wave</source>
+        <translation>Refinar las cámaras con una pelota, o una varita con dos pelotas, que usted agita</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -440,95 +440,95 @@
         <translation>Calibrar con un tablero…</translation>
     </message>
     <message>
-        <source>Find lenses and places of the cameras with a printed board</source>
-        <translation>Hallar objetivos y posiciones de las cámaras con un tablero impreso</translation>
+        <source>Find the intrinsics and positions of the cameras with a printed board</source>
+        <translation>Hallar los parámetros intrínsecos y las posiciones de las cámaras con un tablero impreso</translation>
     </message>
     <message>
         <source>Print a calibration board…</source>
         <translation>Imprimir un tablero de calibración…</translation>
     </message>
     <message>
-        <source>Write the board to calibrate with as a PDF in its true size</source>
-        <translation>Escribir el tablero de calibración como PDF a tamaño real</translation>
+        <source>Save the calibration board as a PDF at its true size</source>
+        <translation>Guardar el tablero de calibración como PDF a tamaño real</translation>
     </message>
     <message>
         <source>Plan the rig…</source>
         <translation>Planificar el montaje…</translation>
     </message>
     <message>
-        <source>See how well the cameras will measure, and where one more would help</source>
-        <translation>Ver qué tal medirán las cámaras y dónde ayudaría otra</translation>
+        <source>See how accurately the cameras will measure, and where another camera would help</source>
+        <translation>Ver con qué precisión medirán las cámaras y dónde ayudaría otra cámara</translation>
     </message>
     <message>
-        <source>Show the map of expected errors</source>
-        <translation>Mostrar el mapa de errores esperados</translation>
+        <source>Show error map</source>
+        <translation>Mostrar mapa de errores</translation>
     </message>
     <message>
-        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
-        <translation>Mostrar en la vista de pájaro cuánto se espera que se desvíe un objetivo en cada lugar</translation>
+        <source>Show the expected position error of a target at each point of the bird&apos;s-eye view</source>
+        <translation>Mostrar en la vista de pájaro el error de posición esperado de un objetivo en cada punto</translation>
     </message>
     <message>
-        <source>Add a camera to plan</source>
-        <translation>Añadir una cámara al plan</translation>
+        <source>Add planned camera</source>
+        <translation>Añadir cámara planeada</translation>
     </message>
     <message>
-        <source>Add a camera that is not there yet, to be dragged about</source>
-        <translation>Añadir una cámara que aún no existe, para arrastrarla</translation>
+        <source>Add a camera that does not exist yet and drag it in the bird&apos;s-eye view</source>
+        <translation>Añadir una cámara que aún no existe y arrastrarla en la vista de pájaro</translation>
     </message>
     <message>
-        <source>Re-solve the bumped camera</source>
-        <translation>Resolver de nuevo la cámara movida</translation>
+        <source>Recompute camera pose</source>
+        <translation>Recalcular pose de cámara</translation>
     </message>
     <message>
-        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
-        <translation>Calibrar la cámara que se giró durante la ejecución tal como está ahora; las demás no cambian</translation>
+        <source>Recompute the pose of the camera that was moved during the run; all other cameras stay unchanged</source>
+        <translation>Recalcular la pose de la cámara que se movió durante la ejecución; las demás cámaras no cambian</translation>
     </message>
     <message>
-        <source>Find the best place for one more camera</source>
-        <translation>Buscar el mejor lugar para otra cámara</translation>
+        <source>Find best position</source>
+        <translation>Buscar mejor posición</translation>
     </message>
     <message>
-        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
-        <translation>Buscar en paredes y techo el lugar desde el que más ayuda otra cámara</translation>
+        <source>Search the walls and the ceiling for the position where another camera would help most</source>
+        <translation>Buscar en paredes y techo la posición donde más ayudaría otra cámara</translation>
     </message>
     <message>
         <source>Experiments…</source>
         <translation>Experimentos…</translation>
     </message>
     <message>
-        <source>Make the figures of the papers anew, with a report</source>
-        <translation>Rehacer las figuras de los artículos, con un informe</translation>
+        <source>Reproduce the figures of the papers and write a report</source>
+        <translation>Reproducir las figuras de los artículos y escribir un informe</translation>
     </message>
     <message>
-        <source>Take a box</source>
-        <translation>Tomar un recuadro</translation>
+        <source>Set box</source>
+        <translation>Fijar recuadro</translation>
     </message>
     <message>
-        <source>Export volumes of people…</source>
+        <source>Export people&apos;s volumes…</source>
         <translation>Exportar volúmenes de las personas…</translation>
     </message>
     <message>
-        <source>Write places, volumes, hulls and densities on the floor of all people as tables</source>
-        <translation>Escribir como tablas los lugares, volúmenes, envolventes y densidades en el suelo de todas las personas</translation>
+        <source>Save the position, volume, hull and floor density of each person as tables</source>
+        <translation>Guardar como tablas la posición, el volumen, la envolvente y la densidad en el suelo de cada persona</translation>
     </message>
     <message>
-        <source>A person stands here…</source>
-        <translation>Aquí hay una persona…</translation>
+        <source>Add person…</source>
+        <translation>Añadir persona…</translation>
     </message>
     <message>
-        <source>Say where somebody is: by a click on the person in a camera image, or on the floor in the bird&apos;s-eye view</source>
-        <translation>Decir dónde hay alguien: con un clic en la persona en una imagen de cámara, o en el suelo en la vista de pájaro</translation>
+        <source>Click the person in a camera image, or the floor in the bird&apos;s-eye view</source>
+        <translation>Haga clic en la persona en una imagen de cámara, o en el suelo en la vista de pájaro</translation>
     </message>
     <message>
-        <source>Remove this person</source>
-        <translation>Quitar a esta persona</translation>
+        <source>Remove person</source>
+        <translation>Quitar persona</translation>
     </message>
     <message>
-        <source>The person chosen in the table is not there</source>
-        <translation>La persona elegida en la tabla no está</translation>
+        <source>Remove the person selected in the table</source>
+        <translation>Quitar a la persona elegida en la tabla</translation>
     </message>
     <message>
-        <source>Show volumes of people</source>
+        <source>Show people&apos;s volumes</source>
         <translation>Mostrar volúmenes de las personas</translation>
     </message>
     <message>
@@ -544,20 +544,20 @@
         <translation>Elegir cuántos hilos se reparten el trabajo del filtro</translation>
     </message>
     <message>
-        <source>It is here</source>
-        <translation>Está aquí</translation>
+        <source>Correct position</source>
+        <translation>Corregir posición</translation>
     </message>
     <message>
-        <source>Drag a target in the camera images to where it is in the frame shown: tracking goes on from there</source>
-        <translation>Arrastrar un objetivo en las imágenes de las cámaras adonde está en el fotograma mostrado: el seguimiento continúa desde ahí</translation>
+        <source>Drag a target in the camera images to its true position in this frame; tracking continues from there</source>
+        <translation>Arrastrar un objetivo en las imágenes de cámara a su posición real en este fotograma; el seguimiento continúa desde ahí</translation>
     </message>
     <message>
-        <source>Remove the correction</source>
-        <translation>Quitar la corrección</translation>
+        <source>Remove correction</source>
+        <translation>Quitar corrección</translation>
     </message>
     <message>
-        <source>Take away where you said that the selected target is in the frame shown; without a selected target, of all</source>
-        <translation>Quitar dónde dijo que está el objetivo elegido en el fotograma mostrado; sin objetivo elegido, de todos</translation>
+        <source>Remove the correction of the selected target in this frame, or of all targets if none is selected</source>
+        <translation>Quitar la corrección del objetivo elegido en este fotograma, o de todos si no hay ninguno elegido</translation>
     </message>
     <message>
         <source>Show the volume of interest</source>
@@ -576,8 +576,8 @@
         <translation>Seguir de nuevo</translation>
     </message>
     <message>
-        <source>Track all again that is of earlier settings</source>
-        <translation>Seguir de nuevo todo lo obtenido con ajustes anteriores</translation>
+        <source>Track again all frames that have results from earlier settings</source>
+        <translation>Seguir de nuevo todos los fotogramas con resultados de ajustes anteriores</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -604,8 +604,8 @@
         <translation>Reproducir la grabación a la velocidad a la que se filmó</translation>
     </message>
     <message>
-        <source>Slowly until it converges</source>
-        <translation>Despacio hasta que converja</translation>
+        <source>Slow until converged</source>
+        <translation>Lento hasta converger</translation>
     </message>
     <message>
         <source>Play the first iterations of a run one by one, until every target is held (five seconds at most)</source>
@@ -616,40 +616,40 @@
         <translation>Mostrar lupa</translation>
     </message>
     <message>
-        <source>Enlarge the particles of a target in a corner of the image where they are too close together to be seen</source>
-        <translation>Ampliar en una esquina de la imagen las partículas de un objetivo donde están demasiado juntas para verse</translation>
+        <source>Show an enlarged inset when the particles of a target are too close together to see</source>
+        <translation>Mostrar un recuadro ampliado cuando las partículas de un objetivo están demasiado juntas</translation>
     </message>
     <message>
         <source>Show lines of sight</source>
         <translation>Mostrar líneas de visión</translation>
     </message>
     <message>
-        <source>Draw a line in the bird&apos;s-eye view from each camera to the target: broken where it is hidden from the camera</source>
-        <translation>Dibujar en la vista de pájaro una línea de cada cámara al objetivo: discontinua si está oculto para la cámara</translation>
+        <source>Draw a line from each camera to the target in the bird&apos;s-eye view; it is dashed if the camera cannot see the target</source>
+        <translation>Dibujar en la vista de pájaro una línea de cada cámara al objetivo; es discontinua si la cámara no ve el objetivo</translation>
     </message>
     <message>
         <source>Zoom in</source>
         <translation>Acercar</translation>
     </message>
     <message>
-        <source>Enlarge the camera image under the pointer, or that of the selected camera (the wheel does the same)</source>
-        <translation>Ampliar la imagen de cámara bajo el puntero, o la de la cámara elegida (la rueda hace lo mismo)</translation>
+        <source>Zoom in on the camera image under the pointer, or on the image of the selected camera (or use the mouse wheel)</source>
+        <translation>Acercar la imagen de cámara bajo el puntero, o la de la cámara elegida (también con la rueda)</translation>
     </message>
     <message>
         <source>Zoom out</source>
         <translation>Alejar</translation>
     </message>
     <message>
-        <source>Show more of the camera image under the pointer, or of that of the selected camera</source>
-        <translation>Mostrar más de la imagen de cámara bajo el puntero, o de la de la cámara elegida</translation>
+        <source>Zoom out of the camera image under the pointer, or of the image of the selected camera</source>
+        <translation>Alejar la imagen de cámara bajo el puntero, o la de la cámara elegida</translation>
     </message>
     <message>
         <source>Fit image</source>
         <translation>Ajustar imagen</translation>
     </message>
     <message>
-        <source>Show all of the camera image again (double click does the same)</source>
-        <translation>Mostrar de nuevo toda la imagen de cámara (doble clic hace lo mismo)</translation>
+        <source>Show the whole camera image (or double-click)</source>
+        <translation>Mostrar toda la imagen de cámara (o doble clic)</translation>
     </message>
     <message>
         <source>Top view</source>
@@ -672,8 +672,8 @@
         <translation>Ajustar todo a la vista</translation>
     </message>
     <message>
-        <source>Show the whole room in the bird&apos;s-eye view again (double click does the same)</source>
-        <translation>Mostrar de nuevo toda la sala en la vista de pájaro (doble clic hace lo mismo)</translation>
+        <source>Show the whole room in the bird&apos;s-eye view (or double-click)</source>
+        <translation>Mostrar toda la sala en la vista de pájaro (o doble clic)</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -684,8 +684,8 @@
         <translation>Pantalla completa</translation>
     </message>
     <message>
-        <source>Let the window fill the screen, or give it its frame back</source>
-        <translation>Hacer que la ventana llene la pantalla o devolverle su marco</translation>
+        <source>Switch between full screen and a normal window</source>
+        <translation>Alternar entre pantalla completa y ventana normal</translation>
     </message>
     <message>
         <source>Follow system</source>
@@ -740,8 +740,8 @@
         <translation>Informar de un problema…</translation>
     </message>
     <message>
-        <source>Collect what helps to find a fault, ready to be copied</source>
-        <translation>Reunir lo que ayuda a encontrar un fallo, listo para copiar</translation>
+        <source>Collect the information that a bug report needs, ready to copy</source>
+        <translation>Reunir la información que necesita un informe de error, lista para copiar</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
@@ -756,8 +756,8 @@
         <translation>Mostrar las imágenes en la vista de pájaro</translation>
     </message>
     <message>
-        <source>Show what each camera sees, in the bird&apos;s-eye view, on the pyramid it looks through</source>
-        <translation>Mostrar en la vista de pájaro lo que ve cada cámara, sobre la pirámide por la que mira</translation>
+        <source>Show each camera&apos;s image inside its viewing pyramid in the bird&apos;s-eye view</source>
+        <translation>Mostrar en la vista de pájaro la imagen de cada cámara en su pirámide de visión</translation>
     </message>
 </context>
 <context>
@@ -774,36 +774,36 @@
 <context>
     <name>BoardText</name>
     <message>
-        <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
-        <translation>%1: rms %2, distancia focal %3, %4 imágenes; conocido con %5</translation>
+        <source>%1: RMS %2, focal length %3, %4 images; accuracy %5</source>
+        <translation>%1: RMS %2, distancia focal %3, %4 imágenes; precisión %5</translation>
     </message>
     <message>
-        <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
-        <translation>Esquinas en solo el %1 % de la imagen: muestre el tablero por toda ella, también inclinado.</translation>
+        <source>The corners cover only %1 % of its image: show the board in every part of the image, also tilted.</source>
+        <translation>Las esquinas cubren solo el %1 % de su imagen: muestre el tablero en todas las partes de la imagen, también inclinado.</translation>
     </message>
     <message>
-        <source>%1 keeps its place: it never saw the board.</source>
+        <source>%1 keeps its position: it never saw the board.</source>
         <translation>%1 conserva su posición: nunca vio el tablero.</translation>
     </message>
     <message>
-        <source>%1: rms %2</source>
-        <translation>%1: rms %2</translation>
+        <source>%1: RMS %2</source>
+        <translation>%1: RMS %2</translation>
     </message>
     <message>
-        <source>, place ±%1, direction ±%2</source>
+        <source>, position ±%1, direction ±%2</source>
         <translation>, posición ±%1, dirección ±%2</translation>
     </message>
     <message>
-        <source>Lenses</source>
-        <translation>Objetivos</translation>
+        <source>Intrinsics</source>
+        <translation>Parámetros intrínsecos</translation>
     </message>
     <message>
-        <source>%1 keeps its lens: %2</source>
-        <translation>%1 conserva su objetivo: %2</translation>
+        <source>%1 keeps its intrinsics: %2</source>
+        <translation>%1 conserva sus parámetros intrínsecos: %2</translation>
     </message>
     <message>
-        <source>Places: rms %1 over %2 positions of the board</source>
-        <translation>Posiciones: rms %1 en %2 lugares del tablero</translation>
+        <source>Positions: RMS %1 over %2 board poses</source>
+        <translation>Posiciones: RMS %1 en %2 poses del tablero</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -822,7 +822,7 @@
         <translation>izquierda</translation>
     </message>
     <message>
-        <source>middle</source>
+        <source>center</source>
         <translation>centro</translation>
     </message>
     <message>
@@ -842,19 +842,19 @@
         <translation>abajo a la derecha</translation>
     </message>
     <message>
-        <source>its left side nearer</source>
+        <source>left side closer</source>
         <translation>con el lado izquierdo más cerca</translation>
     </message>
     <message>
-        <source>its right side nearer</source>
+        <source>right side closer</source>
         <translation>con el lado derecho más cerca</translation>
     </message>
     <message>
-        <source>its upper side nearer</source>
+        <source>upper side closer</source>
         <translation>con el lado superior más cerca</translation>
     </message>
     <message>
-        <source>its lower side nearer</source>
+        <source>lower side closer</source>
         <translation>con el lado inferior más cerca</translation>
     </message>
     <message>
@@ -866,60 +866,60 @@
         <translation>Aún sin imagen</translation>
     </message>
     <message>
-        <source>Show it the whole board</source>
-        <translation>Muéstrele el tablero entero</translation>
+        <source>Show the whole board</source>
+        <translation>Muestre el tablero entero</translation>
     </message>
     <message>
         <source>Move the board to: %1</source>
         <translation>Mueva el tablero a: %1</translation>
     </message>
     <message>
-        <source>Tilt it, %1</source>
-        <translation>Inclínelo, %1</translation>
+        <source>Tilt the board, %1</source>
+        <translation>Incline el tablero, %1</translation>
     </message>
     <message>
-        <source>Come nearer with the board</source>
-        <translation>Acérquese con el tablero</translation>
+        <source>Move the board closer</source>
+        <translation>Acerque el tablero</translation>
     </message>
     <message>
-        <source>Hold it still</source>
-        <translation>Manténgalo quieto</translation>
+        <source>Hold the board still</source>
+        <translation>Mantenga quieto el tablero</translation>
     </message>
     <message>
-        <source>The image is soft: focus, or more light</source>
-        <translation>La imagen está borrosa: enfoque o más luz</translation>
+        <source>The image is blurred: focus the lens or add light</source>
+        <translation>La imagen está borrosa: enfoque o añada luz</translation>
     </message>
     <message>
         <source>✓ Done</source>
         <translation>✓ Listo</translation>
     </message>
     <message>
-        <source>✓ All cameras have seen enough together</source>
-        <translation>✓ Todas las cámaras han visto bastante juntas</translation>
+        <source>✓ The cameras have enough shared views</source>
+        <translation>✓ Las cámaras tienen suficientes vistas comunes</translation>
     </message>
     <message>
-        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
-        <translation>Muestre el tablero a %1 y %2 a la vez, quieto, y luego en otro lugar</translation>
+        <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
+        <translation>Muestre el tablero a %1 y %2 a la vez, manténgalo quieto y repita en otro lugar</translation>
     </message>
     <message>
-        <source>no board in sight</source>
-        <translation>ningún tablero a la vista</translation>
+        <source>board not visible</source>
+        <translation>tablero no visible</translation>
     </message>
     <message>
-        <source>⚠ soft, edges of %1</source>
-        <translation>⚠ borroso, bordes de %1</translation>
+        <source>⚠ blurred, edge width %1</source>
+        <translation>⚠ borroso, ancho de borde %1</translation>
     </message>
     <message>
-        <source>sharp, edges of %1</source>
-        <translation>nítido, bordes de %1</translation>
+        <source>sharp, edge width %1</source>
+        <translation>nítido, ancho de borde %1</translation>
     </message>
     <message>
         <source>%1 of at least %2 views</source>
         <translation>%1 de al menos %2 vistas</translation>
     </message>
     <message>
-        <source>%1 views, known to %2 (wanted: %3)</source>
-        <translation>%1 vistas, conocido con %2 (deseado: %3)</translation>
+        <source>%1 views, accuracy %2 (goal: %3)</source>
+        <translation>%1 vistas, precisión %2 (meta: %3)</translation>
     </message>
     <message>
         <source>● sees the board</source>
@@ -930,20 +930,20 @@
         <translation>○ no ve el tablero</translation>
     </message>
     <message>
-        <source>%1 views, place known to %2</source>
-        <translation>%1 vistas, posición conocida con %2</translation>
+        <source>%1 views, position accuracy %2</source>
+        <translation>%1 vistas, precisión de posición %2</translation>
     </message>
     <message>
-        <source>%1 views with others</source>
-        <translation>%1 vistas con otras</translation>
+        <source>%1 views shared with other cameras</source>
+        <translation>%1 vistas comunes con otras cámaras</translation>
     </message>
     <message>
-        <source>The places were not found: %1</source>
+        <source>The positions were not found: %1</source>
         <translation>No se hallaron las posiciones: %1</translation>
     </message>
     <message>
-        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
-        <translation>No se puede decir qué tan buena es: dos cámaras vieron muy pocos lugares.</translation>
+        <source>The accuracy cannot be estimated: two cameras saw the board together too rarely.</source>
+        <translation>No se puede estimar la precisión: muy pocas veces vieron dos cámaras el tablero a la vez.</translation>
     </message>
 </context>
 <context>
@@ -972,16 +972,16 @@
         <translation>%1 encaja si se desplaza su vídeo: probablemente muestra todo %2 fotogramas antes. Sincronice los vídeos o haga que se busquen los desfases.</translation>
     </message>
     <message>
-        <source>%1 fits one place before %2 and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
-        <translation>%1 encaja en un lugar antes de %2 y en otro después: probablemente se movió o recibió un golpe. Calibre con la parte posterior.</translation>
+        <source>%1 fits one pose before %2 and another after it: the camera was probably moved. Calibrate with the part after that time.</source>
+        <translation>%1 encaja con una pose antes de %2 y con otra después: probablemente la cámara se movió. Calibre con la parte posterior.</translation>
     </message>
     <message>
-        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
-        <translation>%1 solo encaja con las imágenes volteadas: su vídeo probablemente está reflejado o boca abajo. Indique cómo se giran y reflejan sus imágenes.</translation>
+        <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
+        <translation>%1 solo encaja con las imágenes volteadas: su vídeo probablemente está reflejado o boca abajo. Ajuste el giro y el reflejo de sus imágenes.</translation>
     </message>
     <message>
-        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
-        <translation>%1 encaja con una distancia focal %2 veces la indicada: probablemente cambió su zoom (o un recorte). Calibre de nuevo su objetivo.</translation>
+        <source>%1 fits with %2 times the given focal length: its zoom or crop was probably changed. Calibrate its intrinsics again.</source>
+        <translation>%1 encaja con %2 veces la distancia focal indicada: probablemente cambió su zoom o su recorte. Calibre de nuevo sus parámetros intrínsecos.</translation>
     </message>
     <message>
         <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
@@ -1024,12 +1024,12 @@
         <translation>La longitud indicada es %1 veces la que ven las cámaras: probablemente está en pulgadas (1 pulgada = 2,54 cm).</translation>
     </message>
     <message>
-        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
-        <translation>Las esquinas forman un tablero con %1 por fila: el número de casillas probablemente es erróneo. Cuéntelas y corrija el tablero.</translation>
+        <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
+        <translation>Las esquinas forman un tablero con %1 casillas por fila: el número de casillas probablemente es erróneo. Cuéntelas y corrija el tablero.</translation>
     </message>
     <message>
-        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
-        <translation>Las casillas del tablero se indicaron %1 veces mayores de lo que ven las cámaras: mida una fila con una regla (las impresiones suelen cambiar de escala).</translation>
+        <source>The given size of the squares is %1 times what the cameras see: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>El tamaño indicado de las casillas es %1 veces lo que ven las cámaras: mida una fila con una regla (las impresiones suelen cambiar de escala).</translation>
     </message>
     <message>
         <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
@@ -1110,7 +1110,7 @@
 <context>
     <name>CameraMotion</name>
     <message>
-        <source>turned by %1</source>
+        <source>rotated by %1</source>
         <translation>girada %1</translation>
     </message>
 </context>
@@ -1143,8 +1143,8 @@
         <translation>Su radio parece ser de unos %1, pero se indicó %2.</translation>
     </message>
     <message>
-        <source>This is a part of something larger of its color: it is followed as a ball with a radius of %1, from where it was marked.</source>
-        <translation>Es una parte de algo más grande de su color: se sigue como una bola con un radio de %1, desde donde se marcó.</translation>
+        <source>This is part of a larger object of the same color. It is tracked as a ball with radius %1, starting at the marked spot.</source>
+        <translation>Esto es parte de un objeto mayor del mismo color. Se sigue como una bola con radio %1, desde el punto marcado.</translation>
     </message>
 </context>
 <context>
@@ -1173,7 +1173,7 @@
         <translation>a la izquierda</translation>
     </message>
     <message>
-        <source>in the middle</source>
+        <source>in the center</source>
         <translation>en el centro</translation>
     </message>
     <message>
@@ -1261,12 +1261,12 @@
         <translation>Gran parte del objetivo no coincide: Mayús-clic en su lado claro y en su lado oscuro.</translation>
     </message>
     <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>Alt-clic en lo que también coincide: se puede distinguir.</translation>
+        <source>Alt-click what also matches to exclude it.</source>
+        <translation>Alt-clic en lo que también coincide para excluirlo.</translation>
     </message>
     <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>Cubra lo que tiene el mismo color o sáquelo de la imagen.</translation>
+        <source>Cover objects of the same color, or take them out of view.</source>
+        <translation>Cubra los objetos del mismo color o sáquelos de la imagen.</translation>
     </message>
     <message>
         <source>The target is nearly black here: more light would help.</source>
@@ -1281,8 +1281,8 @@
         <translation>El objetivo es casi gris: un color más vivo ayudaría.</translation>
     </message>
     <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>Esto llena gran parte de la imagen: haz clic en la cosa misma o arrastra un recuadro sobre ella.</translation>
+        <source>This fills much of the image: click only the target, or drag a box on it.</source>
+        <translation>Esto llena gran parte de la imagen: haga clic solo en el objetivo o dibuje un recuadro sobre él.</translation>
     </message>
     <message>
         <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
@@ -1293,34 +1293,34 @@
         <translation>El %1 % del fondo también coincide.</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: much around it looks the same, or it shows something else.</source>
-        <translation>Una muestra apenas encaja con lo aprendido: lo que hay alrededor también tiene su color, o muestra otra cosa.</translation>
+        <source>One sample hardly matches the learned color: its surroundings look the same, or it shows another object.</source>
+        <translation>Una muestra apenas coincide con el color aprendido: su entorno se ve igual, o muestra otro objeto.</translation>
     </message>
     <message>
-        <source>Something %1 %2 of %3 matches too.</source>
-        <translation>Algo %1 %2 de %3 también coincide.</translation>
+        <source>A %1 region %2 of %3 also matches.</source>
+        <translation>También coincide una zona (%1) %2 de %3.</translation>
     </message>
     <message>
-        <source>Several things have this color: another one would help.</source>
-        <translation>Varias cosas tienen este color: otro ayudaría.</translation>
+        <source>Several objects have this color: another color would help.</source>
+        <translation>Varios objetos tienen este color: otro color ayudaría.</translation>
     </message>
     <message>
-        <source>Only a speck was clicked: drag a box on the whole thing.</source>
-        <translation>El clic dio solo en una mota: arrastra un recuadro sobre la cosa entera.</translation>
+        <source>You clicked only a speck: drag a box on the whole target.</source>
+        <translation>Hizo clic solo en una mota: dibuje un recuadro sobre todo el objetivo.</translation>
     </message>
     <message>
         <source>Only %1 % of the target and %2 % of the background match.</source>
         <translation>Solo coinciden el %1 % del objetivo y el %2 % del fondo.</translation>
     </message>
     <message>
-        <source>A range for all of the target would match %1 % of the background.</source>
-        <translation>Un rango para todo el objetivo coincidiría con el %1 % del fondo.</translation>
+        <source>A range that covers the whole target would match %1 % of the background.</source>
+        <translation>Un rango que abarque todo el objetivo coincidiría con el %1 % del fondo.</translation>
     </message>
     <message numerus="yes">
-        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <source>%n objects have this color and size: follow all of them, or cover the others.</source>
         <translation>
-            <numerusform>%n cosa tiene este color y tamaño: sígala o cubra las otras.</numerusform>
-            <numerusform>%n cosas tienen este color y tamaño: siga todas o cubra las otras.</numerusform>
+            <numerusform>%n objeto tiene este color y tamaño: sígalo o cubra los otros.</numerusform>
+            <numerusform>%n objetos tienen este color y tamaño: sígalos todos o cubra los otros.</numerusform>
         </translation>
     </message>
 </context>
@@ -1387,7 +1387,7 @@
         <translation>el archivo no existe</translation>
     </message>
     <message>
-        <source>the observations do not settle it</source>
+        <source>the observations do not determine it</source>
         <translation>las observaciones no lo determinan</translation>
     </message>
     <message>
@@ -1434,20 +1434,20 @@
         <translation>Barrera et al. 2005, figura 8: la nube en seis instantes, con sigma de movimiento pequeña y grande.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: start volume against the share of runs that converge, and starts beyond the ball.</source>
-        <translation>Barrera et al. 2005, sección III-B: volumen inicial frente a la proporción de ejecuciones que convergen, e inicios más allá de la pelota.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge for each start volume, and starts behind the ball.</source>
+        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen para cada volumen inicial, e inicios detrás de la pelota.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: with one camera the cloud moves away from it.</source>
-        <translation>Barrera et al. 2005, sección III-B: con una cámara la nube se aleja de ella.</translation>
+        <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
+        <translation>Barrera et al. 2005, sección III-B: con una sola cámara, la nube se aleja de la cámara.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
-        <translation>Barrera et al. 2005, figura 5: dónde encuentra el color una sola cámara y por qué la nube se aleja de ella.</translation>
+        <source>Barrera et al. 2005, figure 5: where a single camera finds the color, and why the cloud moves away from the camera.</source>
+        <translation>Barrera et al. 2005, figura 5: dónde encuentra el color una sola cámara y por qué la nube se aleja de la cámara.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
-        <translation>Mohedano et al. 2009, figuras 1 y 3: lo que se mueve en las imágenes de una cámara, a trozos, y lo probable que hace eso a una persona en cada píxel.</translation>
+        <source>Mohedano et al. 2009, figures 1 and 3: the regions that move in a camera&apos;s images, and the likelihood of a person at each pixel.</source>
+        <translation>Mohedano et al. 2009, figuras 1 y 3: las zonas que se mueven en las imágenes de una cámara y la verosimilitud de una persona en cada píxel.</translation>
     </message>
     <message>
         <source>Drift along the optical axis</source>
@@ -1470,8 +1470,8 @@
         <translation>Partículas en ambas imágenes</translation>
     </message>
     <message>
-        <source>The cloud on its way</source>
-        <translation>La nube en camino</translation>
+        <source>The cloud over time</source>
+        <translation>La nube a lo largo del tiempo</translation>
     </message>
     <message>
         <source>Motion masks and motion likelihood</source>
@@ -1490,16 +1490,16 @@
         <translation>Recuadros: error, éxito y precisión</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
-        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo una estimación no corresponde a nadie y cuánto tiempo una persona no tiene estimación.</translation>
+        <source>Mohedano et al. 2009: people enter and leave; how long an estimate stays without a person, and a person without an estimate.</source>
+        <translation>Mohedano et al. 2009: la gente entra y sale; cuánto tiempo queda una estimación sin persona y una persona sin estimación.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
         <translation>Mohedano et al. 2009: dos personas se encuentran y siguen; el movimiento solo puede confundirlas, el color las distingue cuando su ropa es distinta.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
-        <translation>Mohedano et al. 2009: dos personas se encuentran, se paran y vuelven por donde vinieron.</translation>
+        <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
+        <translation>Mohedano et al. 2009: dos personas se encuentran, se paran y regresan.</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people walk close to each other.</source>
@@ -1518,7 +1518,7 @@
         <translation>Personas que entran y salen</translation>
     </message>
     <message>
-        <source>People who meet and turn</source>
+        <source>People who meet and turn back</source>
         <translation>Personas que se encuentran y dan la vuelta</translation>
     </message>
     <message>
@@ -1526,7 +1526,7 @@
         <translation>Sugandi et al. 2009, sección 4: 100 y 300 partículas, el método histogram y cuatro seguidores de OpenCV en los mismos vídeos.</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may confuse them.</source>
         <translation>Mohedano et al. 2009: dos personas lejos una de la otra, el caso fácil, en el que ningún método debe confundirlas.</translation>
     </message>
     <message>
@@ -1566,11 +1566,11 @@
         <translation>Una persona se sienta en un taburete y se levanta, otra se agacha y se levanta, y otra pasa de largo.</translation>
     </message>
     <message>
-        <source>People who carry things</source>
-        <translation>Personas que llevan cosas</translation>
+        <source>People who carry objects</source>
+        <translation>Personas que llevan objetos</translation>
     </message>
     <message>
-        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <source>Two people walk past each other, one with a box in front of the chest, one with a bag.</source>
         <translation>Dos personas se cruzan, una con una caja ante el pecho y otra con una bolsa.</translation>
     </message>
     <message>
@@ -1606,8 +1606,8 @@
         <translation>Un armario y un taburete se mueven después de que las cámaras hayan aprendido el fondo.</translation>
     </message>
     <message>
-        <source>Clothes like the room</source>
-        <translation>Ropa como la sala</translation>
+        <source>Clothes in the room&apos;s colors</source>
+        <translation>Ropa con los colores de la sala</translation>
     </message>
     <message>
         <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
@@ -1677,7 +1677,7 @@
         <translation>sin huecos</translation>
     </message>
     <message>
-        <source>%1 places unknown</source>
+        <source>%1 positions unknown</source>
         <translation>%1 posiciones desconocidas</translation>
     </message>
     <message>
@@ -1754,12 +1754,12 @@
         <translation>– sin recuadro</translation>
     </message>
     <message>
-        <source>◔ learning the room</source>
-        <translation>◔ aprende la sala</translation>
+        <source>◔ learning background</source>
+        <translation>◔ aprende el fondo</translation>
     </message>
     <message>
-        <source>◌ nobody there</source>
-        <translation>◌ nadie</translation>
+        <source>◌ nobody in view</source>
+        <translation>◌ nadie a la vista</translation>
     </message>
     <message>
         <source>– not there</source>
@@ -1811,43 +1811,43 @@
         <translation>Un recuadro en un vídeo</translation>
     </message>
     <message>
-        <source>A particle filter on color histograms</source>
-        <translation>Un filtro de partículas sobre histogramas de color</translation>
+        <source>A particle filter with color histograms</source>
+        <translation>Un filtro de partículas con histogramas de color</translation>
     </message>
     <message>
-        <source>A particle filter on positions</source>
-        <translation>Un filtro de partículas sobre posiciones</translation>
+        <source>A particle filter with position measurements</source>
+        <translation>Un filtro de partículas con medidas de posición</translation>
     </message>
     <message>
-        <source>A plain particle filter on color</source>
-        <translation>Un filtro de partículas sencillo sobre el color</translation>
+        <source>A simple particle filter with color</source>
+        <translation>Un filtro de partículas sencillo con color</translation>
     </message>
     <message>
-        <source>Anything colored, in 3D</source>
-        <translation>Cualquier cosa de color, en 3D</translation>
+        <source>Colored objects in 3D</source>
+        <translation>Objetos de color en 3D</translation>
     </message>
     <message>
         <source>Anything you draw a box around</source>
         <translation>Cualquier cosa que rodee con un recuadro</translation>
     </message>
     <message>
-        <source>Balls, hands, anything colored</source>
-        <translation>Pelotas, manos, cualquier cosa de color</translation>
+        <source>Balls, hands and other colored objects</source>
+        <translation>Pelotas, manos y otros objetos de color</translation>
     </message>
     <message>
-        <source>Follows its colors and its size, and finds it again after it was hidden.</source>
-        <translation>Sigue sus colores y su tamaño, y lo reencuentra tras una ocultación.</translation>
+        <source>Tracks colors and size of the target, and finds it again after it was hidden.</source>
+        <translation>Sigue los colores y el tamaño del objetivo, y lo reencuentra tras una ocultación.</translation>
     </message>
     <message>
         <source>For comparison: confuses people who come close.</source>
         <translation>Para comparar: confunde a quienes se acercan.</translation>
     </message>
     <message>
-        <source>For comparison: tells people apart by different clothes.</source>
-        <translation>Para comparar: distingue a las personas si su ropa es distinta.</translation>
+        <source>For comparison: distinguishes people by their clothes.</source>
+        <translation>Para comparar: distingue a las personas por su ropa.</translation>
     </message>
     <message>
-        <source>For teaching: follows a box in one video.</source>
+        <source>For teaching: tracks a box in one video.</source>
         <translation>Para enseñar: sigue un recuadro en un vídeo.</translation>
     </message>
     <message>
@@ -1879,12 +1879,12 @@
         <translation>Personas que caminan y se encuentran</translation>
     </message>
     <message>
-        <source>Positions on the floor of several people, also in similar clothes.</source>
-        <translation>Posiciones en el suelo de varias personas, también con ropa parecida.</translation>
+        <source>Tracks several people on the floor, even in similar clothes.</source>
+        <translation>Sigue a varias personas sobre el suelo, aunque lleven ropa parecida.</translation>
     </message>
     <message>
-        <source>The most accurate: decides by itself between a ball and any other shape.</source>
-        <translation>El más preciso: decide por sí mismo entre una bola y cualquier otra forma.</translation>
+        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
+        <translation>El más preciso: decide si el objetivo es una bola o tiene otra forma.</translation>
     </message>
 </context>
 <context>
@@ -1913,7 +1913,7 @@
         <translation>Mitad del tamaño en z de la caja alrededor del inicio en la que las partículas empiezan repartidas por igual; con 0 todas empiezan en el mismo z.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis in one iteration: larger follows faster objects and spreads wider.</source>
+        <source>How far particles move at random along each axis in one iteration: larger values follow faster objects, but spread the particles wider.</source>
         <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje en una iteración: un valor mayor sigue objetos más rápidos y dispersa más.</translation>
     </message>
     <message>
@@ -1921,8 +1921,8 @@
         <translation>Cuántas iteraciones del filtro se ejecutan en cada fotograma.</translation>
     </message>
     <message>
-        <source>How many particles the filter uses: more follow more surely and cost more time.</source>
-        <translation>Cuántas partículas usa el filtro: más siguen con mayor seguridad y cuestan más tiempo.</translation>
+        <source>Number of particles of the filter: more particles track more reliably, but take more time.</source>
+        <translation>Número de partículas del filtro: más partículas siguen con mayor fiabilidad, pero cuestan más tiempo.</translation>
     </message>
     <message>
         <source>Iterations per frame</source>
@@ -1961,47 +1961,47 @@
         <translation>Inicio z</translation>
     </message>
     <message>
-        <source>World x of the place where all particles start.</source>
-        <translation>Coordenada x del mundo del lugar donde empiezan todas las partículas.</translation>
+        <source>World x coordinate of the point at which all particles start.</source>
+        <translation>Coordenada x del mundo del punto en que empiezan todas las partículas.</translation>
     </message>
     <message>
-        <source>World y of the place where all particles start.</source>
-        <translation>Coordenada y del mundo del lugar donde empiezan todas las partículas.</translation>
+        <source>World y coordinate of the point at which all particles start.</source>
+        <translation>Coordenada y del mundo del punto en que empiezan todas las partículas.</translation>
     </message>
     <message>
-        <source>World z of the place where all particles start.</source>
-        <translation>Coordenada z del mundo del lugar donde empiezan todas las partículas.</translation>
+        <source>World z coordinate of the point at which all particles start.</source>
+        <translation>Coordenada z del mundo del punto en que empiezan todas las partículas.</translation>
     </message>
     <message>
         <source>Acceleration sigma</source>
         <translation>Sigma de la aceleración</translation>
     </message>
     <message>
-        <source>Edge of the room in which a target may appear: larger asks for more evidence before a target is believed.</source>
-        <translation>Arista del espacio en el que puede aparecer un objetivo: un valor mayor exige más pruebas antes de dar por cierto un objetivo.</translation>
+        <source>Edge length of the room in which a target may appear: larger values require a higher likelihood before a track is created.</source>
+        <translation>Arista del espacio en el que puede aparecer un objetivo: valores mayores exigen una verosimilitud más alta antes de iniciar un seguimiento.</translation>
     </message>
     <message>
         <source>Fewest particles</source>
         <translation>Mínimo de partículas</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution they stand for (Kullback-Leibler distance): smaller takes more particles where they disagree; 0 always takes all of them.</source>
-        <translation>Cuánto pueden apartarse las partículas de la distribución que representan (distancia de Kullback-Leibler): un valor menor usa más partículas donde discrepan; 0 las usa siempre todas.</translation>
+        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles where they are spread; 0 always uses all of them.</source>
+        <translation>Cuánto pueden apartarse las partículas de la distribución que representan (divergencia de Kullback-Leibler): valores menores usan más partículas donde están dispersas; 0 las usa siempre todas.</translation>
     </message>
     <message>
-        <source>How long a target that no camera can judge is believed to be still there.</source>
-        <translation>Cuánto tiempo se da por presente un objetivo que ninguna cámara puede juzgar.</translation>
+        <source>How long a target still counts as present when no camera can see where it should be.</source>
+        <translation>Cuánto tiempo se considera presente un objetivo cuando ninguna cámara puede ver dónde debería estar.</translation>
     </message>
     <message>
-        <source>How many particles each target uses at least, when they all agree.</source>
-        <translation>Cuántas partículas usa como mínimo cada objetivo, cuando todas coinciden.</translation>
+        <source>Smallest number of particles of each target, used when all particles agree.</source>
+        <translation>Número mínimo de partículas de cada objetivo, que se usa cuando todas coinciden.</translation>
     </message>
     <message>
-        <source>How many particles each target uses at most.</source>
-        <translation>Cuántas partículas usa como máximo cada objetivo.</translation>
+        <source>Largest number of particles of each target.</source>
+        <translation>Número máximo de partículas de cada objetivo.</translation>
     </message>
     <message>
-        <source>How strongly targets speed up, slow down and turn: larger follows abrupt motion, smaller bridges gaps better.</source>
+        <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
         <translation>Con cuánta fuerza los objetivos aceleran, frenan y giran: un valor mayor sigue movimientos bruscos, uno menor salva mejor las interrupciones.</translation>
     </message>
     <message>
@@ -2021,7 +2021,7 @@
         <translation>Límite de tiempo</translation>
     </message>
     <message>
-        <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <source>How long one iteration may take. To meet it, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated bit by bit.</source>
         <translation>Cuánto puede durar una iteración: para respetarlo se usan menos partículas y las búsquedas se reparten entre varios fotogramas. 0 no pone límite; con un límite, una ejecución depende de la velocidad del equipo y no se puede repetir bit a bit.</translation>
     </message>
     <message>
@@ -2029,12 +2029,12 @@
         <translation>Adaptación del color</translation>
     </message>
     <message>
-        <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
-        <translation>Con qué rapidez el rango de color de un objetivo sigue los cambios lentos de luz, como constante de tiempo; solo mientras el objetivo está ahí con seguridad, y en cada cámara por separado. 0 deja el rango como está; 2 es un buen valor en una sala con luz natural.</translation>
+        <source>Time constant with which a target&apos;s color range follows slow changes of light, in each camera separately and only while the target is clearly visible. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
+        <translation>Constante de tiempo con la que el rango de color de un objetivo sigue los cambios lentos de luz, en cada cámara por separado y solo mientras el objetivo se ve con claridad. 0 deja el rango como está; 2 es un buen valor en una sala con luz natural.</translation>
     </message>
     <message>
-        <source>How far off a measured position is taken to be along each axis: larger trusts the particles more, smaller the measurement.</source>
-        <translation>Cuánto se supone que falla una posición medida en cada eje: mayor confía más en las partículas, menor en la medida.</translation>
+        <source>Assumed error of a measured position along each axis: larger values trust the particles more, smaller values the measurement.</source>
+        <translation>Error supuesto de una posición medida en cada eje: valores mayores confían más en las partículas, menores en la medida.</translation>
     </message>
     <message>
         <source>Observation sigma</source>
@@ -2053,32 +2053,32 @@
         <translation>Oculto por debajo de</translation>
     </message>
     <message>
-        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller trusts the best particles more.</source>
+        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller values trust the best particles more.</source>
         <translation>Cuánto pueden diferir los colores de la referencia (distancia de Bhattacharyya): un valor menor confía más en las mejores partículas.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis from image to image, beside going on as before, in sizes of the target.</source>
-        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, además de seguir como antes, en tamaños del objetivo.</translation>
+        <source>How far particles move at random along each axis between images, in sizes of the target, in addition to their constant velocity.</source>
+        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, en tamaños del objetivo, además de su velocidad constante.</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis from image to image, beside going on as before: larger follows sudden motion and spreads wider.</source>
-        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, además de seguir como antes: un valor mayor sigue movimientos repentinos y dispersa más.</translation>
+        <source>How far particles move at random along each axis between images, in addition to their constant velocity: larger values follow sudden motion, but spread the particles wider.</source>
+        <translation>Cuánto se mueven al azar las partículas a lo largo de cada eje de una imagen a otra, además de su velocidad constante: valores mayores siguen movimientos repentinos, pero las dispersan más.</translation>
     </message>
     <message>
-        <source>How far the target may be from where it was expected, in sizes of the target, before that counts strongly against a place.</source>
-        <translation>Cuánto puede alejarse el objetivo de donde se esperaba, en tamaños del objetivo, antes de que eso cuente mucho en contra de un lugar.</translation>
+        <source>How far the target may be from its predicted position, in sizes of the target, before a position counts as unlikely.</source>
+        <translation>Cuánto puede alejarse el objetivo de su posición prevista, en tamaños del objetivo, antes de que una posición se considere improbable.</translation>
     </message>
     <message>
-        <source>How much better a place with more of the target&apos;s colors is held to be.</source>
-        <translation>Cuánto mejor se considera un lugar con más colores del objetivo.</translation>
+        <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
+        <translation>Con qué fuerza se prefieren las posiciones con más colores del objetivo.</translation>
     </message>
     <message>
-        <source>How much the proportion of width to height may change from image to image (logarithm); 0 keeps it as it was given.</source>
-        <translation>Cuánto puede cambiar la proporción entre anchura y altura de una imagen a otra (logaritmo); 0 la deja como se dio.</translation>
+        <source>How much the ratio of width to height may change between images (logarithm); 0 keeps the initial ratio.</source>
+        <translation>Cuánto puede cambiar la proporción entre anchura y altura de una imagen a otra (logaritmo); 0 conserva la proporción inicial.</translation>
     </message>
     <message>
-        <source>How much the size of the box may change from image to image (logarithm); 0 keeps it as it was given.</source>
-        <translation>Cuánto puede cambiar el tamaño del recuadro de una imagen a otra (logaritmo); 0 lo deja como se dio.</translation>
+        <source>How much the size of the box may change between images (logarithm); 0 keeps the initial size.</source>
+        <translation>Cuánto puede cambiar el tamaño del recuadro de una imagen a otra (logaritmo); 0 conserva el tamaño inicial.</translation>
     </message>
     <message>
         <source>Jump reach</source>
@@ -2101,28 +2101,28 @@
         <translation>Sigma de la escala</translation>
     </message>
     <message>
-        <source>Share by which the reference colors follow those of the box from image to image; 0 keeps those of the first image.</source>
-        <translation>Proporción en que los colores de referencia siguen a los del recuadro de una imagen a otra; 0 conserva los de la primera imagen.</translation>
+        <source>How much of the box&apos;s current colors is blended into the reference colors at each image; 0 keeps the colors of the first image.</source>
+        <translation>Cuánto de los colores actuales del recuadro se mezcla en los de referencia en cada imagen; 0 conserva los colores de la primera imagen.</translation>
     </message>
     <message>
-        <source>Share of the particles that are tried at other places with the target&apos;s colors.</source>
-        <translation>Proporción de partículas que se prueban en otros lugares con los colores del objetivo.</translation>
+        <source>Share of the particles that are placed at other positions with the target&apos;s colors.</source>
+        <translation>Proporción de partículas que se colocan en otras posiciones con los colores del objetivo.</translation>
     </message>
     <message>
         <source>Sharpness</source>
         <translation>Nitidez</translation>
     </message>
     <message>
-        <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
-        <translation>El objetivo cuenta como oculto, y se mantiene, donde se encuentra menos de esta proporción de sus colores habituales.</translation>
+        <source>If less than this share of its usual colors is found, the target counts as hidden and keeps its position.</source>
+        <translation>Si se encuentra menos de esta proporción de sus colores habituales, el objetivo se considera oculto y conserva su posición.</translation>
     </message>
     <message>
-        <source>1: who is seen by several cameras becomes a person; 0: only people put there by hand.</source>
-        <translation>1: quien es visto por varias cámaras pasa a ser una persona; 0: solo personas puestas a mano.</translation>
+        <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
+        <translation>1: sigue a toda persona que ven varias cámaras; 0: sigue solo a las personas que usted añade a mano.</translation>
     </message>
     <message>
-        <source>After how long something new that stays counts as background.</source>
-        <translation>Tras cuánto tiempo algo nuevo que permanece cuenta como fondo.</translation>
+        <source>Time after which a new object that stays in place counts as background.</source>
+        <translation>Tiempo tras el cual un objeto nuevo que no se mueve cuenta como fondo.</translation>
     </message>
     <message>
         <source>Area half size x</source>
@@ -2149,11 +2149,11 @@
         <translation>Modelo de fondo</translation>
     </message>
     <message>
-        <source>Birth time</source>
+        <source>Creation time</source>
         <translation>Tiempo de aparición</translation>
     </message>
     <message>
-        <source>Births</source>
+        <source>Create tracks</source>
         <translation>Apariciones</translation>
     </message>
     <message>
@@ -2173,63 +2173,63 @@
         <translation>Sombra más oscura</translation>
     </message>
     <message>
-        <source>Evidence per camera</source>
-        <translation>Evidencia por cámara</translation>
+        <source>Weight per camera</source>
+        <translation>Peso por cámara</translation>
     </message>
     <message>
         <source>Floor z</source>
         <translation>Suelo z</translation>
     </message>
     <message>
-        <source>Half the size of the floor that is watched; who crosses its border has left.</source>
-        <translation>Mitad del tamaño del suelo vigilado; quien cruza su borde se ha ido.</translation>
+        <source>Half the size of the tracked floor area; a person who crosses its border has left.</source>
+        <translation>Mitad del tamaño del suelo vigilado; una persona que cruza su borde se ha ido.</translation>
     </message>
     <message>
-        <source>Height of a person whose own is not known yet.</source>
-        <translation>Estatura de una persona cuya propia aún no se conoce.</translation>
+        <source>Assumed height of a person whose height is not known yet.</source>
+        <translation>Estatura supuesta de una persona cuya estatura aún no se conoce.</translation>
     </message>
     <message>
-        <source>Height of the floor in the world frame.</source>
-        <translation>Altura del suelo en el sistema del mundo.</translation>
+        <source>Height of the floor in world coordinates.</source>
+        <translation>Altura del suelo en coordenadas del mundo.</translation>
     </message>
     <message>
-        <source>How long a person whom no two cameras see is believed to be still there.</source>
-        <translation>Cuánto tiempo se da por presente a una persona que no ven dos cámaras.</translation>
+        <source>How long a person still counts as present when fewer than two cameras see the person.</source>
+        <translation>Cuánto tiempo se considera presente a una persona cuando la ven menos de dos cámaras.</translation>
     </message>
     <message>
-        <source>How long foreground that nobody explains must stay together to become a person.</source>
-        <translation>Cuánto tiempo debe permanecer unido un primer plano que nadie explica para ser una persona.</translation>
+        <source>How long foreground that belongs to no tracked person must last before a new track is created.</source>
+        <translation>Cuánto debe durar un primer plano que no corresponde a ninguna persona seguida antes de iniciar un seguimiento nuevo.</translation>
     </message>
     <message>
-        <source>How long the cameras only learn what they usually show, at first; nobody should be there.</source>
-        <translation>Cuánto tiempo aprenden las cámaras al principio lo que suelen mostrar; no debe haber nadie.</translation>
+        <source>How long the cameras only learn the background at the start; nobody should be in view.</source>
+        <translation>Cuánto tiempo aprenden las cámaras solo el fondo al principio; no debe haber nadie a la vista.</translation>
     </message>
     <message>
-        <source>How many particles each person has.</source>
-        <translation>Cuántas partículas tiene cada persona.</translation>
+        <source>Number of particles of each person.</source>
+        <translation>Número de partículas de cada persona.</translation>
     </message>
     <message>
-        <source>How many points stand for the volume of each person.</source>
-        <translation>Cuántos puntos representan el volumen de cada persona.</translation>
+        <source>Number of points that represent the volume of each person.</source>
+        <translation>Número de puntos que representan el volumen de cada persona.</translation>
     </message>
     <message>
         <source>How moving regions are found: 0 one Gaussian per pixel (fast), 1 OpenCV&apos;s MOG2, 2 OpenCV&apos;s KNN.</source>
         <translation>Cómo se hallan las zonas en movimiento: 0 una gaussiana por píxel (rápido), 1 MOG2 de OpenCV, 2 KNN de OpenCV.</translation>
     </message>
     <message>
-        <source>How much a camera that sees a whole person says: larger trusts the masks more.</source>
-        <translation>Cuánto dice una cámara que ve a una persona entera: un valor mayor confía más en las máscaras.</translation>
+        <source>How much a camera that sees a whole person counts: larger values trust the masks more.</source>
+        <translation>Cuánto cuenta una cámara que ve a una persona entera: valores mayores confían más en las máscaras.</translation>
     </message>
     <message>
-        <source>How much the colors of clothes count beside the masks when people are near each other.</source>
-        <translation>Cuánto cuentan los colores de la ropa junto a las máscaras cuando las personas están cerca.</translation>
+        <source>How much the colors of clothes count compared with the masks when people are close to each other.</source>
+        <translation>Cuánto cuentan los colores de la ropa en comparación con las máscaras cuando las personas están cerca.</translation>
     </message>
     <message>
-        <source>How near the middles of two people can come.</source>
-        <translation>Cuánto pueden acercarse los centros de dos personas.</translation>
+        <source>Smallest distance between the centers of two people.</source>
+        <translation>Distancia mínima entre los centros de dos personas.</translation>
     </message>
     <message>
-        <source>How strongly people speed up, slow down and turn.</source>
+        <source>How strongly people accelerate, brake and turn.</source>
         <translation>Con cuánta fuerza las personas aceleran, frenan y giran.</translation>
     </message>
     <message>
@@ -2253,19 +2253,19 @@
         <translation>Tiempo de aprendizaje</translation>
     </message>
     <message>
-        <source>Least distance</source>
+        <source>Minimum distance</source>
         <translation>Distancia mínima</translation>
     </message>
     <message>
-        <source>Least likelihood of a hue (the paper&apos;s h_B): something else may be seen.</source>
-        <translation>Verosimilitud mínima de un tono (h_B del artículo): puede verse otra cosa.</translation>
+        <source>Smallest likelihood of a hue (h_B in the paper), because another object may be seen.</source>
+        <translation>Verosimilitud mínima de un tono (h_B del artículo), pues puede verse otro objeto.</translation>
     </message>
     <message>
-        <source>Least likelihood of a saturation (the paper&apos;s s_B).</source>
+        <source>Smallest likelihood of a saturation (s_B in the paper).</source>
         <translation>Verosimilitud mínima de una saturación (s_B del artículo).</translation>
     </message>
     <message>
-        <source>Least likelihood where a camera sees no motion (the paper&apos;s p_B: 0.2).</source>
+        <source>Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).</source>
         <translation>Verosimilitud mínima donde una cámara no ve movimiento (p_B del artículo: 0,2).</translation>
     </message>
     <message>
@@ -2273,7 +2273,7 @@
         <translation>Suavizado de la máscara</translation>
     </message>
     <message>
-        <source>Middle of the floor that is watched.</source>
+        <source>Center of the tracked floor area.</source>
         <translation>Centro del suelo vigilado.</translation>
     </message>
     <message>
@@ -2325,20 +2325,20 @@
         <translation>Ruido de velocidad</translation>
     </message>
     <message>
-        <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
-        <translation>Lo que es más oscuro de lo habitual en no más de este factor, con el mismo tono, es una sombra.</translation>
+        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness, at the same hue. Anything darker is foreground.</source>
+        <translation>Brillo mínimo de una sombra, como proporción del brillo del fondo, con el mismo tono. Lo más oscuro es primer plano.</translation>
     </message>
     <message>
         <source>Calibration error</source>
         <translation>Error de calibración</translation>
     </message>
     <message>
-        <source>How far off the directions are in which the cameras see things. The stated uncertainty of a position includes it. 0.25 suits a calibration by hand.</source>
-        <translation>Cuánto se desvían las direcciones en las que las cámaras ven las cosas. La incertidumbre indicada de una posición lo incluye. 0,25 es adecuado para una calibración a mano.</translation>
+        <source>Error of the directions in which the cameras see objects. It is part of the reported uncertainty of a position. 0.25 suits a calibration by hand.</source>
+        <translation>Error de las direcciones en las que las cámaras ven los objetos. Forma parte de la incertidumbre indicada de una posición. 0,25 es adecuado para una calibración a mano.</translation>
     </message>
     <message>
-        <source>How far off the times of the images are. The stated uncertainty of a moving target includes it. 8 suits webcams.</source>
-        <translation>Cuánto se desvían los tiempos de las imágenes. La incertidumbre indicada de un objetivo en movimiento lo incluye. 8 es adecuado para cámaras web.</translation>
+        <source>Error of the times of the images. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
+        <translation>Error de los tiempos de las imágenes. Forma parte de la incertidumbre indicada de un objetivo en movimiento. 8 es adecuado para cámaras web.</translation>
     </message>
     <message>
         <source>Time error</source>
@@ -2398,12 +2398,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
 <context>
     <name>People</name>
     <message>
-        <source>learning the empty room: %1 % · keep out of view</source>
-        <translation>aprendiendo la sala vacía: %1 % · no entre en la imagen</translation>
+        <source>learning background: %1 % · keep the scene empty</source>
+        <translation>aprendiendo el fondo: %1 % · no entre en la imagen</translation>
     </message>
     <message>
-        <source>%1 % of the image moves: not looked at</source>
-        <translation>se mueve el %1 % de la imagen: no se tiene en cuenta</translation>
+        <source>%1 % of the image moves: ignored</source>
+        <translation>se mueve el %1 % de la imagen: se ignora</translation>
     </message>
     <message>
         <source>learning: %1 %</source>
@@ -2517,12 +2517,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>oculto</translation>
     </message>
     <message>
-        <source>at a look-alike</source>
-        <translation>en un objeto parecido</translation>
+        <source>at a distractor</source>
+        <translation>en un distractor</translation>
     </message>
     <message>
-        <source>%1 beside a look-alike</source>
-        <translation>a %1 de un objeto parecido</translation>
+        <source>%1 from a distractor</source>
+        <translation>a %1 de un distractor</translation>
     </message>
     <message>
         <source>no color matches</source>
@@ -2533,15 +2533,15 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>su color está a %1</translation>
     </message>
     <message>
-        <source>its color, but not its shape</source>
-        <translation>su color, pero no su forma</translation>
+        <source>right color, wrong shape</source>
+        <translation>color correcto, forma incorrecta</translation>
     </message>
     <message>
         <source>hidden here</source>
         <translation>oculto aquí</translation>
     </message>
     <message>
-        <source>not in this picture</source>
+        <source>not in this image</source>
         <translation>no está en esta imagen</translation>
     </message>
 </context>
@@ -2647,12 +2647,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>corregido</translation>
     </message>
     <message>
-        <source>of earlier settings</source>
+        <source>from earlier settings</source>
         <translation>con ajustes anteriores</translation>
     </message>
     <message>
-        <source>How well each target is held appears here when tracking runs.</source>
-        <translation>Lo bien que se sigue cada objetivo aparece aquí durante el seguimiento.</translation>
+        <source>The state of each target appears here during tracking.</source>
+        <translation>El estado de cada objetivo aparece aquí durante el seguimiento.</translation>
     </message>
 </context>
 <context>
@@ -2728,11 +2728,11 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>empieza a caer</translation>
     </message>
     <message>
-        <source>still falls</source>
+        <source>is still falling</source>
         <translation>todavía cae</translation>
     </message>
     <message>
-        <source>Two cameras or more must see the ball.</source>
+        <source>At least two cameras must see the ball.</source>
         <translation>Dos o más cámaras deben ver la pelota.</translation>
     </message>
     <message>
@@ -2740,20 +2740,20 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Aprenda primero el color de la pelota: pulse L y haga clic en ella en una imagen.</translation>
     </message>
     <message>
-        <source>A stick has two balls of different colors: learn the second one (Shift+L).</source>
-        <translation>Una vara tiene dos pelotas de distinto color: aprenda la segunda (Mayús+L).</translation>
+        <source>A wand has two balls of different colors: learn the second color (Shift+L).</source>
+        <translation>Una varita tiene dos pelotas de colores distintos: aprenda el segundo color (Mayús+L).</translation>
     </message>
     <message>
-        <source>The two ends of the stick are the same target: choose another.</source>
-        <translation>Los dos extremos de la vara son el mismo objetivo: elija otro.</translation>
+        <source>Both ends of the wand are the same target: choose another target.</source>
+        <translation>Los dos extremos de la varita son el mismo objetivo: elija otro.</translation>
     </message>
     <message>
-        <source>The size is to come from a distance: take the moments at which the ball is at its two ends.</source>
-        <translation>El tamaño debe venir de una distancia: tome los momentos en que la pelota está en sus dos extremos.</translation>
+        <source>The size comes from a distance: add the times at which the ball is at its two ends.</source>
+        <translation>El tamaño se toma de una distancia: añada los instantes en que la pelota está en sus dos extremos.</translation>
     </message>
     <message>
-        <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
-        <translation>Una caída necesita dos momentos: uno en que la pelota empieza a caer y otro en que todavía cae.</translation>
+        <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
+        <translation>Una caída necesita dos instantes: uno en que la pelota empieza a caer y otro en que todavía cae.</translation>
     </message>
 </context>
 <context>
@@ -2787,7 +2787,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Cómo citar</translation>
     </message>
     <message>
-        <source>Show the whole text of the license, or hide it</source>
+        <source>Show or hide the full text of the license</source>
         <translation>Mostrar el texto completo de la licencia u ocultarlo</translation>
     </message>
     <message>
@@ -2795,8 +2795,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Copiar la cita</translation>
     </message>
     <message>
-        <source>Copy the line for your list of references</source>
-        <translation>Copiar la línea para su lista de referencias</translation>
+        <source>Copy the entry for your reference list</source>
+        <translation>Copiar la entrada para su lista de referencias</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2814,31 +2814,31 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Haga clic en la persona</translation>
     </message>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>Imagen de %1: las flechas mueven una cruz, Intro dice que allí hay una persona</translation>
+        <source>Image of %1: arrow keys move a cross, Enter adds a person there</source>
+        <translation>Imagen de %1: las flechas mueven una cruz, Intro añade allí una persona</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::BackgroundImageTaker</name>
     <message>
-        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
-        <translation>«%1» está en esta imagen: donde está ahora se tomaría por la habitación. Mejor muestra un momento sin él.</translation>
+        <source>“%1” is visible in this image and would become part of the background. Choose a frame without it.</source>
+        <translation>«%1» se ve en esta imagen y pasaría a formar parte del fondo. Elija un fotograma sin él.</translation>
     </message>
     <message>
-        <source>Use it all the same</source>
+        <source>Use it anyway</source>
         <translation>Usarla de todos modos</translation>
     </message>
     <message>
-        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <source>The camera has changed in the meantime. The image was saved as %1, but is not used.</source>
         <translation>La cámara se cambió mientras tanto: la imagen se guardó como %1, pero no se usa.</translation>
     </message>
     <message>
-        <source>Change empty room</source>
-        <translation>Cambiar la sala vacía</translation>
+        <source>Change background image</source>
+        <translation>Cambiar la imagen de fondo</translation>
     </message>
     <message>
-        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
-        <translation>La imagen mostrada es ahora la habitación vacía de %1; se guarda como %2.</translation>
+        <source>The current image is now the background image of %1. It was saved as %2.</source>
+        <translation>La imagen actual es ahora la imagen de fondo de %1. Se guardó como %2.</translation>
     </message>
 </context>
 <context>
@@ -2848,11 +2848,11 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Corregir la posición</translation>
     </message>
     <message>
-        <source>The target was followed back to frame %1; from there on it is tracked again.</source>
+        <source>The target was tracked back to frame %1. From there, it is tracked again.</source>
         <translation>El objetivo se siguió hacia atrás hasta el fotograma %1; desde ahí se sigue de nuevo.</translation>
     </message>
     <message>
-        <source>Following the target back in time: frame %1.</source>
+        <source>Tracking the target backward: frame %1.</source>
         <translation>Siguiendo el objetivo hacia atrás: fotograma %1.</translation>
     </message>
     <message>
@@ -2882,52 +2882,52 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Tablero</translation>
     </message>
     <message>
-        <source>What to find</source>
-        <translation>Qué buscar</translation>
+        <source>Values to calibrate</source>
+        <translation>Valores que se calibran</translation>
     </message>
     <message>
         <source>Calibrate</source>
         <translation>Calibrar</translation>
     </message>
     <message>
-        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
-        <translation>Buscar el tablero en la grabación y calibrar con él las cámaras; un paso que se puede deshacer</translation>
+        <source>Find the board in the recording and calibrate the cameras with it (one undo step)</source>
+        <translation>Buscar el tablero en la grabación y calibrar con él las cámaras (se deshace en un paso)</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop; the former calibration is kept</source>
-        <translation>Detener; se conserva la calibración anterior</translation>
+        <source>Stop and keep the previous calibration</source>
+        <translation>Detener y conservar la calibración anterior</translation>
     </message>
     <message>
         <source>Apply</source>
         <translation>Aplicar</translation>
     </message>
     <message>
-        <source>Take the calibration into the project; one step that can be undone</source>
-        <translation>Llevar la calibración al proyecto; un paso que se puede deshacer</translation>
+        <source>Use the calibration in the project (one undo step)</source>
+        <translation>Usar la calibración en el proyecto (se deshace en un paso)</translation>
     </message>
     <message>
         <source>Report…</source>
         <translation>Informe…</translation>
     </message>
     <message>
-        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <source>Save a page with the residuals, coverage and errors of all images, and open it</source>
         <translation>Guardar y abrir una página con residuos, cobertura y errores de todas las imágenes</translation>
     </message>
     <message>
-        <source>How far the calibration is</source>
+        <source>Calibration progress</source>
         <translation>Avance de la calibración</translation>
     </message>
     <message>
-        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
-        <translation>Muestre un tablero impreso a las cámaras: se le indica qué mostrar después y se captura cuando lo mantiene quieto.</translation>
+        <source>Show a printed board to the cameras. This page says what to show next. A view is captured when you hold the board still.</source>
+        <translation>Muestre un tablero impreso a las cámaras. Esta página indica qué mostrar después. Se captura una vista cuando mantiene quieto el tablero.</translation>
     </message>
     <message>
-        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
-        <translation>Una grabación en la que se muestra un tablero impreso a las cámaras, quieto en muchos lugares, cerca e inclinado, las calibra.</translation>
+        <source>To calibrate from a recording, record a printed board that you hold still in many positions, also close and tilted.</source>
+        <translation>Para calibrar con una grabación, grabe un tablero impreso que mantiene quieto en muchas posiciones, también cerca e inclinado.</translation>
     </message>
     <message>
         <source>Live cameras</source>
@@ -2938,7 +2938,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Esta grabación</translation>
     </message>
     <message>
-        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
+        <source>✓ The cameras are calibrated (Ctrl+Z undoes this).</source>
         <translation>✓ Las cámaras están calibradas (Ctrl+Z lo deshace).</translation>
     </message>
     <message>
@@ -2969,12 +2969,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
     <message>
-        <source>Stopped: the former calibration is kept.</source>
-        <translation>Detenido: se conserva la calibración anterior.</translation>
+        <source>Stopped. The previous calibration is kept.</source>
+        <translation>Detenido. Se conserva la calibración anterior.</translation>
     </message>
     <message>
-        <source>The project has other cameras by now: calibrate again.</source>
-        <translation>El proyecto ya tiene otras cámaras: calibre de nuevo.</translation>
+        <source>The cameras of the project have changed: calibrate again.</source>
+        <translation>Las cámaras del proyecto han cambiado: calibre de nuevo.</translation>
     </message>
     <message>
         <source>Calibrate with a board</source>
@@ -3008,7 +3008,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Tipo de tablero</translation>
     </message>
     <message>
-        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <source>A ChArUco board may be partly hidden or outside the image; a chessboard must be completely visible</source>
         <translation>Los tableros ChArUco pueden verse solo en parte; los de ajedrez deben verse enteros</translation>
     </message>
     <message>
@@ -3036,44 +3036,44 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Lado de una casilla</translation>
     </message>
     <message>
-        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
-        <translation>Medido en la hoja impresa: una fila larga con regla, dividida entre sus casillas</translation>
+        <source>Measure a long row on the print with a ruler and divide by the number of squares</source>
+        <translation>Mida una fila larga de la hoja impresa con una regla y divida entre el número de casillas</translation>
     </message>
     <message>
         <source>Unit of the sizes</source>
         <translation>Unidad de las medidas</translation>
     </message>
     <message>
-        <source>Unit in which the sizes are typed</source>
-        <translation>Unidad en la que se escriben las medidas</translation>
+        <source>Unit of the sizes that you enter</source>
+        <translation>Unidad de las medidas que introduce</translation>
     </message>
     <message>
         <source>Side of a marker</source>
         <translation>Lado de un marcador</translation>
     </message>
     <message>
-        <source>Of the black square around the pattern</source>
-        <translation>Del cuadrado negro alrededor del patrón</translation>
+        <source>Side of the black square around the pattern</source>
+        <translation>Lado del cuadrado negro alrededor del patrón</translation>
     </message>
     <message>
         <source>Dictionary of the markers</source>
         <translation>Diccionario de los marcadores</translation>
     </message>
     <message>
-        <source>As the program called it that made it</source>
-        <translation>Como lo llamó el programa que lo creó</translation>
+        <source>The dictionary name used when the board was generated</source>
+        <translation>El nombre del diccionario con que se generó el tablero</translation>
     </message>
     <message>
-        <source>Even rows of older software</source>
-        <translation>Filas pares de programas antiguos</translation>
+        <source>Legacy layout (even rows)</source>
+        <translation>Diseño antiguo (filas pares)</translation>
     </message>
     <message>
-        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
-        <translation>Un tablero ChArUco con un número par de filas de un programa anterior a OpenCV 4.6: su primera casilla es blanca</translation>
+        <source>For ChArUco boards with an even number of rows from software older than OpenCV 4.6: the first square is white</source>
+        <translation>Para tableros ChArUco con un número par de filas de programas anteriores a OpenCV 4.6: la primera casilla es blanca</translation>
     </message>
     <message>
-        <source>Black and white exchanged</source>
-        <translation>Blanco y negro invertidos</translation>
+        <source>Inverted colors</source>
+        <translation>Colores invertidos</translation>
     </message>
     <message>
         <source>White markers and corners on a black page</source>
@@ -3084,16 +3084,16 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Imprimir este tablero…</translation>
     </message>
     <message>
-        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
-        <translation>Escribir el tablero como PDF a tamaño real, con una barra para comprobarlo con regla</translation>
+        <source>Save the board as a PDF at its true size, with a scale bar to check with a ruler</source>
+        <translation>Guardar el tablero como PDF a tamaño real, con una escala para comprobarla con una regla</translation>
     </message>
     <message>
         <source>Paper</source>
         <translation>Papel</translation>
     </message>
     <message>
-        <source>Size of the sheet that is printed on</source>
-        <translation>Tamaño de la hoja en que se imprime</translation>
+        <source>Size of the paper</source>
+        <translation>Tamaño del papel</translation>
     </message>
     <message>
         <source>%1 × %2 inner corners; for the command line:</source>
@@ -3111,24 +3111,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Buscar</translation>
     </message>
     <message>
-        <source>Lenses and places</source>
-        <translation>Objetivos y posiciones</translation>
+        <source>Intrinsics and positions</source>
+        <translation>Intrínsecos y posiciones</translation>
     </message>
     <message>
-        <source>Lenses</source>
-        <translation>Objetivos</translation>
+        <source>Intrinsics</source>
+        <translation>Parámetros intrínsecos</translation>
     </message>
     <message>
-        <source>Places of the cameras</source>
+        <source>Camera positions</source>
         <translation>Posiciones de las cámaras</translation>
     </message>
     <message>
-        <source>What is found</source>
-        <translation>Lo que se busca</translation>
+        <source>Values to calibrate</source>
+        <translation>Valores que se calibran</translation>
     </message>
     <message>
-        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
-        <translation>Objetivos: cómo ve cada cámara por sí sola. Posiciones: dónde están las cámaras, con un tablero que varias ven a la vez</translation>
+        <source>Intrinsics: lens and sensor of each camera separately. Positions: where the cameras are, from a board that several of them see at the same time</source>
+        <translation>Intrínsecos: objetivo y sensor de cada cámara por separado. Posiciones: dónde están las cámaras, con un tablero que varias ven a la vez</translation>
     </message>
     <message>
         <source>Lens model</source>
@@ -3147,19 +3147,19 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Ojo de pez</translation>
     </message>
     <message>
-        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <source>5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°</source>
         <translation>5 para la mayoría; 8 para gran angular; ojo de pez a partir de unos 120°</translation>
     </message>
     <message>
-        <source>The board lies on the floor in frame</source>
-        <translation>El tablero está en el suelo en el fotograma</translation>
+        <source>Frame with the board on the floor</source>
+        <translation>Fotograma con el tablero en el suelo</translation>
     </message>
     <message>
-        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
-        <translation>Ese fotograma define el mundo: X a lo largo de las filas, Y hacia el borde superior, Z hacia arriba. Sin él, la primera cámara conserva su posición</translation>
+        <source>This frame defines the world coordinates: X along the rows, Y toward the upper edge, Z up. Without it, the first camera keeps its position</source>
+        <translation>Este fotograma define las coordenadas del mundo: X a lo largo de las filas, Y hacia el borde superior, Z hacia arriba. Sin él, la primera cámara conserva su posición</translation>
     </message>
     <message>
-        <source>Frame in which the board lies on the floor</source>
+        <source>Frame number with the board on the floor</source>
         <translation>Fotograma en que el tablero está en el suelo</translation>
     </message>
     <message>
@@ -3167,83 +3167,83 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Número del fotograma</translation>
     </message>
     <message>
-        <source>This one</source>
-        <translation>Este</translation>
+        <source>Use current frame</source>
+        <translation>Fotograma actual</translation>
     </message>
     <message>
-        <source>The frame shown</source>
-        <translation>El fotograma mostrado</translation>
+        <source>Use current frame for the floor</source>
+        <translation>Usar el fotograma actual para el suelo</translation>
     </message>
     <message>
         <source>Take the frame that is shown now</source>
         <translation>Tomar el fotograma que se muestra ahora</translation>
     </message>
     <message>
-        <source>Enough at</source>
-        <translation>Basta con</translation>
+        <source>Stop at accuracy</source>
+        <translation>Precisión final</translation>
     </message>
     <message>
-        <source>Accuracy wanted of lenses</source>
-        <translation>Precisión deseada de los objetivos</translation>
+        <source>Desired accuracy of the intrinsics</source>
+        <translation>Precisión deseada de los parámetros intrínsecos</translation>
     </message>
     <message>
-        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
-        <translation>La guía termina cuando un rayo se conoce con tantos píxeles en toda la imagen</translation>
+        <source>The guidance ends when rays are known to this accuracy all over the image</source>
+        <translation>La guía termina cuando los rayos se conocen con esta precisión en toda la imagen</translation>
     </message>
     <message>
-        <source>Accuracy wanted of places</source>
+        <source>Desired accuracy of the positions</source>
         <translation>Precisión deseada de las posiciones</translation>
     </message>
     <message>
-        <source>The guidance ends when the place of each camera is known so well</source>
-        <translation>La guía termina cuando la posición de cada cámara se conoce así de bien</translation>
+        <source>The guidance ends when the position of each camera is known to this accuracy</source>
+        <translation>La guía termina cuando la posición de cada cámara se conoce con esta precisión</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardLive</name>
     <message>
-        <source>How long the board was held still before %1</source>
-        <translation>Cuánto tiempo se mantuvo quieto el tablero ante %1</translation>
+        <source>Time for which the board was held still in front of %1</source>
+        <translation>Tiempo que se mantuvo quieto el tablero ante %1</translation>
     </message>
     <message>
-        <source>Where %1 saw the board</source>
-        <translation>Dónde vio %1 el tablero</translation>
+        <source>Positions in which %1 saw the board</source>
+        <translation>Posiciones en que %1 vio el tablero</translation>
     </message>
     <message>
-        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
-        <translation>Relleno: zonas e inclinaciones en que se mostró el tablero. Naranja: lo que se pide. Verde: el tablero tal como se ve ahora</translation>
+        <source>Filled: regions and tilts in which the board was shown. Orange: what to show next. Green: the board in the current image</source>
+        <translation>Relleno: zonas e inclinaciones en que se mostró el tablero. Naranja: qué mostrar después. Verde: el tablero en la imagen actual</translation>
     </message>
     <message>
         <source>Capture now</source>
         <translation>Capturar ahora</translation>
     </message>
     <message>
-        <source>Take the board as it is shown now, also when it is not held still</source>
-        <translation>Tomar el tablero tal como se muestra ahora, aunque no esté quieto</translation>
+        <source>Capture the board as it is shown now, even if it is not held still</source>
+        <translation>Capturar el tablero tal como se muestra ahora, aunque no esté quieto</translation>
     </message>
     <message>
-        <source>On the floor now</source>
-        <translation>Ahora en el suelo</translation>
+        <source>Set floor from board</source>
+        <translation>Fijar suelo con tablero</translation>
     </message>
     <message>
-        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
-        <translation>Tomar el tablero tal como está ahora en el suelo: define el mundo. X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba</translation>
+        <source>Use the board on the floor to define the world coordinates: X along its rows, Y toward its upper edge, Z up</source>
+        <translation>Definir las coordenadas del mundo con el tablero en el suelo: X a lo largo de sus filas, Y hacia su borde superior, Z hacia arriba</translation>
     </message>
     <message>
-        <source>Next: places</source>
+        <source>Next: positions</source>
         <translation>Siguiente: posiciones</translation>
     </message>
     <message>
-        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
-        <translation>Dejar los objetivos como están y mostrar el tablero a varias cámaras a la vez</translation>
+        <source>Keep the accuracy of the intrinsics as it is, and show the board to several cameras at once</source>
+        <translation>Dejar la precisión de los parámetros intrínsecos como está y mostrar el tablero a varias cámaras a la vez</translation>
     </message>
     <message>
         <source>Calibrate with these views</source>
         <translation>Calibrar con estas vistas</translation>
     </message>
     <message>
-        <source>End here: what was taken so far is enough</source>
-        <translation>Terminar aquí: basta con lo capturado</translation>
+        <source>Finish now: the captured views are enough</source>
+        <translation>Terminar ahora: bastan las vistas capturadas</translation>
     </message>
     <message>
         <source>Start over</source>
@@ -3254,12 +3254,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Empezar</translation>
     </message>
     <message>
-        <source>Look for the board in the live images, and be told what to show</source>
-        <translation>Buscar el tablero en las imágenes en vivo e indicar qué mostrar</translation>
+        <source>Find the board in the live images and get guidance on what to show</source>
+        <translation>Buscar el tablero en las imágenes en vivo y recibir indicaciones de qué mostrar</translation>
     </message>
     <message>
-        <source>Waiting for images: are the cameras playing?</source>
-        <translation>Esperando imágenes: ¿están en marcha las cámaras?</translation>
+        <source>Waiting for images. Check that the cameras are running.</source>
+        <translation>Esperando imágenes. Compruebe que las cámaras estén en marcha.</translation>
     </message>
     <message>
         <source>Show the board to one camera after the other, as each of them asks.</source>
@@ -3277,16 +3277,16 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Se escriben dos archivos: boxes.csv (una fila por objetivo y fotograma: recuadro, centro, similitud, visto u oculto) y boxes_mot.txt (el formato del MOT Challenge). Todo en píxeles.</translation>
     </message>
     <message>
-        <source>How boxes.csv begins</source>
-        <translation>Cómo empieza boxes.csv</translation>
+        <source>First lines of boxes.csv</source>
+        <translation>Primeras líneas de boxes.csv</translation>
     </message>
     <message>
         <source>Folder</source>
         <translation>Carpeta</translation>
     </message>
     <message>
-        <source>Both files go there; it is made if need be</source>
-        <translation>Ambos archivos van ahí; se crea si hace falta</translation>
+        <source>Both files are saved in this folder; it is created if it does not exist</source>
+        <translation>Los dos archivos se guardan en esta carpeta; se crea si no existe</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -3313,12 +3313,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Carpeta de los recuadros</translation>
     </message>
     <message>
-        <source>boxes.csv and boxes_mot.txt are in %1.</source>
-        <translation>boxes.csv y boxes_mot.txt están en %1.</translation>
+        <source>Saved boxes.csv and boxes_mot.txt in %1.</source>
+        <translation>Se guardaron boxes.csv y boxes_mot.txt en %1.</translation>
     </message>
     <message>
-        <source>The boxes of another export are there already. Replace them?</source>
-        <translation>Ya están ahí los recuadros de otra exportación. ¿Reemplazarlos?</translation>
+        <source>The folder already contains exported boxes. Replace them?</source>
+        <translation>La carpeta ya contiene recuadros exportados. ¿Reemplazarlos?</translation>
     </message>
     <message>
         <source>%1 exists already; nothing was written.</source>
@@ -3344,8 +3344,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>tiempo, s</translation>
     </message>
     <message>
-        <source>Seconds, of the frame</source>
-        <translation>Segundos, del fotograma</translation>
+        <source>Time of the frame, in seconds</source>
+        <translation>Tiempo del fotograma, en segundos</translation>
     </message>
     <message>
         <source>frame</source>
@@ -3400,8 +3400,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>similitud</translation>
     </message>
     <message>
-        <source>How alike the colors in the box are to those it was given with, 0 to 1</source>
-        <translation>Cuánto se parecen los colores del recuadro a aquellos con los que se dio, de 0 a 1</translation>
+        <source>Similarity of the colors in the box to the initial colors, 0 to 1</source>
+        <translation>Similitud de los colores del recuadro con los iniciales, de 0 a 1</translation>
     </message>
     <message>
         <source>spread, px</source>
@@ -3416,8 +3416,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>estado</translation>
     </message>
     <message>
-        <source>Hidden: it is held where it is thought to be</source>
-        <translation>Oculto: se mantiene donde se cree que está</translation>
+        <source>Hidden: held at its estimated position</source>
+        <translation>Oculto: se mantiene en su posición estimada</translation>
     </message>
 </context>
 <context>
@@ -3427,8 +3427,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Recuadros de los objetivos</translation>
     </message>
     <message>
-        <source>This method follows boxes in images: click the thing or drag a box around it in any camera view. Its box in every frame appears here, in pixels.</source>
-        <translation>Este método sigue recuadros en imágenes: haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara. Aquí aparece su recuadro en cada fotograma, en píxeles.</translation>
+        <source>This method tracks boxes in images. Click the object or drag a box around it in any camera view. Its box in each frame appears here, in pixels.</source>
+        <translation>Este método sigue recuadros en imágenes. Haga clic en el objeto o dibuje un recuadro a su alrededor en cualquier cámara. Aquí aparece su recuadro en cada fotograma, en píxeles.</translation>
     </message>
     <message numerus="yes">
         <source>%n boxes, in pixels of the image</source>
@@ -3441,8 +3441,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
 <context>
     <name>dewpoint::ui::BoxPicker</name>
     <message>
-        <source>This camera shows no image to take a box from.</source>
-        <translation>Esta cámara no muestra ninguna imagen de la que tomar un recuadro.</translation>
+        <source>This camera shows no image in which a box could be set.</source>
+        <translation>Esta cámara no muestra ninguna imagen en la que fijar un recuadro.</translation>
     </message>
     <message>
         <source>Box of %1</source>
@@ -3460,24 +3460,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Elegir calibración…</translation>
     </message>
     <message>
-        <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
-        <translation>Un archivo de calibración de Dewpoint o de otro programa; las cámaras se buscan por su nombre o, si no, se toman en el orden del archivo</translation>
+        <source>A calibration file of Dewpoint or another program. Cameras are matched by name, or by order if the names differ</source>
+        <translation>Un archivo de calibración de Dewpoint o de otro programa. Las cámaras se asignan por nombre o, si los nombres difieren, por orden</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Ninguna</translation>
     </message>
     <message>
-        <source>Go without a calibration file</source>
-        <translation>Sin archivo de calibración</translation>
+        <source>Continue without a calibration file</source>
+        <translation>Continuar sin archivo de calibración</translation>
     </message>
     <message>
         <source>Choose a calibration</source>
         <translation>Elija una calibración</translation>
     </message>
     <message>
-        <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
-        <translation>Reconocido: %1. Deja algo sin definir: %2. Cree el proyecto sin él; después «Importar calibración» pregunta lo que falta.</translation>
+        <source>Recognized: %1. Some information is missing: %2. Create the project without this file, then use Import calibration and enter what is missing.</source>
+        <translation>Reconocido: %1. Falta información: %2. Cree el proyecto sin este archivo y después use «Importar calibración» para indicar lo que falta.</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
@@ -3492,7 +3492,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>No reconocido. Dewpoint lee: %1.</translation>
     </message>
     <message>
-        <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
+        <source>Recognized: %1. Its cameras do not match the cameras above: %2.</source>
         <translation>Reconocido: %1. Sus cámaras no concuerdan con las de arriba: %2.</translation>
     </message>
     <message numerus="yes">
@@ -3537,7 +3537,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Write the file; one that exists is replaced</source>
+        <source>Write the file; an existing file is replaced</source>
         <translation>Escribir el archivo; si existe, se reemplaza</translation>
     </message>
     <message>
@@ -3545,7 +3545,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Formato</translation>
     </message>
     <message>
-        <source>The program that is to read the file</source>
+        <source>The program that will read the file</source>
         <translation>El programa que leerá el archivo</translation>
     </message>
     <message>
@@ -3553,12 +3553,12 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Unidad</translation>
     </message>
     <message>
-        <source>Of lengths, where the format leaves it open</source>
-        <translation>De las longitudes, si el formato la deja abierta</translation>
+        <source>Unit of lengths, if the format does not define it</source>
+        <translation>Unidad de las longitudes, si el formato no la define</translation>
     </message>
     <message>
-        <source>as usual for the format</source>
-        <translation>la habitual del formato</translation>
+        <source>format default</source>
+        <translation>predeterminada del formato</translation>
     </message>
     <message>
         <source>meters</source>
@@ -3573,7 +3573,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>centímetros</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 (fitted anew)</source>
+        <source>%1: largest reprojection difference %2 (refitted)</source>
         <translation>%1: mayor diferencia de reproyección %2 (reajustada)</translation>
     </message>
     <message>
@@ -3581,8 +3581,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>%1: mayor diferencia de reproyección %2</translation>
     </message>
     <message>
-        <source>%1: %2 of 81 directions have no pixel any more</source>
-        <translation>%1: %2 de 81 direcciones ya no tienen píxel</translation>
+        <source>%1: %2 of 81 directions no longer map to a pixel</source>
+        <translation>%1: %2 de 81 direcciones ya no corresponden a un píxel</translation>
     </message>
     <message>
         <source>%1 exists and will be replaced.</source>
@@ -3604,8 +3604,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Importar una calibración</translation>
     </message>
     <message>
-        <source>as the names say</source>
-        <translation>según los nombres</translation>
+        <source>by name</source>
+        <translation>por nombre</translation>
     </message>
     <message>
         <source>only %1</source>
@@ -3620,24 +3620,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Carpeta…</translation>
     </message>
     <message>
-        <source>Find a folder with a file for each camera</source>
-        <translation>Buscar una carpeta con un archivo por cámara</translation>
+        <source>Choose a folder with one file per camera</source>
+        <translation>Elegir una carpeta con un archivo por cámara</translation>
     </message>
     <message>
         <source>Use these cameras</source>
         <translation>Usar estas cámaras</translation>
     </message>
     <message>
-        <source>Take the calibration into the project; it can be undone</source>
-        <translation>Llevar la calibración al proyecto; se puede deshacer</translation>
+        <source>Use the calibration in the project; you can undo this</source>
+        <translation>Usar la calibración en el proyecto; se puede deshacer</translation>
     </message>
     <message>
-        <source>as the file says</source>
-        <translation>como dice el archivo</translation>
+        <source>as in the file</source>
+        <translation>como en el archivo</translation>
     </message>
     <message>
-        <source>recognized from the content</source>
-        <translation>reconocido por el contenido</translation>
+        <source>detect automatically</source>
+        <translation>detectar automáticamente</translation>
     </message>
     <message>
         <source>meters</source>
@@ -3668,8 +3668,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>k1 k2 k3 k4 de un ojo de pez</translation>
     </message>
     <message>
-        <source>as the format has them</source>
-        <translation>como en el formato</translation>
+        <source>format default</source>
+        <translation>predeterminada del formato</translation>
     </message>
     <message>
         <source>camera from world</source>
@@ -3692,19 +3692,19 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Unidad</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
-        <translation>De las longitudes del archivo; o escriba los metros de una unidad, como 0.025 para casillas de 25 mm</translation>
+        <source>Unit of the lengths in the file; or enter the length of one unit in meters, such as 0.025 for squares of 25 mm</source>
+        <translation>Unidad de las longitudes del archivo; o introduzca la longitud de una unidad en metros, como 0.025 para casillas de 25 mm</translation>
     </message>
     <message>
         <source>Four coefficients</source>
         <translation>Cuatro coeficientes</translation>
     </message>
     <message>
-        <source>What four lens coefficients mean</source>
-        <translation>Qué significan cuatro coeficientes del objetivo</translation>
+        <source>Meaning of the four lens coefficients</source>
+        <translation>Significado de los cuatro coeficientes del objetivo</translation>
     </message>
     <message>
-        <source>Size of images</source>
+        <source>Image size</source>
         <translation>Tamaño de imagen</translation>
     </message>
     <message>
@@ -3716,32 +3716,32 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Poses</translation>
     </message>
     <message>
-        <source>Which way the poses in the file go</source>
-        <translation>En qué sentido van las poses del archivo</translation>
+        <source>Direction of the transformation that the file stores as a pose</source>
+        <translation>Sentido de la transformación que el archivo guarda como pose</translation>
     </message>
     <message>
-        <source>For</source>
-        <translation>Para</translation>
+        <source>Camera</source>
+        <translation>Cámara</translation>
     </message>
     <message>
-        <source>Which camera a file of one camera is about</source>
-        <translation>De qué cámara trata un archivo de una sola cámara</translation>
+        <source>The camera to which a file with a single camera belongs</source>
+        <translation>La cámara a la que pertenece un archivo con una sola cámara</translation>
     </message>
     <message>
-        <source>The file leaves something open. Answer “%1” above.</source>
-        <translation>El archivo deja algo abierto. Responda «%1» arriba.</translation>
+        <source>The file does not contain all information. Set “%1” above.</source>
+        <translation>El archivo no contiene toda la información. Indique «%1» arriba.</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
+        <translation>La calibración usa otros nombres de cámara. Las cámaras se asignaron por orden.</translation>
     </message>
     <message>
-        <source>There is no pose in the file: only the lens is taken, the pose stays.</source>
-        <translation>No hay pose en el archivo: solo se toma el objetivo, la pose se mantiene.</translation>
+        <source>The file contains no pose: only the intrinsics are imported, and the pose is kept.</source>
+        <translation>El archivo no contiene ninguna pose: solo se importan los parámetros intrínsecos y se conserva la pose.</translation>
     </message>
     <message>
-        <source>%1 (in the file: %2): %3 and %4 from where it is now</source>
-        <translation>%1 (en el archivo: %2): a %3 y %4 de donde está ahora</translation>
+        <source>%1 (in the file: %2): moves by %3 and rotates by %4</source>
+        <translation>%1 (en el archivo: %2): se desplaza %3 y gira %4</translation>
     </message>
     <message>
         <source>Largest reprojection difference to the file: %1</source>
@@ -3752,8 +3752,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Importar calibración</translation>
     </message>
     <message>
-        <source>The cameras have the calibration of %1 now.</source>
-        <translation>Las cámaras tienen ahora la calibración de %1.</translation>
+        <source>The cameras now use the calibration from %1.</source>
+        <translation>Las cámaras usan ahora la calibración de %1.</translation>
     </message>
 </context>
 <context>
@@ -3777,8 +3777,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>The camera that is adjusted; clicking into its image chooses it too</source>
-        <translation>La cámara que se ajusta; un clic en su imagen también la elige</translation>
+        <source>The camera to adjust; you can also click its image</source>
+        <translation>La cámara que se ajusta; también puede hacer clic en su imagen</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3797,24 +3797,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Unidad de las posiciones</translation>
     </message>
     <message>
-        <source>Unit in which positions are shown and typed</source>
-        <translation>Unidad en la que se muestran y escriben las posiciones</translation>
+        <source>Unit for showing and entering positions</source>
+        <translation>Unidad para mostrar e introducir posiciones</translation>
     </message>
     <message>
-        <source>Looks</source>
-        <translation>Mira</translation>
+        <source>Direction</source>
+        <translation>Dirección</translation>
     </message>
     <message>
-        <source>at a point, roll</source>
-        <translation>a un punto, alabeo</translation>
+        <source>point, roll</source>
+        <translation>punto, alabeo</translation>
     </message>
     <message>
         <source>yaw, pitch, roll</source>
         <translation>guiñada, cabeceo, alabeo</translation>
     </message>
     <message>
-        <source>How the direction is said</source>
-        <translation>Cómo se indica la dirección</translation>
+        <source>Direction format</source>
+        <translation>Formato de la dirección</translation>
     </message>
     <message>
         <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
@@ -3833,8 +3833,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>campo de visión</translation>
     </message>
     <message>
-        <source>How the lens is said</source>
-        <translation>Cómo se indica el objetivo</translation>
+        <source>Lens parameter</source>
+        <translation>Parámetro del objetivo</translation>
     </message>
     <message>
         <source>Focal length in pixels, or the horizontal field of view in degrees</source>
@@ -3845,8 +3845,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Distancia focal o campo de visión</translation>
     </message>
     <message>
-        <source>How much the camera magnifies; the keys + and − change it too</source>
-        <translation>Cuánto aumenta la cámara; las teclas + y − también lo cambian</translation>
+        <source>Magnification of the camera; the keys + and − also change it</source>
+        <translation>Aumento de la cámara; las teclas + y − también lo cambian</translation>
     </message>
     <message>
         <source>Dragging</source>
@@ -3861,20 +3861,20 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>desplaza la cámara</translation>
     </message>
     <message>
-        <source>What dragging does</source>
-        <translation>Qué hace arrastrar</translation>
+        <source>Effect of dragging</source>
+        <translation>Efecto de arrastrar</translation>
     </message>
     <message>
         <source>What the camera does while the grid is dragged and nothing is held. Click points of the grid to hold up to three of them.</source>
         <translation>Lo que hace la cámara mientras se arrastra la cuadrícula sin nada sujeto. Haga clic en puntos de la cuadrícula para sujetar hasta tres.</translation>
     </message>
     <message>
-        <source>Three held points: the focal length gives way</source>
-        <translation>Tres puntos sujetos: cede la distancia focal</translation>
+        <source>With three held points, adjust the focal length</source>
+        <translation>Con tres puntos sujetos, ajustar la distancia focal</translation>
     </message>
     <message>
-        <source>Three held points fix the pose; dragging then changes the focal length, and the camera follows</source>
-        <translation>Tres puntos sujetos fijan la pose; arrastrar cambia entonces la distancia focal, y la cámara la sigue</translation>
+        <source>Three held points fix the pose. Dragging then changes the focal length, and the pose follows</source>
+        <translation>Tres puntos sujetos fijan la pose. Al arrastrar cambia entonces la distancia focal, y la pose la sigue</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -3889,28 +3889,28 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>girar</translation>
     </message>
     <message>
-        <source>What keys do</source>
-        <translation>Qué hacen las teclas</translation>
+        <source>Effect of the keys</source>
+        <translation>Efecto de las teclas</translation>
     </message>
     <message>
         <source>Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times as much; Ctrl with arrows and page keys: a tenth.</source>
         <translation>Flechas o W A S D, con Q y E o las teclas de página: 1 cm o 0,2° por paso. Mayús: diez veces más; Ctrl con flechas y teclas de página: una décima parte.</translation>
     </message>
     <message>
-        <source>as it looks</source>
-        <translation>según mira</translation>
+        <source>camera axes</source>
+        <translation>ejes de la cámara</translation>
     </message>
     <message>
-        <source>along x, y, z</source>
-        <translation>según x, y, z</translation>
+        <source>world axes</source>
+        <translation>ejes del mundo</translation>
     </message>
     <message>
-        <source>Directions of keys</source>
-        <translation>Direcciones de las teclas</translation>
+        <source>Axes of the keys</source>
+        <translation>Ejes de las teclas</translation>
     </message>
     <message>
-        <source>Right, forward and up as the camera looks, or the axes of the world</source>
-        <translation>Derecha, adelante y arriba según mira la cámara, o los ejes del mundo</translation>
+        <source>Move along the camera&apos;s right, forward and up directions, or along the world axes</source>
+        <translation>Mover hacia la derecha, adelante y arriba de la cámara, o según los ejes del mundo</translation>
     </message>
     <message>
         <source>Yaw</source>
@@ -3925,24 +3925,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Posición %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, along %1</source>
-        <translation>Dónde está la cámara, según %1</translation>
+        <source>%1 coordinate of the camera&apos;s position</source>
+        <translation>Coordenada %1 de la posición de la cámara</translation>
     </message>
     <message>
         <source>Looks at %1</source>
         <translation>Mira a %1</translation>
     </message>
     <message>
-        <source>The point the camera looks at, along %1</source>
-        <translation>El punto al que mira la cámara, según %1</translation>
+        <source>%1 coordinate of the point that the camera looks at</source>
+        <translation>Coordenada %1 del punto al que mira la cámara</translation>
     </message>
     <message>
         <source>Direction from above: 0° along x, 90° along y</source>
         <translation>Dirección desde arriba: 0° según x, 90° según y</translation>
     </message>
     <message>
-        <source>Above the horizon; straight down is −90°</source>
-        <translation>Sobre el horizonte; vertical hacia abajo es −90°</translation>
+        <source>Angle above the horizon; straight down is −90°</source>
+        <translation>Ángulo sobre el horizonte; vertical hacia abajo es −90°</translation>
     </message>
     <message>
         <source>roll</source>
@@ -3953,8 +3953,8 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Alabeo</translation>
     </message>
     <message>
-        <source>Turned about its line of sight, clockwise</source>
-        <translation>Girada alrededor de su línea de visión, en sentido horario</translation>
+        <source>Clockwise rotation about the line of sight</source>
+        <translation>Giro alrededor de la línea de visión, en sentido horario</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
@@ -3988,24 +3988,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Se está calculando su nueva pose.</translation>
     </message>
     <message>
-        <source>Its pose can be solved again from what it sees.</source>
-        <translation>Su pose puede resolverse de nuevo a partir de lo que ve.</translation>
+        <source>Its pose can be recomputed from what it sees.</source>
+        <translation>Su pose se puede recalcular a partir de lo que ve.</translation>
     </message>
     <message>
-        <source>Re-solve %1</source>
-        <translation>Resolver de nuevo %1</translation>
+        <source>Recompute %1</source>
+        <translation>Recalcular %1</translation>
     </message>
     <message>
-        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
-        <translation>No puede resolverse de nuevo a partir de lo que ve: calíbrela otra vez o devuélvala a su sitio.</translation>
+        <source>Its pose cannot be recomputed from what it sees: calibrate the camera again, or put it back.</source>
+        <translation>Su pose no se puede recalcular a partir de lo que ve: calibre la cámara otra vez o devuélvala a su sitio.</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
         <translation>Calibrar %1…</translation>
     </message>
     <message>
-        <source>%1 stands again as it was calibrated.</source>
-        <translation>%1 vuelve a estar como se calibró.</translation>
+        <source>%1 is back in its calibrated pose.</source>
+        <translation>%1 vuelve a estar en su pose calibrada.</translation>
     </message>
 </context>
 <context>
@@ -4047,7 +4047,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Imágenes</translation>
     </message>
     <message>
-        <source>Video file, folder of images, device or address of a stream</source>
+        <source>Video file, image folder, device, or stream address</source>
         <translation>Archivo de vídeo, carpeta de imágenes, dispositivo o dirección de un flujo</translation>
     </message>
     <message>
@@ -4055,24 +4055,24 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>Elegir…</translation>
     </message>
     <message>
-        <source>Find the recording of this camera in another place</source>
-        <translation>Buscar la grabación de esta cámara en otro lugar</translation>
+        <source>Choose the file, folder or device of this camera</source>
+        <translation>Elegir el archivo, la carpeta o el dispositivo de esta cámara</translation>
     </message>
     <message>
-        <source>Turned</source>
+        <source>Rotated</source>
         <translation>Girada</translation>
     </message>
     <message>
-        <source>Images are turned clockwise by so much before use</source>
-        <translation>Las imágenes se giran tanto en sentido horario antes de usarse</translation>
+        <source>Clockwise rotation of the images before use</source>
+        <translation>Giro de las imágenes en sentido horario antes de usarlas</translation>
     </message>
     <message>
         <source>Load calibration…</source>
         <translation>Cargar calibración…</translation>
     </message>
     <message>
-        <source>Take the calibration of all cameras from a file</source>
-        <translation>Tomar la calibración de todas las cámaras de un archivo</translation>
+        <source>Load the calibration of all cameras from a file</source>
+        <translation>Cargar la calibración de todas las cámaras de un archivo</translation>
     </message>
     <message>
         <source>simulated</source>
@@ -4101,47 +4101,47 @@ en %4, %5, %6</translation>
         <translation>Reflejada</translation>
     </message>
     <message>
-        <source>Images are mirrored left to right, after they were turned</source>
-        <translation>Las imágenes se reflejan de izquierda a derecha, tras girarlas</translation>
+        <source>Mirror the images left to right, after rotation</source>
+        <translation>Reflejar las imágenes de izquierda a derecha, tras girarlas</translation>
     </message>
     <message>
-        <source>Empty room</source>
-        <translation>Sala vacía</translation>
+        <source>Background image</source>
+        <translation>Imagen de fondo</translation>
     </message>
     <message>
-        <source>Image, video or folder of images in which this camera shows the scene without any target: what has its color there is not taken for it</source>
-        <translation>Imagen, vídeo o carpeta de imágenes en que esta cámara muestra la escena sin ningún objetivo: lo que allí tiene su color no se toma por él</translation>
+        <source>Image, video or image folder that shows the scene without any target. Regions that have the target&apos;s color there are not taken for the target</source>
+        <translation>Imagen, vídeo o carpeta de imágenes que muestra la escena sin ningún objetivo. Las zonas que allí tienen el color del objetivo no se toman por él</translation>
     </message>
     <message>
-        <source>Choose the empty room</source>
-        <translation>Elegir la sala vacía</translation>
+        <source>Choose background image</source>
+        <translation>Elegir la imagen de fondo</translation>
     </message>
     <message>
         <source>Find an image or a video of the scene without any target</source>
         <translation>Buscar una imagen o un vídeo de la escena sin ningún objetivo</translation>
     </message>
     <message>
-        <source>Use the image shown</source>
-        <translation>Usar la imagen mostrada</translation>
+        <source>Use current image</source>
+        <translation>Usar imagen actual</translation>
     </message>
     <message>
-        <source>Keep the image this camera shows now as the one of the empty room</source>
-        <translation>Guardar la imagen que muestra ahora esta cámara como la de la sala vacía</translation>
+        <source>Save the current image of this camera as its background image</source>
+        <translation>Guardar la imagen actual de esta cámara como su imagen de fondo</translation>
     </message>
     <message>
-        <source>Change empty room</source>
-        <translation>Cambiar la sala vacía</translation>
+        <source>Change background image</source>
+        <translation>Cambiar la imagen de fondo</translation>
     </message>
     <message>
-        <source>Choose an image or a video of the empty room</source>
-        <translation>Elegir una imagen o un vídeo de la sala vacía</translation>
+        <source>Choose a background image or video</source>
+        <translation>Elegir una imagen o un vídeo de fondo</translation>
     </message>
     <message>
-        <source>Change how late the images are</source>
-        <translation>Cambiar el retraso de las imágenes</translation>
+        <source>Change delay</source>
+        <translation>Cambiar el retraso</translation>
     </message>
     <message>
-        <source>Late by</source>
+        <source>Delay</source>
         <translation>Retraso</translation>
     </message>
     <message>
@@ -4149,24 +4149,24 @@ en %4, %5, %6</translation>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Milliseconds by which its images are late: they are put together with those of the other cameras by it. Calibrate by waving finds it</source>
-        <translation>Milisegundos que se retrasan sus imágenes: con ellos se emparejan con las de las demás cámaras. «Calibrar agitando» los encuentra</translation>
+        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure it</source>
+        <translation>Retraso de las imágenes de esta cámara en ms, para sincronizarla con las demás cámaras. La calibración con varita puede medirlo</translation>
     </message>
     <message>
-        <source>Milliseconds by which the images are late</source>
-        <translation>Milisegundos que se retrasan las imágenes</translation>
+        <source>Delay of the images in milliseconds</source>
+        <translation>Retraso de las imágenes en milisegundos</translation>
     </message>
     <message>
         <source>Load calibration</source>
         <translation>Cargar calibración</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
+        <translation>La calibración usa otros nombres de cámara. Las cámaras se asignaron por orden.</translation>
     </message>
     <message>
-        <source>The cameras have the calibration of %1 now.</source>
-        <translation>Las cámaras tienen ahora la calibración de %1.</translation>
+        <source>The cameras now use the calibration from %1.</source>
+        <translation>Las cámaras usan ahora la calibración de %1.</translation>
     </message>
 </context>
 <context>
@@ -4198,12 +4198,12 @@ en %4, %5, %6</translation>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tried when the project is made</source>
+        <source>Live: tested when the project is created</source>
         <translation>En vivo: se prueba al crear el proyecto</translation>
     </message>
     <message>
-        <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
-        <translation>Los vídeos tienen distinta frecuencia de fotogramas: el fotograma N de uno no es el mismo momento que el fotograma N del otro.</translation>
+        <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
+        <translation>Los vídeos tienen distinta frecuencia de fotogramas: el fotograma N no muestra el mismo instante en todos.</translation>
     </message>
     <message numerus="yes">
         <source>Videos differ in length: using the first %n frames.</source>
@@ -4281,8 +4281,8 @@ en %4, %5, %6</translation>
         <translation>Color</translation>
     </message>
     <message>
-        <source>Take a box here</source>
-        <translation>Tomar un recuadro aquí</translation>
+        <source>Set box here</source>
+        <translation>Fijar recuadro aquí</translation>
     </message>
     <message>
         <source>Learn the color here</source>
@@ -4293,8 +4293,8 @@ en %4, %5, %6</translation>
         <translation>Añadir una muestra aquí</translation>
     </message>
     <message>
-        <source>This is not the target</source>
-        <translation>Esto no es el objetivo</translation>
+        <source>Exclude this color</source>
+        <translation>Excluir este color</translation>
     </message>
     <message>
         <source>Track this object, starting from a box around it</source>
@@ -4309,8 +4309,8 @@ en %4, %5, %6</translation>
         <translation>Añadir este color a los del objetivo (Mayús-clic hace lo mismo)</translation>
     </message>
     <message>
-        <source>Exclude this color (Alt-click does the same)</source>
-        <translation>Excluir este color (Alt-clic hace lo mismo)</translation>
+        <source>Learn that this color is not the target (or Alt-click)</source>
+        <translation>Aprender que este color no es el objetivo (o Alt-clic)</translation>
     </message>
 </context>
 <context>
@@ -4320,8 +4320,8 @@ en %4, %5, %6</translation>
         <translation>Esta cámara no muestra ninguna imagen de la que aprender.</translation>
     </message>
     <message>
-        <source>Click the target first; then exclude what is not it.</source>
-        <translation>Primero haga clic en el objetivo; después excluya lo que no lo es.</translation>
+        <source>Click the target first. Then exclude colors that are not the target.</source>
+        <translation>Primero haga clic en el objetivo. Después excluya los colores que no son del objetivo.</translation>
     </message>
     <message>
         <source>Exclude color</source>
@@ -4343,8 +4343,8 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorPanel</name>
     <message>
-        <source>Looking at the images…</source>
-        <translation>Mirando las imágenes…</translation>
+        <source>Analyzing images…</source>
+        <translation>Analizando imágenes…</translation>
     </message>
     <message>
         <source>No target yet</source>
@@ -4355,32 +4355,32 @@ en %4, %5, %6</translation>
         <translation>Un objetivo nuevo</translation>
     </message>
     <message>
-        <source>Drag ring and bars, or press Learn and click the target.</source>
+        <source>Drag the ring and the bars, or press Learn and click the target.</source>
         <translation>Arrastre el anillo y las barras, o pulse Aprender y haga clic en el objetivo.</translation>
     </message>
     <message>
-        <source>Click the thing to follow in any camera image.</source>
-        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir.</translation>
+        <source>Click the object to track in any camera image.</source>
+        <translation>Haga clic en cualquier imagen en el objeto que quiere seguir.</translation>
     </message>
     <message>
         <source>Change color range</source>
         <translation>Cambiar el intervalo de color</translation>
     </message>
     <message>
-        <source>Click the thing to follow</source>
-        <translation>Haz clic en lo que quieras seguir</translation>
+        <source>Click the object to track</source>
+        <translation>Haga clic en el objeto que quiere seguir</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it</source>
-        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor</translation>
+        <source>Click the object or drag a box around it</source>
+        <translation>Haga clic en el objeto o dibuje un recuadro a su alrededor</translation>
     </message>
     <message>
-        <source>Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press Box and click the thing for another box.</source>
-        <translation>Se sigue desde su recuadro en %1, fotograma %2: %3 × %4. Este método no necesita color; para otro recuadro pulsa Recuadro y haz clic en la cosa.</translation>
+        <source>Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set another box, press Box and click the object.</source>
+        <translation>Se sigue desde su recuadro en %1, fotograma %2: %3 × %4. Este método no necesita color. Para otro recuadro, pulse Recuadro y haga clic en el objeto.</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>Haga clic en el objeto o dibuje un recuadro a su alrededor en cualquier cámara.</translation>
     </message>
     <message>
         <source>Remove color</source>
@@ -4426,8 +4426,8 @@ en %4, %5, %6</translation>
         <translation>Intensidad máxima, de 0 a 1</translation>
     </message>
     <message>
-        <source>Drag the ends or the middle; with the keyboard, Tab chooses and the arrows move (with Shift ten times as far)</source>
-        <translation>Arrastre los extremos o el centro; con el teclado, Tab elige y las flechas mueven (con Mayús diez veces más)</translation>
+        <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
+        <translation>Arrastre los extremos o el centro. Teclado: Tab elige un control, las flechas lo mueven (con Mayús, diez veces más)</translation>
     </message>
     <message>
         <source>Range of hues</source>
@@ -4457,8 +4457,8 @@ en %4, %5, %6</translation>
         <translation>Quitar</translation>
     </message>
     <message>
-        <source>not this: %1, frame %2, at %3, %4</source>
-        <translation>esto no: %1, fotograma %2, en %3, %4</translation>
+        <source>excluded: %1, frame %2, at %3, %4</source>
+        <translation>excluida: %1, fotograma %2, en %3, %4</translation>
     </message>
     <message>
         <source>%1, frame %2, at %3, %4</source>
@@ -4469,12 +4469,12 @@ en %4, %5, %6</translation>
         <translation>encontrada: %1, fotograma %2, en %3, %4</translation>
     </message>
     <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples marked “found” were not clicked, but found in other cameras.</source>
-        <translation>Mayús+clic en una imagen añade una; Alt+clic o Ctrl+Mayús+clic excluye una. Las muestras marcadas como «encontrada» no se marcaron con un clic, sino que se encontraron en otras cámaras.</translation>
+        <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
+        <translation>Mayús+clic en una imagen añade una muestra; Alt+clic o Ctrl+Mayús+clic excluye una. Las muestras marcadas como «encontrada» se detectaron en otras cámaras.</translation>
     </message>
     <message>
-        <source>Forget the chosen sample and learn from the rest (Del). A found sample becomes an excluded one.</source>
-        <translation>Olvidar la muestra elegida y aprender de las demás (Supr). Una muestra encontrada pasa a estar excluida.</translation>
+        <source>Remove the selected sample and learn from the others (Del). A found sample becomes an excluded one.</source>
+        <translation>Quitar la muestra elegida y aprender de las demás (Supr). Una muestra encontrada pasa a estar excluida.</translation>
     </message>
 </context>
 <context>
@@ -4492,15 +4492,15 @@ en %4, %5, %6</translation>
         <translation>Acciones encontradas</translation>
     </message>
     <message>
-        <source>Nothing here is called “%1”.</source>
-        <translation>Aquí no hay nada llamado «%1».</translation>
+        <source>No action is called “%1”.</source>
+        <translation>Ninguna acción se llama «%1».</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
-        <source>Drag the target in an image to where it is; the same in another image fixes its depth. Esc ends it.</source>
-        <translation>Arrastre el objetivo en una imagen adonde está; lo mismo en otra imagen fija su profundidad. Esc termina.</translation>
+        <source>Drag the target to its true position in an image; do the same in another image to fix its depth. Press Esc to finish.</source>
+        <translation>Arrastre el objetivo a su posición real en una imagen; haga lo mismo en otra imagen para fijar su profundidad. Pulse Esc para terminar.</translation>
     </message>
     <message>
         <source>Correct position</source>
@@ -4515,19 +4515,19 @@ en %4, %5, %6</translation>
         <translation>Quitar la corrección</translation>
     </message>
     <message>
-        <source>Say that the target is here in the frame shown: tracking goes on from there</source>
-        <translation>Decir que el objetivo está aquí en el fotograma mostrado: el seguimiento continúa desde ahí</translation>
+        <source>Set the target&apos;s position in this frame to this point; tracking continues from there</source>
+        <translation>Fijar la posición del objetivo en este fotograma en este punto; el seguimiento continúa desde ahí</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
     <message>
-        <source>Drag the target to where it is</source>
-        <translation>Arrastre el objetivo adonde está</translation>
+        <source>Drag the target to its true position</source>
+        <translation>Arrastre el objetivo a su posición real</translation>
     </message>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter says that the target is there</source>
-        <translation>Imagen de %1: las flechas mueven una cruz, Intro dice que el objetivo está ahí</translation>
+        <source>Image of %1: arrow keys move a cross, Enter sets the target&apos;s position there</source>
+        <translation>Imagen de %1: las flechas mueven una cruz, Intro fija ahí la posición del objetivo</translation>
     </message>
     <message>
         <source>Frames are being tracked again: wait until that is done, or pause.</source>
@@ -4552,16 +4552,16 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::DockTitle</name>
     <message>
-        <source>Float this view, or put it back (double click the title: whole window)</source>
-        <translation>Soltar esta vista o devolverla a su sitio (doble clic en el título: toda la ventana)</translation>
+        <source>Float or dock this view (double-click the title to maximize it)</source>
+        <translation>Soltar o acoplar esta vista (doble clic en el título para maximizarla)</translation>
     </message>
     <message>
         <source>Show all views</source>
         <translation>Mostrar todas las vistas</translation>
     </message>
     <message>
-        <source>Give the other views their places back (Esc, or double click here)</source>
-        <translation>Devolver las demás vistas a su sitio (Esc, o doble clic aquí)</translation>
+        <source>Restore the other views (Esc, or double-click here)</source>
+        <translation>Restaurar las demás vistas (Esc, o doble clic aquí)</translation>
     </message>
 </context>
 <context>
@@ -4613,16 +4613,16 @@ en %4, %5, %6</translation>
         <translation>Elegir el archivo</translation>
     </message>
     <message>
-        <source>Find the file</source>
+        <source>Choose the file to read or write</source>
         <translation>Buscar el archivo</translation>
     </message>
     <message>
-        <source>What is decided</source>
-        <translation>Qué se decide</translation>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
     </message>
     <message>
-        <source>Choose a file. What is decided about it is shown here before anything changes.</source>
-        <translation>Elija un archivo. Lo que se decide sobre él se muestra aquí antes de cambiar nada.</translation>
+        <source>Choose a file. A preview of the result is shown here before anything changes.</source>
+        <translation>Elija un archivo. Aquí se muestra una vista previa del resultado antes de cambiar nada.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4648,8 +4648,8 @@ en %4, %5, %6</translation>
         <translation>Cuántas semillas: más tardan más y son más seguras</translation>
     </message>
     <message>
-        <source>The report, its pictures and its numbers go there</source>
-        <translation>Ahí van el informe, sus imágenes y sus números</translation>
+        <source>Folder for the report, its pictures and its numbers</source>
+        <translation>Carpeta para el informe, sus imágenes y sus números</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4660,7 +4660,7 @@ en %4, %5, %6</translation>
         <translation>Elegir la carpeta del informe</translation>
     </message>
     <message>
-        <source>How far the experiment is</source>
+        <source>Experiment progress</source>
         <translation>Progreso del experimento</translation>
     </message>
     <message>
@@ -4672,8 +4672,8 @@ en %4, %5, %6</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop the experiment; nothing is written</source>
-        <translation>Detener el experimento; no se escribe nada</translation>
+        <source>Stop the experiment without writing anything</source>
+        <translation>Detener el experimento sin escribir nada</translation>
     </message>
     <message>
         <source>Open the report</source>
@@ -4692,8 +4692,8 @@ en %4, %5, %6</translation>
         <translation>Carpeta del informe</translation>
     </message>
     <message>
-        <source>Name the folder of the report first.</source>
-        <translation>Indica primero la carpeta del informe.</translation>
+        <source>Choose the folder for the report first.</source>
+        <translation>Elija primero la carpeta para el informe.</translation>
     </message>
     <message>
         <source>Running “%1”…</source>
@@ -4712,7 +4712,7 @@ en %4, %5, %6</translation>
         <translation>Carpeta</translation>
     </message>
     <message>
-        <source>Run it</source>
+        <source>Run</source>
         <translation>Ejecutar</translation>
     </message>
     <message>
@@ -4724,8 +4724,8 @@ en %4, %5, %6</translation>
         <translation>Ropa</translation>
     </message>
     <message>
-        <source>Whether the clothes of the simulated people tell them apart</source>
-        <translation>Si la ropa de las personas simuladas las distingue</translation>
+        <source>Whether the simulated people wear different clothes</source>
+        <translation>Si las personas simuladas llevan ropa distinta</translation>
     </message>
     <message>
         <source>both kinds</source>
@@ -4763,8 +4763,8 @@ en %4, %5, %6</translation>
         <translation>Exportar la trayectoria</translation>
     </message>
     <message>
-        <source>Write a figure</source>
-        <translation>Escribir una figura</translation>
+        <source>Save figure</source>
+        <translation>Guardar figura</translation>
     </message>
     <message>
         <source>Figures (*.svg *.pdf)</source>
@@ -4807,16 +4807,16 @@ en %4, %5, %6</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop the work under way; what is there already stays as it was</source>
-        <translation>Detener lo que está en marcha; lo que ya hay queda como estaba</translation>
+        <source>Stop the current work; files that already exist stay unchanged</source>
+        <translation>Detener el trabajo en curso; los archivos existentes no cambian</translation>
     </message>
     <message>
         <source>Figure…</source>
         <translation>Figura…</translation>
     </message>
     <message>
-        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
-        <translation>Escribir una figura como SVG o PDF: x, y, z en el tiempo y desde arriba</translation>
+        <source>Save a figure of the trajectory as SVG or PDF: x, y, z over time, and the view from above</source>
+        <translation>Guardar una figura de la trayectoria como SVG o PDF: x, y, z en el tiempo y la vista desde arriba</translation>
     </message>
     <message>
         <source>Export</source>
@@ -4831,7 +4831,7 @@ en %4, %5, %6</translation>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Close; an export that is under way goes on</source>
+        <source>Close; a running export continues</source>
         <translation>Cerrar; una exportación en curso continúa</translation>
     </message>
     <message>
@@ -4854,24 +4854,24 @@ en %4, %5, %6</translation>
         <translation>Formato</translation>
     </message>
     <message>
-        <source>Which program is to read it</source>
-        <translation>Qué programa lo leerá</translation>
+        <source>The program that will read the file</source>
+        <translation>El programa que leerá el archivo</translation>
     </message>
     <message>
         <source>Targets</source>
         <translation>Objetivos</translation>
     </message>
     <message>
-        <source>Those with a mark are exported; all, if none has one</source>
-        <translation>Se exportan los marcados; todos, si no hay ninguno marcado</translation>
+        <source>Only checked targets are exported; if none is checked, all are exported</source>
+        <translation>Solo se exportan los objetivos marcados; si no hay ninguno marcado, todos</translation>
     </message>
     <message>
         <source>Estimates</source>
         <translation>Estimaciones</translation>
     </message>
     <message>
-        <source>As they were known live, or as all frames before and after tell</source>
-        <translation>Como se conocían en vivo, o como las muestran todos los fotogramas anteriores y posteriores</translation>
+        <source>Live: as estimated during the run. Smoothed: from all frames, before and after</source>
+        <translation>En vivo: como se estimaron durante la ejecución. Suavizadas: con todos los fotogramas, anteriores y posteriores</translation>
     </message>
     <message>
         <source>From</source>
@@ -4902,24 +4902,24 @@ en %4, %5, %6</translation>
         <translation>Huecos</translation>
     </message>
     <message>
-        <source>What to write where the target is not known</source>
-        <translation>Qué escribir donde no se conoce el objetivo</translation>
+        <source>What to write while the position is unknown</source>
+        <translation>Qué escribir mientras la posición es desconocida</translation>
     </message>
     <message>
         <source>Longest gap</source>
         <translation>Hueco más largo</translation>
     </message>
     <message>
-        <source>A longer gap is left, 0.01 to 60 s</source>
-        <translation>Un hueco más largo se deja, de 0,01 a 60 s</translation>
+        <source>Longer gaps are not filled, 0.01 to 60 s</source>
+        <translation>Los huecos más largos no se rellenan, de 0,01 a 60 s</translation>
     </message>
     <message>
         <source>World axes</source>
         <translation>Ejes del mundo</translation>
     </message>
     <message>
-        <source>Which axis points up in the file</source>
-        <translation>Qué eje apunta hacia arriba en el archivo</translation>
+        <source>Axis that points up in the file</source>
+        <translation>Eje que apunta hacia arriba en el archivo</translation>
     </message>
     <message>
         <source>Lengths</source>
@@ -4974,8 +4974,8 @@ en %4, %5, %6</translation>
         <translation>rellenar</translation>
     </message>
     <message>
-        <source>as usual in the format</source>
-        <translation>lo habitual en el formato</translation>
+        <source>format default</source>
+        <translation>predeterminada del formato</translation>
     </message>
     <message>
         <source>Z up</source>
@@ -5005,8 +5005,8 @@ en %4, %5, %6</translation>
         <translation>Abrir la carpeta del archivo escrito</translation>
     </message>
     <message>
-        <source>No file manager was found. The file is %1.</source>
-        <translation>No se encontró ningún gestor de archivos. El archivo es %1.</translation>
+        <source>No file manager was found. The path of the file is %1.</source>
+        <translation>No se encontró ningún gestor de archivos. La ruta del archivo es %1.</translation>
     </message>
 </context>
 <context>
@@ -5099,52 +5099,52 @@ en %4, %5, %6</translation>
         <translation>Tipo de cuadrícula</translation>
     </message>
     <message>
-        <source>What the grid lies on in the room</source>
-        <translation>Sobre qué está la cuadrícula en la sala</translation>
+        <source>Surface of the room on which the grid lies</source>
+        <translation>Superficie de la sala en la que está la cuadrícula</translation>
     </message>
     <message>
         <source>Size along x, y, z</source>
         <translation>Tamaño según x, y, z</translation>
     </message>
     <message>
-        <source>Begins at x, y, z</source>
-        <translation>Empieza en x, y, z</translation>
+        <source>Origin x, y, z</source>
+        <translation>Origen x, y, z</translation>
     </message>
     <message>
         <source>Size along %1</source>
         <translation>Tamaño según %1</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in meters</source>
-        <translation>Hasta dónde llega la cuadrícula, en metros</translation>
+        <source>Size of the grid, in meters</source>
+        <translation>Tamaño de la cuadrícula, en metros</translation>
     </message>
     <message>
         <source>Origin %1</source>
         <translation>Origen %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in meters</source>
-        <translation>La esquina donde empiezan sus ejes, en metros</translation>
+        <source>Corner at which the grid&apos;s axes start, in meters</source>
+        <translation>Esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
     </message>
     <message>
-        <source>Step, turn</source>
+        <source>Spacing, rotation</source>
         <translation>Paso, giro</translation>
     </message>
     <message>
-        <source>Step of the grid</source>
-        <translation>Paso de la cuadrícula</translation>
+        <source>Spacing of the grid</source>
+        <translation>Espaciado de la cuadrícula</translation>
     </message>
     <message>
-        <source>Meters from line to line</source>
-        <translation>Metros de línea a línea</translation>
+        <source>Distance between lines, in meters</source>
+        <translation>Distancia entre líneas, en metros</translation>
     </message>
     <message>
-        <source>Turn of the grid</source>
+        <source>Rotation of the grid</source>
         <translation>Giro de la cuadrícula</translation>
     </message>
     <message>
-        <source>Turned about the vertical, counterclockwise from above</source>
-        <translation>Girada alrededor de la vertical, en sentido antihorario desde arriba</translation>
+        <source>Rotation about the vertical, counterclockwise as seen from above</source>
+        <translation>Giro alrededor de la vertical, en sentido antihorario visto desde arriba</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -5159,12 +5159,12 @@ en %4, %5, %6</translation>
         <translation>Con qué fuerza se dibuja la cuadrícula sobre las imágenes</translation>
     </message>
     <message>
-        <source>Show edges of the images</source>
-        <translation>Mostrar los bordes de las imágenes</translation>
+        <source>Show image edges</source>
+        <translation>Mostrar los bordes</translation>
     </message>
     <message>
-        <source>Let the rest of the images step back behind their edges</source>
-        <translation>El resto de las imágenes se atenúa tras sus bordes</translation>
+        <source>Dim the images except for their edges</source>
+        <translation>Atenuar las imágenes salvo sus bordes</translation>
     </message>
     <message>
         <source>Before</source>
@@ -5175,8 +5175,8 @@ en %4, %5, %6</translation>
         <translation>Mostrar las cámaras como estaban antes</translation>
     </message>
     <message>
-        <source>While held down (or B, over an image): the grid as it was when the calibration was opened</source>
-        <translation>Mientras se mantiene pulsado (o B, sobre una imagen): la cuadrícula como estaba al abrir la calibración</translation>
+        <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
+        <translation>Mantenga pulsado (o B sobre una imagen) para mostrar la cuadrícula como estaba al abrir la calibración</translation>
     </message>
 </context>
 <context>
@@ -5186,8 +5186,8 @@ en %4, %5, %6</translation>
         <translation>Cuadrícula sobre la imagen de %1</translation>
     </message>
     <message>
-        <source>Drag the grid onto the real thing; click to hold a point; arrows, W A S D, Q and E move or turn the camera</source>
-        <translation>Arrastre la cuadrícula sobre lo real; un clic sujeta un punto; flechas, W A S D, Q y E mueven o giran la cámara</translation>
+        <source>Drag the grid onto the real scene. Click a point to hold it. Arrow keys, W A S D, Q and E move or rotate the camera</source>
+        <translation>Arrastre la cuadrícula sobre la escena real. Un clic sujeta un punto. Flechas, W A S D, Q y E mueven o giran la cámara</translation>
     </message>
     <message>
         <source>before</source>
@@ -5208,8 +5208,8 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::HistoryDock</name>
     <message>
-        <source>As it was opened</source>
-        <translation>Como se abrió</translation>
+        <source>Initial state</source>
+        <translation>Estado inicial</translation>
     </message>
     <message>
         <source>History of changes</source>
@@ -5239,8 +5239,8 @@ en %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter points there</source>
-        <translation>Imagen de %1: las flechas mueven una cruz, Intro señala ahí</translation>
+        <source>Image of %1: arrow keys move a cross, Enter clicks there</source>
+        <translation>Imagen de %1: las flechas mueven una cruz, Intro hace clic ahí</translation>
     </message>
 </context>
 <context>
@@ -5262,24 +5262,24 @@ en %4, %5, %6</translation>
         <translation>Añadir muestra</translation>
     </message>
     <message>
-        <source>Not this</source>
-        <translation>Esto no</translation>
+        <source>Exclude</source>
+        <translation>Excluir</translation>
     </message>
     <message>
         <source>Learn the color first: click the target in a camera image.</source>
         <translation>Aprenda primero el color: haga clic en el objetivo en una imagen de cámara.</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: not this · Esc</source>
-        <translation>Clic: añadir una muestra · Alt: esto no · Esc</translation>
+        <source>Click: add a sample · Alt: exclude · Esc</source>
+        <translation>Clic: añadir una muestra · Alt: excluir · Esc</translation>
     </message>
     <message>
-        <source>Click what is not the target · Esc</source>
-        <translation>Haga clic en lo que no es el objetivo · Esc</translation>
+        <source>Click a color to exclude · Esc</source>
+        <translation>Clic: excluir un color · Esc</translation>
     </message>
     <message>
-        <source>Click: learn · Shift: add · Alt: not this · Esc</source>
-        <translation>Clic: aprender · Mayús: añadir · Alt: esto no · Esc</translation>
+        <source>Click: learn · Shift: add · Alt: exclude · Esc</source>
+        <translation>Clic: aprender · Mayús: añadir · Alt: excluir · Esc</translation>
     </message>
     <message>
         <source>Click the object in a camera image, or drag a box around it.
@@ -5313,32 +5313,32 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Cruz: la estimación, la media ponderada de las partículas.</translation>
     </message>
     <message>
-        <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
-        <translation>Elipse continua: con una probabilidad del 95 % el objetivo está dentro. Cuanto más pequeña, más segura.</translation>
+        <source>Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse is more certain.</source>
+        <translation>Elipse continua: el objetivo está dentro con una probabilidad del 95 %. Una elipse menor es más segura.</translation>
     </message>
     <message>
         <source>Dashed ellipse: the size of the target itself, where it is not a ball.</source>
         <translation>Elipse discontinua: el tamaño del propio objetivo, cuando no es una bola.</translation>
     </message>
     <message>
-        <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
-        <translation>Rombo blanco: dónde está realmente el objetivo. Solo lo saben las escenas simuladas, como la demostración.</translation>
+        <source>White diamond: the true position of the target, known only in simulated scenes such as the demo.</source>
+        <translation>Rombo blanco: la posición verdadera del objetivo, conocida solo en escenas simuladas, como la demostración.</translation>
     </message>
     <message>
         <source>Triangle: the particle of highest weight (View › Show best particle).</source>
         <translation>Triángulo: la partícula de mayor peso (Ver › Mostrar la mejor partícula).</translation>
     </message>
     <message>
-        <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
-        <translation>Línea a través de la imagen: el rayo de otra cámara sobre el que debe estar el objetivo, mientras lo arrastra adonde está.</translation>
+        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on it.</source>
+        <translation>Línea a través de la imagen: la línea de visión de otra cámara, que se muestra mientras arrastra el objetivo. El objetivo debe estar sobre ella.</translation>
     </message>
     <message>
-        <source>Dots: particles. Each is one guess of where the target is; the brighter, the better it fits the images.</source>
-        <translation>Puntos: partículas. Cada una es una suposición de dónde está el objetivo; cuanto más clara, mejor encaja con las imágenes.</translation>
+        <source>Dots: particles. Each one is a guess of where the target is. Brighter particles fit the images better.</source>
+        <translation>Puntos: partículas. Cada una es una suposición de dónde está el objetivo. Las más claras encajan mejor con las imágenes.</translation>
     </message>
     <message>
-        <source>Tinted and outlined: where the image has the color of the target (View › Show mask).</source>
-        <translation>Teñido y contorneado: donde la imagen tiene el color del objetivo (Ver › Mostrar máscara).</translation>
+        <source>Tinted and outlined: regions with the color of the target (View › Show mask).</source>
+        <translation>Teñido y contorneado: zonas con el color del objetivo (Ver › Mostrar máscara).</translation>
     </message>
 </context>
 <context>
@@ -5355,28 +5355,28 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
-        <source>Three points are held already: click one of them to let go of it</source>
-        <translation>Ya hay tres puntos sujetos: haga clic en uno para soltarlo</translation>
+        <source>Three points are already held. Click one of them to release it</source>
+        <translation>Ya hay tres puntos sujetos. Haga clic en uno para soltarlo</translation>
     </message>
     <message>
         <source>Drag the grid in %1</source>
         <translation>Arrastrar la cuadrícula en %1</translation>
     </message>
     <message>
-        <source>No further: a point would leave what the camera can see</source>
-        <translation>No más allá: un punto saldría de lo que la cámara puede ver</translation>
+        <source>Limit reached: a point would leave the camera&apos;s field of view</source>
+        <translation>Límite alcanzado: un punto saldría del campo de visión de la cámara</translation>
     </message>
     <message>
-        <source>No further: the held points and this one lie on one ray or line</source>
-        <translation>No más allá: los puntos sujetos y este están en un mismo rayo o recta</translation>
+        <source>Limit reached: the held points and this point lie on one ray or line</source>
+        <translation>Límite alcanzado: los puntos sujetos y este están en un mismo rayo o recta</translation>
     </message>
     <message>
-        <source>No further: no pose near this one shows the held points where they are</source>
-        <translation>No más allá: ninguna pose cercana muestra los puntos sujetos donde están</translation>
+        <source>Limit reached: no nearby pose keeps the held points in place</source>
+        <translation>Límite alcanzado: ninguna pose cercana mantiene los puntos sujetos en su sitio</translation>
     </message>
     <message>
-        <source>Three held points fix the pose: let go of one, or let the focal length change</source>
-        <translation>Tres puntos sujetos fijan la pose: suelte uno, o deje que cambie la distancia focal</translation>
+        <source>Three held points fix the pose. Release one of them, or let the focal length change</source>
+        <translation>Tres puntos sujetos fijan la pose. Suelte uno, o deje que cambie la distancia focal</translation>
     </message>
     <message>
         <source>right</source>
@@ -5414,8 +5414,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
-        <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
-        <translation>Arrastre la cuadrícula en una imagen hasta que coincida con lo real. Un clic en uno de sus puntos lo sujeta ahí.</translation>
+        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place.</source>
+        <translation>Arrastre la cuadrícula en una imagen hasta que coincida con la escena real. Un clic en un punto de la cuadrícula lo sujeta.</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -5445,12 +5445,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Páginas del manual</translation>
     </message>
     <message>
-        <source>Back to the page before</source>
+        <source>Back to the previous page</source>
         <translation>Volver a la página anterior</translation>
     </message>
     <message>
-        <source>Forward again</source>
-        <translation>Avanzar de nuevo</translation>
+        <source>Forward to the next page</source>
+        <translation>Avanzar a la página siguiente</translation>
     </message>
     <message>
         <source>The manual was not found. It is expected in the folder %1.</source>
@@ -5460,23 +5460,23 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::MarkerEditor</name>
     <message>
-        <source>Name of the mark</source>
+        <source>Name of the marker</source>
         <translation>Nombre de la marca</translation>
     </message>
     <message>
-        <source>Mark %1</source>
+        <source>Marker %1</source>
         <translation>Marca %1</translation>
     </message>
     <message>
-        <source>Add a mark</source>
+        <source>Add a marker</source>
         <translation>Añadir una marca</translation>
     </message>
     <message>
-        <source>Remove a mark</source>
+        <source>Remove a marker</source>
         <translation>Quitar una marca</translation>
     </message>
     <message>
-        <source>Rename a mark</source>
+        <source>Rename a marker</source>
         <translation>Renombrar una marca</translation>
     </message>
 </context>
@@ -5520,8 +5520,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep where they are.</source>
-        <translation>Abierto con los archivos localizados. Guarde el proyecto para conservar dónde están.</translation>
+        <source>Opened with the located files. Save the project to keep their new paths.</source>
+        <translation>Abierto con los archivos localizados. Guarde el proyecto para conservar sus nuevas rutas.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -5548,15 +5548,15 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Todas las cámaras conectadas a este equipo</translation>
     </message>
     <message>
-        <source>A device number or a network stream; type it in</source>
-        <translation>Un número de dispositivo o un flujo de red; escríbalo</translation>
+        <source>Enter a device number or a network stream</source>
+        <translation>Introduzca un número de dispositivo o un flujo de red</translation>
     </message>
     <message>
-        <source>Take the chosen cameras out</source>
+        <source>Remove the selected cameras</source>
         <translation>Quitar las cámaras elegidas</translation>
     </message>
     <message>
-        <source>Make the project and show its first images</source>
+        <source>Create the project and show its first images</source>
         <translation>Crear el proyecto y mostrar sus primeras imágenes</translation>
     </message>
     <message>
@@ -5564,7 +5564,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Back without making a project</source>
+        <source>Go back without creating a project</source>
         <translation>Volver sin crear un proyecto</translation>
     </message>
     <message>
@@ -5572,7 +5572,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Nombre del proyecto</translation>
     </message>
     <message>
-        <source>Rate of image folders, 0.1 to 10,000 per second</source>
+        <source>Frame rate of image folders, 0.1 to 10,000 per second</source>
         <translation>Frecuencia de las carpetas de imágenes, de 0,1 a 10 000 por segundo</translation>
     </message>
     <message>
@@ -5604,12 +5604,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>No hay ninguna cámara conectada a este equipo. Una cámara de red se puede añadir por su dirección.</translation>
     </message>
     <message>
-        <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
-        <translation>Sin calibración las posiciones de las cámaras son una suposición: se puede seguir en las imágenes, pero las posiciones en el espacio aún no significan nada.</translation>
+        <source>Without a calibration, the camera positions are guesses: targets can be tracked in the images, but their 3D positions are meaningless.</source>
+        <translation>Sin calibración, las posiciones de las cámaras son suposiciones: se pueden seguir objetivos en las imágenes, pero sus posiciones 3D no significan nada.</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
-        <translation>La calibración llama a sus cámaras de otro modo: se tomaron en su orden.</translation>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
+        <translation>La calibración usa otros nombres de cámara. Las cámaras se asignaron por orden.</translation>
     </message>
     <message>
         <source>Add videos…</source>
@@ -5644,12 +5644,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Imágenes por segundo:</translation>
     </message>
     <message>
-        <source>Neither a video, nor images, nor a calibration: %1.</source>
-        <translation>Ni un vídeo, ni imágenes, ni una calibración: %1.</translation>
+        <source>Not a video, image or calibration file: %1.</source>
+        <translation>No es un archivo de vídeo, de imagen ni de calibración: %1.</translation>
     </message>
     <message>
-        <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
-        <translation>Una fila por cámara. Los vídeos deben estar sincronizados: el fotograma N muestra el mismo momento en todos.</translation>
+        <source>One row per camera. The videos must be synchronized: frame N must show the same time in all of them.</source>
+        <translation>Una fila por cámara. Los vídeos deben estar sincronizados: el fotograma N debe mostrar el mismo instante en todos.</translation>
     </message>
     <message>
         <source>(folder name)</source>
@@ -5697,12 +5697,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>&amp;Método</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>Haga clic en el objeto o dibuje un recuadro a su alrededor en cualquier cámara.</translation>
     </message>
     <message>
-        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
-        <translation>Este método trabaja en el espacio: calibra primero las cámaras (menú Calibración), sus posiciones son solo una suposición.</translation>
+        <source>This method tracks in 3D, but the camera positions are only guesses: calibrate the cameras first (menu Calibration).</source>
+        <translation>Este método sigue en 3D, pero las posiciones de las cámaras son solo suposiciones: calibre primero las cámaras (menú Calibración).</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -5717,15 +5717,15 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Menor que «%1», que entonces no tiene efecto.</translation>
     </message>
     <message>
-        <source>How the targets are tracked. Another method starts again; the rest stays.</source>
-        <translation>Cómo se siguen los objetivos. Otro método empieza de nuevo; el resto se queda.</translation>
+        <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
+        <translation>Método de seguimiento. Al cambiarlo, el seguimiento se reinicia; los demás ajustes se conservan.</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>Restablecer todo</translation>
     </message>
     <message>
-        <source>Give all parameters of this method their defaults</source>
+        <source>Reset all parameters of this method to their defaults</source>
         <translation>Devolver todos los parámetros de este método a sus valores por defecto</translation>
     </message>
     <message>
@@ -5733,12 +5733,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Volumen de interés</translation>
     </message>
     <message>
-        <source>Targets are searched for in a box alone.</source>
+        <source>Targets are searched for only inside a box.</source>
         <translation>Los objetivos se buscan solo en una caja.</translation>
     </message>
     <message>
-        <source>Something here differs from its default.</source>
-        <translation>Algo aquí difiere de su valor por defecto.</translation>
+        <source>Some values here differ from their defaults.</source>
+        <translation>Algunos valores aquí difieren de sus valores por defecto.</translation>
     </message>
 </context>
 <context>
@@ -5748,32 +5748,32 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Personas</translation>
     </message>
     <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>Haga clic en alguien en una imagen de cámara, o en el suelo en la vista de pájaro. Esc lo termina.</translation>
+        <source>Click a person in a camera image, or the floor in the bird&apos;s-eye view. Press Esc to cancel.</source>
+        <translation>Haga clic en una persona en una imagen de cámara, o en el suelo en la vista de pájaro. Pulse Esc para cancelar.</translation>
     </message>
     <message>
-        <source>Folder for the tables of people</source>
+        <source>Folder for the people tables</source>
         <translation>Carpeta para las tablas de personas</translation>
     </message>
     <message>
-        <source>There are tables of another run in %1. Replace them?</source>
-        <translation>En %1 hay tablas de otra ejecución. ¿Reemplazarlas?</translation>
+        <source>%1 contains tables of another run. Replace them?</source>
+        <translation>%1 contiene tablas de otra ejecución. ¿Reemplazarlas?</translation>
     </message>
     <message>
         <source>Replace</source>
         <translation>Reemplazar</translation>
     </message>
     <message>
-        <source>That run is over; the tables of its people were not written.</source>
-        <translation>Esa ejecución terminó; las tablas de sus personas no se escribieron.</translation>
+        <source>That run has ended. Its people tables were not saved.</source>
+        <translation>Esa ejecución ha terminado. Sus tablas de personas no se guardaron.</translation>
     </message>
     <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
-        <translation>Los lugares, volúmenes, envolventes y densidades de las personas están en %1 (fotogramas: %2).</translation>
+        <source>Saved people&apos;s positions, volumes, hulls and densities in %1 (frames: %2).</source>
+        <translation>Las posiciones, volúmenes, envolventes y densidades de las personas se guardaron en %1 (fotogramas: %2).</translation>
     </message>
     <message>
-        <source>Writing the tables of people…</source>
-        <translation>Escribiendo las tablas de personas…</translation>
+        <source>Saving the people tables…</source>
+        <translation>Guardando las tablas de personas…</translation>
     </message>
     <message>
         <source>Add a person</source>
@@ -5787,87 +5787,87 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::PeoplePanel</name>
     <message>
-        <source>People who are there</source>
+        <source>People in view</source>
         <translation>Personas presentes</translation>
     </message>
     <message>
-        <source>How much of the empty room is learned</source>
-        <translation>Cuánto de la sala vacía se ha aprendido</translation>
+        <source>Progress of learning the background</source>
+        <translation>Progreso del aprendizaje del fondo</translation>
     </message>
     <message>
         <source>No.</source>
         <translation>N.º</translation>
     </message>
     <message>
-        <source>Number of the person, which nobody else gets in this run</source>
-        <translation>Número de la persona, que nadie más recibe en esta ejecución</translation>
+        <source>Number of the person; it is not used again in this run</source>
+        <translation>Número de la persona; no se reutiliza en esta ejecución</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Lugar</translation>
+        <source>Position</source>
+        <translation>Posición</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in meters</source>
-        <translation>Lugar en la sala, x e y en metros</translation>
+        <source>Position on the floor, x and y in meters</source>
+        <translation>Posición en el suelo, x e y en metros</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Estatura</translation>
     </message>
     <message>
-        <source>Estimated height, meters; empty: the method does not estimate it</source>
-        <translation>Estatura estimada, metros; vacío: el método no la estima</translation>
+        <source>Estimated height in meters; empty if the method does not estimate it</source>
+        <translation>Estatura estimada en metros; vacío si el método no la estima</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>Meters per second over the floor</source>
-        <translation>Metros por segundo sobre el suelo</translation>
+        <source>Speed over the floor, in meters per second</source>
+        <translation>Velocidad sobre el suelo, en metros por segundo</translation>
     </message>
     <message>
         <source>Seen</source>
         <translation>Vista</translation>
     </message>
     <message>
-        <source>Cameras that see the person, of all</source>
-        <translation>Cámaras que ven a la persona, del total</translation>
+        <source>Number of cameras that see the person, out of all cameras</source>
+        <translation>Número de cámaras que ven a la persona, del total</translation>
     </message>
     <message>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
-        <translation>Volumen de la envolvente que contiene el 95 % de la persona, metros cúbicos; vacío mientras no se muestran envolventes</translation>
+        <source>Volume in cubic meters of the hull that contains 95 % of the person; empty while hulls are not shown</source>
+        <translation>Volumen en metros cúbicos de la envolvente que contiene el 95 % de la persona; vacío mientras no se muestran envolventes</translation>
     </message>
     <message>
-        <source>Since</source>
-        <translation>Desde</translation>
+        <source>Time</source>
+        <translation>Tiempo</translation>
     </message>
     <message>
-        <source>How long the person has been there, seconds</source>
-        <translation>Cuánto tiempo lleva la persona, segundos</translation>
+        <source>Time since the person entered, in seconds</source>
+        <translation>Tiempo desde que entró la persona, en segundos</translation>
     </message>
     <message>
         <source>Near</source>
         <translation>Cerca</translation>
     </message>
     <message>
-        <source>Somebody else is so near that colors are not learned</source>
-        <translation>Hay alguien tan cerca que no se aprenden los colores</translation>
+        <source>Another person is so close that colors are not learned</source>
+        <translation>Otra persona está tan cerca que no se aprenden los colores</translation>
     </message>
     <message>
-        <source>Learning the empty room: %1 %. Keep out of view.</source>
-        <translation>Aprendiendo la sala vacía: %1 %. No entre en la imagen.</translation>
+        <source>Learning the background: %1 %. Keep the scene empty.</source>
+        <translation>Aprendiendo el fondo: %1 %. No entre en la imagen.</translation>
     </message>
     <message>
-        <source>Nobody is there. People appear when two cameras see them.</source>
-        <translation>No hay nadie. Las personas aparecen cuando las ven dos cámaras.</translation>
+        <source>Nobody is in view. People appear when two cameras see them.</source>
+        <translation>No hay nadie a la vista. Las personas aparecen cuando las ven dos cámaras.</translation>
     </message>
     <message>
-        <source>People there: %1</source>
+        <source>People in view: %1</source>
         <translation>Personas presentes: %1</translation>
     </message>
     <message>
@@ -5875,15 +5875,15 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Las personas aparecen aquí cuando se ejecuta un método para personas.</translation>
     </message>
     <message>
-        <source>Somebody is near</source>
-        <translation>Hay alguien cerca</translation>
+        <source>Another person is close</source>
+        <translation>Hay otra persona cerca</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::PlanPage</name>
     <message>
-        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
-        <translation>¿Qué tal medirán estas cámaras, y dónde ayudaría otra? Arrastre una cámara en la vista de pájaro: el mapa la sigue.</translation>
+        <source>See how accurately these cameras will measure, and where another camera would help. Drag a camera in the bird&apos;s-eye view to update the map.</source>
+        <translation>Vea con qué precisión medirán estas cámaras y dónde ayudaría otra cámara. Arrastre una cámara en la vista de pájaro y el mapa se actualiza.</translation>
     </message>
     <message>
         <source>Map of expected errors</source>
@@ -5894,8 +5894,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Cámaras planeadas</translation>
     </message>
     <message>
-        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
-        <translation>Las cámaras planeadas no se guardan con el proyecto ni forman parte de la ejecución. El mapa no tiene en cuenta nada de la sala que oculte un lugar.</translation>
+        <source>Planned cameras are not saved with the project and take no part in the run. The map does not account for objects that block the view.</source>
+        <translation>Las cámaras planeadas no se guardan con el proyecto ni forman parte de la ejecución. El mapa no tiene en cuenta objetos que tapen la vista.</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -5905,12 +5905,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::PlannerForm</name>
     <message>
-        <source>Add a camera to plan</source>
-        <translation>Añadir una cámara al plan</translation>
+        <source>Add planned camera</source>
+        <translation>Añadir cámara planeada</translation>
     </message>
     <message>
-        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
-        <translation>Una cámara que aún no existe: arrástrela en la vista de pájaro o escriba dónde está (%1)</translation>
+        <source>A camera that does not exist yet: drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
+        <translation>Una cámara que aún no existe: arrástrela en la vista de pájaro o introduzca su posición (%1)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5921,8 +5921,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Quitar la cámara planeada</translation>
     </message>
     <message>
-        <source>Take the chosen planned camera away</source>
-        <translation>Quitar la cámara planeada elegida</translation>
+        <source>Remove the selected planned camera</source>
+        <translation>Quitar la cámara planeada seleccionada</translation>
     </message>
     <message>
         <source>Planned camera</source>
@@ -5933,8 +5933,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>La cámara planeada a la que pertenecen los números de abajo</translation>
     </message>
     <message>
-        <source>Stands at x, y, z</source>
-        <translation>Está en x, y, z</translation>
+        <source>Position x, y, z</source>
+        <translation>Posición x, y, z</translation>
     </message>
     <message>
         <source>Looks at x, y, z</source>
@@ -5949,8 +5949,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Posición planeada %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in meters</source>
-        <translation>Dónde está la cámara, en metros</translation>
+        <source>Position of the camera, in meters</source>
+        <translation>Posición de la cámara, en metros</translation>
     </message>
     <message>
         <source>Planned camera looks at %1</source>
@@ -5965,36 +5965,36 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Campo de visión</translation>
     </message>
     <message>
-        <source>How wide the camera sees, from left to right</source>
-        <translation>Cuánto abarca la cámara de izquierda a derecha</translation>
+        <source>Horizontal field of view of the camera</source>
+        <translation>Campo de visión horizontal de la cámara</translation>
     </message>
     <message>
         <source>Image width</source>
         <translation>Anchura de la imagen</translation>
     </message>
     <message>
-        <source>Pixels of its image, from left to right</source>
-        <translation>Píxeles de su imagen, de izquierda a derecha</translation>
+        <source>Width of its image in pixels</source>
+        <translation>Anchura de su imagen en píxeles</translation>
     </message>
     <message>
         <source>Image height</source>
         <translation>Altura de la imagen</translation>
     </message>
     <message>
-        <source>Pixels of its image, from top to bottom</source>
-        <translation>Píxeles de su imagen, de arriba abajo</translation>
+        <source>Height of its image in pixels</source>
+        <translation>Altura de su imagen en píxeles</translation>
     </message>
     <message>
-        <source>Walls and ceiling outside the volume by</source>
-        <translation>Paredes y techo fuera del volumen a</translation>
+        <source>Distance of walls and ceiling</source>
+        <translation>Distancia de paredes y techo</translation>
     </message>
     <message>
-        <source>Distance of the walls</source>
-        <translation>Distancia de las paredes</translation>
+        <source>Distance of the walls and the ceiling</source>
+        <translation>Distancia de las paredes y el techo</translation>
     </message>
     <message>
-        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
-        <translation>La búsqueda recorre las cuatro paredes y el techo alrededor del volumen, a esta distancia de él</translation>
+        <source>The search places the camera on four walls and a ceiling at this distance from the volume</source>
+        <translation>La búsqueda coloca la cámara en cuatro paredes y un techo a esta distancia del volumen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6005,24 +6005,24 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Cancelar la búsqueda</translation>
     </message>
     <message>
-        <source>End the search; nothing is added</source>
-        <translation>Terminar la búsqueda; no se añade nada</translation>
+        <source>Stop the search without adding a camera</source>
+        <translation>Terminar la búsqueda sin añadir una cámara</translation>
     </message>
     <message>
         <source>none yet</source>
         <translation>aún ninguna</translation>
     </message>
     <message>
-        <source>none chosen</source>
+        <source>none selected</source>
         <translation>ninguna elegida</translation>
     </message>
     <message>
-        <source>Find the best place for %1</source>
-        <translation>Buscar el mejor lugar para %1</translation>
+        <source>Find best position for %1</source>
+        <translation>Buscar la mejor posición para %1</translation>
     </message>
     <message>
-        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
-        <translation>Buscar en paredes y techo el lugar desde el que más ayuda otra cámara (%1)</translation>
+        <source>Search the walls and the ceiling for the position where another camera would help most (%1)</source>
+        <translation>Buscar en paredes y techo la posición donde más ayudaría otra cámara (%1)</translation>
     </message>
 </context>
 <context>
@@ -6121,63 +6121,63 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Renombrar punto medido</translation>
     </message>
     <message>
-        <source>Place of %1</source>
-        <translation>Lugar de %1</translation>
+        <source>Position of %1</source>
+        <translation>Posición de %1</translation>
     </message>
     <message>
         <source>Click %1 in %2</source>
         <translation>Marcar %1 en %2</translation>
     </message>
     <message>
-        <source>Forget %1 in %2</source>
-        <translation>Olvidar %1 en %2</translation>
+        <source>Remove %1 in %2</source>
+        <translation>Quitar %1 en %2</translation>
     </message>
     <message>
-        <source>Solve cameras from measured points</source>
-        <translation>Resolver las cámaras con los puntos medidos</translation>
+        <source>Compute cameras from measured points</source>
+        <translation>Calcular las cámaras con los puntos medidos</translation>
     </message>
     <message>
-        <source>No point was clicked yet: choose one, then click it in the images</source>
-        <translation>Aún no se ha marcado ningún punto: elija uno y márquelo en las imágenes</translation>
+        <source>No point has been clicked yet: select one, then click it in the images</source>
+        <translation>Aún no ha hecho clic en ningún punto: elija uno y haga clic en él en las imágenes</translation>
     </message>
     <message>
-        <source>%1: %2 off on average</source>
-        <translation>%1: %2 de error medio</translation>
+        <source>%1: average error %2</source>
+        <translation>%1: error medio %2</translation>
     </message>
     <message>
-        <source>%1: %2 points are too few, click four or more</source>
-        <translation>%1: %2 puntos son pocos, marque cuatro o más</translation>
+        <source>%1: %2 points are not enough, click at least four</source>
+        <translation>%1: %2 puntos no bastan, marque al menos cuatro</translation>
     </message>
     <message>
-        <source>%1: its points lie on one line, add one beside it</source>
-        <translation>%1: sus puntos están en una recta, añada uno fuera de ella</translation>
+        <source>%1: its points lie on one line, add a point beside the line</source>
+        <translation>%1: sus puntos están en una recta, añada un punto fuera de ella</translation>
     </message>
     <message>
-        <source>%1: %2, but a second pose fits as well: add a point outside the plane</source>
+        <source>%1: %2, but a second pose fits equally well: add a point outside the plane</source>
         <translation>%1: %2, pero otra pose encaja igual: añada un punto fuera del plano</translation>
     </message>
     <message>
-        <source>%1: no pose shows the points there</source>
-        <translation>%1: ninguna pose muestra ahí los puntos</translation>
+        <source>%1: no pose fits the clicked points</source>
+        <translation>%1: ninguna pose encaja con los puntos marcados</translation>
     </message>
     <message>
-        <source>%1, unless it was mounted so</source>
-        <translation>%1, salvo que esté montada así</translation>
+        <source>%1 (ignore this if the camera is mounted that way)</source>
+        <translation>%1 (ignore esto si la cámara está montada así)</translation>
     </message>
     <message>
-        <source>%1: then its points fit to %2</source>
-        <translation>%1: entonces sus puntos encajan a %2</translation>
+        <source>%1: after that, its points fit within %2</source>
+        <translation>%1: después, sus puntos encajan a %2</translation>
     </message>
     <message>
-        <source>%1 does not fit the rest (%2, %3): measure or click it again</source>
-        <translation>%1 no encaja con el resto (%2, %3): mídalo o márquelo otra vez</translation>
+        <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
+        <translation>%1 no encaja con los demás puntos (%2, %3): mídalo o márquelo otra vez</translation>
     </message>
     <message>
-        <source>Worst: %1 (%2, %3)</source>
-        <translation>El peor: %1 (%2, %3)</translation>
+        <source>Largest error: %1 (%2, %3)</source>
+        <translation>Mayor error: %1 (%2, %3)</translation>
     </message>
     <message>
-        <source>Set how %1 lies</source>
+        <source>Set orientation of %1</source>
         <translation>Fijar la orientación de %1</translation>
     </message>
 </context>
@@ -6188,8 +6188,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Puntos medidos</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
-        <translation>Lugares medidos con cinta, en metros: doble clic para escribir. La fila marcada es la que peor encaja.</translation>
+        <source>Positions measured with a tape, in meters: double-click to edit. The highlighted row has the largest error.</source>
+        <translation>Posiciones medidas con cinta, en metros: doble clic para editar. La fila resaltada tiene el mayor error.</translation>
     </message>
     <message>
         <source>Point</source>
@@ -6224,8 +6224,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Añadir punto</translation>
     </message>
     <message>
-        <source>Add a place of the room that you measured</source>
-        <translation>Añadir un lugar de la sala que haya medido</translation>
+        <source>Add a position that you measured in the room</source>
+        <translation>Añadir una posición que haya medido en la sala</translation>
     </message>
     <message>
         <source>Remove point</source>
@@ -6240,44 +6240,44 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Marcar en imágenes</translation>
     </message>
     <message>
-        <source>Then click the chosen point in every image that shows it: corners are found to a fraction of a pixel (Alt: exactly where you click). Esc ends it.</source>
-        <translation>Después marque el punto elegido en cada imagen que lo muestre: las esquinas se encuentran con precisión de fracción de píxel (Alt: justo donde hace clic). Esc termina.</translation>
+        <source>Click the selected point in every image that shows it. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
+        <translation>Haga clic en el punto elegido en cada imagen que lo muestre. Las esquinas se encuentran con precisión de fracción de píxel (Alt: justo donde hace clic). Pulse Esc para terminar.</translation>
     </message>
     <message>
-        <source>Forget click</source>
-        <translation>Olvidar la marca</translation>
+        <source>Remove click</source>
+        <translation>Quitar clic</translation>
     </message>
     <message>
-        <source>Forget the click of this point in the chosen camera</source>
-        <translation>Olvidar la marca de este punto en la cámara elegida</translation>
+        <source>Remove the click on this point in the selected camera</source>
+        <translation>Quitar el clic en este punto en la cámara elegida</translation>
     </message>
     <message>
-        <source>Solve focal lengths too</source>
-        <translation>Resolver también las distancias focales</translation>
+        <source>Compute focal lengths</source>
+        <translation>Calcular distancias focales</translation>
     </message>
     <message>
         <source>For cameras with six points or more</source>
         <translation>Para cámaras con seis puntos o más</translation>
     </message>
     <message>
-        <source>Solve cameras</source>
-        <translation>Resolver las cámaras</translation>
+        <source>Compute cameras</source>
+        <translation>Calcular cámaras</translation>
     </message>
     <message>
-        <source>Find the poses of all cameras in which points were clicked; four points or more each</source>
-        <translation>Hallar las poses de todas las cámaras en las que se marcaron puntos; cuatro o más en cada una</translation>
+        <source>Compute the poses of all cameras in which points were clicked; each needs at least four points</source>
+        <translation>Calcular las poses de todas las cámaras en las que se marcaron puntos; cada una necesita al menos cuatro</translation>
     </message>
     <message>
         <source>%1: %2, %3</source>
         <translation>%1: %2, %3</translation>
     </message>
     <message>
-        <source>Set it: %1</source>
-        <translation>Fijarlo: %1</translation>
+        <source>Apply: %1</source>
+        <translation>Aplicar: %1</translation>
     </message>
     <message>
-        <source>Turn or mirror the images of this camera so, and solve again</source>
-        <translation>Girar o reflejar así las imágenes de esta cámara y resolver de nuevo</translation>
+        <source>Rotate or mirror the images of this camera and compute its pose again</source>
+        <translation>Girar o reflejar las imágenes de esta cámara y calcular de nuevo su pose</translation>
     </message>
 </context>
 <context>
@@ -6299,12 +6299,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>Some of these results are of earlier settings.</source>
+        <source>Some of these results are from earlier settings.</source>
         <translation>Algunos de estos resultados se obtuvieron con ajustes anteriores.</translation>
     </message>
     <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
-        <translation>La vista previa se detuvo. El próximo cambio la empieza de nuevo.</translation>
+        <source>The preview was stopped. It starts again at the next change.</source>
+        <translation>La vista previa se detuvo. Empieza de nuevo con el próximo cambio.</translation>
     </message>
 </context>
 <context>
@@ -6314,8 +6314,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Informar de un problema – Dewpoint</translation>
     </message>
     <message>
-        <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
-        <translation>Escriba a quienes le dieron Dewpoint: qué hizo, qué esperaba y qué ocurrió en su lugar. Añada el texto de abajo y, si puede, el archivo del proyecto y una captura de pantalla. Nada se envía por sí solo.</translation>
+        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
+        <translation>Escriba a quien le dio Dewpoint. Describa qué hizo, qué esperaba y qué ocurrió. Adjunte el texto de abajo y, si puede, el archivo del proyecto y una captura de pantalla. Nada se envía automáticamente.</translation>
     </message>
     <message>
         <source>Text for the report</source>
@@ -6341,12 +6341,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::ProjectController</name>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara.</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>Haga clic en el objeto o dibuje un recuadro a su alrededor en cualquier cámara.</translation>
     </message>
     <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>Haga clic en cualquier imagen sobre lo que quiere seguir: se aprende su color y empieza el seguimiento.</translation>
+        <source>Click the object to track in any image. Its color is learned and tracking starts.</source>
+        <translation>Haga clic en cualquier imagen en el objeto que quiere seguir. Se aprende su color y empieza el seguimiento.</translation>
     </message>
     <message>
         <source>Open a project</source>
@@ -6368,16 +6368,16 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Las cámaras confirman dónde está el objetivo.</translation>
     </message>
     <message>
-        <source>Something else fits about as well. Press X and drag the target to where it is.</source>
-        <translation>Otra cosa encaja casi igual de bien. Pulse X y arrastre el objetivo adonde está.</translation>
+        <source>Another object fits about as well. Press X and drag the target to its true position.</source>
+        <translation>Otro objeto encaja casi igual de bien. Pulse X y arrastre el objetivo a su posición real.</translation>
     </message>
     <message>
         <source>Not found yet, or not seen for less than a second.</source>
         <translation>Aún no encontrado, o sin verse desde hace menos de un segundo.</translation>
     </message>
     <message>
-        <source>Not seen for a second. The line at the bottom says why.</source>
-        <translation>Sin verse desde hace un segundo. La línea de abajo dice por qué.</translation>
+        <source>Not seen for more than a second. The status bar shows why.</source>
+        <translation>Sin verse desde hace más de un segundo. La barra de estado muestra por qué.</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
@@ -6388,15 +6388,15 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Qué se ve</translation>
     </message>
     <message>
-        <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation>Cada vista de cámara muestra su imagen y, encima, lo que el programa cree. La vista de pájaro muestra lo mismo en la sala.</translation>
+        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the same in the room.</source>
+        <translation>Cada vista de cámara muestra su imagen y, encima, las estimaciones. La vista de pájaro muestra lo mismo en la sala.</translation>
     </message>
     <message>
-        <source>How sure it is</source>
-        <translation>Qué tan seguro está</translation>
+        <source>State of a target</source>
+        <translation>Estado de un objetivo</translation>
     </message>
     <message>
-        <source>How to begin</source>
+        <source>How to start</source>
         <translation>Cómo empezar</translation>
     </message>
     <message>
@@ -6404,24 +6404,24 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>1.  Abra un vídeo por cámara o conecte cámaras: Archivo › Proyecto nuevo (%1). O pruebe antes la demo.</translation>
     </message>
     <message>
-        <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
-        <translation>2.  Indique la calibración de las cámaras o haga una: menú Calibración (%1 para empezar a mano). Sin ella, los objetivos se siguen solo en las imágenes.</translation>
+        <source>2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by hand). Without it, targets are tracked only in the images.</source>
+        <translation>2.  Cargue una calibración de las cámaras o cree una: menú Calibración (%1 para empezar a mano). Sin ella, los objetivos se siguen solo en las imágenes.</translation>
     </message>
     <message>
-        <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
-        <translation>3.  Haga clic en cualquier imagen sobre lo que quiere seguir. Se aprende su color en todas las cámaras y empieza el seguimiento.</translation>
+        <source>3.  Click the object to track in any image. Its color is learned in all cameras, and tracking starts.</source>
+        <translation>3.  Haga clic en cualquier imagen en el objeto que quiere seguir. Se aprende su color en todas las cámaras y empieza el seguimiento.</translation>
     </message>
     <message>
-        <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
-        <translation>4.  Pulse %1 para reproducir y pausar. Arrastre por la línea de tiempo para mirar atrás: cada vista muestra ese fotograma tal como era.</translation>
+        <source>4.  Press %1 to play or pause. Drag along the timeline to look back: all views then show that frame as it was tracked.</source>
+        <translation>4.  Pulse %1 para reproducir o pausar. Arrastre por la línea de tiempo para mirar atrás: todas las vistas muestran entonces ese fotograma tal como se siguió.</translation>
     </message>
     <message>
         <source>5.  Export the trajectory: File › Export trajectory (%1).</source>
         <translation>5.  Exporte la trayectoria: Archivo › Exportar la trayectoria (%1).</translation>
     </message>
     <message>
-        <source>All signs…</source>
-        <translation>Todos los signos…</translation>
+        <source>Show legend…</source>
+        <translation>Mostrar leyenda…</translation>
     </message>
     <message>
         <source>Open the legend of all that is drawn over the images</source>
@@ -6447,76 +6447,76 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::RecentList</name>
     <message>
-        <source>The file is gone</source>
+        <source>The file no longer exists</source>
         <translation>El archivo ya no existe</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecentMenu</name>
     <message>
-        <source>Nothing yet</source>
-        <translation>Nada todavía</translation>
+        <source>No recent projects</source>
+        <translation>Ningún proyecto reciente</translation>
     </message>
     <message>
-        <source>Forget these</source>
-        <translation>Olvidar estos</translation>
+        <source>Clear list</source>
+        <translation>Vaciar la lista</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecoveryOffer</name>
     <message>
-        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
-        <translation>Dewpoint no terminó correctamente. El trabajo sin guardar en «%1» es de %2.</translation>
+        <source>Dewpoint closed unexpectedly. Unsaved changes to “%1” from %2 can be recovered.</source>
+        <translation>Dewpoint se cerró inesperadamente. Se pueden recuperar los cambios sin guardar en «%1» de %2.</translation>
     </message>
     <message>
-        <source>Recover it</source>
-        <translation>Recuperarlo</translation>
+        <source>Recover</source>
+        <translation>Recuperar</translation>
     </message>
     <message>
-        <source>Throw it away</source>
-        <translation>Descartarlo</translation>
+        <source>Discard</source>
+        <translation>Descartar</translation>
     </message>
     <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>El trabajo sin guardar en «%1» se ha descartado.</translation>
+        <source>Unsaved changes to “%1” were discarded.</source>
+        <translation>Los cambios sin guardar en «%1» se han descartado.</translation>
     </message>
     <message>
-        <source>Take it back</source>
-        <translation>Recuperarlo</translation>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>Ponga %1 aquí: x %2, y %3, z %4. Entonces el %5 del volumen queda dentro de %6, en vez del %7.</translation>
+        <source>With %1 here (x %2, y %3, z %4), %5 of the volume is within %6, instead of %7.</source>
+        <translation>Con %1 aquí (x %2, y %3, z %4), el %5 del volumen queda dentro de %6, en vez del %7.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RunAlerts</name>
     <message>
-        <source>No camera was bumped.</source>
+        <source>No camera has moved.</source>
         <translation>No se ha movido ninguna cámara.</translation>
     </message>
     <message>
-        <source>%1 cannot be solved again now.</source>
-        <translation>%1 no puede resolverse de nuevo ahora.</translation>
+        <source>The pose of %1 cannot be recomputed now.</source>
+        <translation>La pose de %1 no se puede recalcular ahora.</translation>
     </message>
     <message>
-        <source>Re-solve %1</source>
-        <translation>Resolver de nuevo %1</translation>
+        <source>Recompute %1</source>
+        <translation>Recalcular %1</translation>
     </message>
     <message>
-        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
-        <translation>%1 queda calibrada como está ahora. Deshacer lo revierte.</translation>
+        <source>The pose of %1 was recomputed. Undo restores the previous pose.</source>
+        <translation>La pose de %1 se recalculó. Deshacer restaura la pose anterior.</translation>
     </message>
     <message>
-        <source>The target was %1 beside where the others see it, and is %2 now.</source>
-        <translation>El objetivo estaba a %1 de donde lo ven las demás, y ahora a %2.</translation>
+        <source>Disagreement with the other cameras: %1 before, %2 now.</source>
+        <translation>Desacuerdo con las demás cámaras: antes %1, ahora %2.</translation>
     </message>
     <message>
-        <source>Done: %1. Undo takes it back.</source>
-        <translation>Hecho: %1. Deshacer lo revierte.</translation>
+        <source>Done: %1. You can undo this.</source>
+        <translation>Hecho: %1. Puede deshacerlo.</translation>
     </message>
 </context>
 <context>
@@ -6526,20 +6526,20 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>mediana %1, 99 de 100 por debajo de %2, máximo %3</translation>
     </message>
     <message>
-        <source>none is set</source>
-        <translation>no se fijó ninguno</translation>
+        <source>not set</source>
+        <translation>sin fijar</translation>
     </message>
     <message>
         <source>%1, kept in %2 % of the iterations of this run</source>
         <translation>%1, cumplido en el %2 % de las iteraciones de esta ejecución</translation>
     </message>
     <message>
-        <source>Time per iteration, median</source>
-        <translation>Tiempo por iteración, mediana</translation>
+        <source>Median time per iteration</source>
+        <translation>Tiempo mediano por iteración</translation>
     </message>
     <message>
-        <source>From a frame to its estimate</source>
-        <translation>De un fotograma a su estimación</translation>
+        <source>Time from frame to estimate</source>
+        <translation>Tiempo del fotograma a la estimación</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
@@ -6562,8 +6562,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Semilla aleatoria</translation>
     </message>
     <message>
-        <source>Kept of the past</source>
-        <translation>Pasado conservado</translation>
+        <source>History memory</source>
+        <translation>Memoria del historial</translation>
     </message>
     <message>
         <source>%1 of %2 particles</source>
@@ -6577,8 +6577,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
 <context>
     <name>dewpoint::ui::SessionController</name>
     <message>
-        <source>Restart the run? What was tracked so far is lost.</source>
-        <translation>¿Reiniciar la ejecución? Se pierde lo seguido hasta ahora.</translation>
+        <source>Restart the run? The results so far will be lost.</source>
+        <translation>¿Reiniciar la ejecución? Se perderán los resultados obtenidos hasta ahora.</translation>
     </message>
     <message>
         <source>Restart</source>
@@ -6612,8 +6612,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Atajo</translation>
     </message>
     <message>
-        <source>What it does</source>
-        <translation>Qué hace</translation>
+        <source>Description</source>
+        <translation>Descripción</translation>
     </message>
     <message>
         <source>Actions and their shortcuts</source>
@@ -6632,43 +6632,43 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Sin atajo</translation>
     </message>
     <message>
-        <source>Take the shortcut of the chosen action away</source>
-        <translation>Quitar el atajo de la acción elegida</translation>
+        <source>Remove the shortcut of the selected action</source>
+        <translation>Quitar el atajo de la acción seleccionada</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>Restablecer todo</translation>
     </message>
     <message>
-        <source>All shortcuts as they were at first</source>
-        <translation>Todos los atajos como al principio</translation>
+        <source>Reset all shortcuts to their defaults</source>
+        <translation>Restablecer todos los atajos a sus valores predeterminados</translation>
     </message>
     <message>
         <source>Choose an action, click into the field below and press the new keys.</source>
         <translation>Elija una acción, haga clic en el campo de abajo y pulse las nuevas teclas.</translation>
     </message>
     <message>
-        <source>“%1” has no shortcut now.</source>
+        <source>“%1” no longer has a shortcut.</source>
         <translation>«%1» ya no tiene atajo.</translation>
     </message>
     <message>
-        <source>All shortcuts are as they were at first.</source>
-        <translation>Todos los atajos están como al principio.</translation>
+        <source>All shortcuts were reset to their defaults.</source>
+        <translation>Todos los atajos se restablecieron a sus valores predeterminados.</translation>
     </message>
     <message>
         <source>“%1” is now %2.</source>
         <translation>«%1» es ahora %2.</translation>
     </message>
     <message>
-        <source>“%1” is now %2; “%3” has lost it.</source>
-        <translation>«%1» es ahora %2; «%3» lo ha perdido.</translation>
+        <source>“%1” is now %2; it was removed from “%3”.</source>
+        <translation>«%1» es ahora %2; se quitó de «%3».</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Close; changed shortcuts are kept already</source>
+        <source>Close; changed shortcuts are already saved</source>
         <translation>Cerrar; los atajos cambiados ya están guardados</translation>
     </message>
 </context>
@@ -6685,8 +6685,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>How fast the recording is played. Live cameras are always tracked as they come.</source>
-        <translation>Con qué rapidez se reproduce la grabación. Las cámaras en vivo se siguen siempre según llegan sus imágenes.</translation>
+        <source>Playback speed of the recording. Live cameras are always tracked in real time.</source>
+        <translation>Velocidad de reproducción de la grabación. Las cámaras en vivo se siguen siempre en tiempo real.</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6724,7 +6724,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Oculta durante un segundo</translation>
     </message>
     <message>
-        <source>A box passes in front of the ball. One camera is enough to keep it.</source>
+        <source>A box passes in front of the ball. One camera is enough to keep tracking it.</source>
         <translation>Una caja pasa ante la pelota. Basta una cámara para no perderla.</translation>
     </message>
     <message>
@@ -6736,15 +6736,15 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Personas en una oficina</translation>
     </message>
     <message>
-        <source>Four cameras carve everybody out of space, and give each a number.</source>
-        <translation>Cuatro cámaras esculpen a cada persona en el espacio y le dan un número.</translation>
+        <source>Four cameras find everyone in 3D and give each person a number.</source>
+        <translation>Cuatro cámaras encuentran a cada persona en 3D y le dan un número.</translation>
     </message>
     <message>
         <source>One camera and a box</source>
         <translation>Una cámara y un recuadro</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is followed by its colors.</source>
+        <source>No calibration: a box in the image is tracked by its colors.</source>
         <translation>Sin calibración: un recuadro en la imagen se sigue por sus colores.</translation>
     </message>
     <message>
@@ -6752,7 +6752,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Calibrar a mano</translation>
     </message>
     <message>
-        <source>Drag a grid over the images until it lies on the floor.</source>
+        <source>Drag a grid over the images until it matches the floor.</source>
         <translation>Arrastre una cuadrícula sobre las imágenes hasta que coincida con el suelo.</translation>
     </message>
     <message>
@@ -6764,8 +6764,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Dos cámaras simuladas ven una pelota rosa; un filtro de partículas la encuentra y la sigue por el espacio. Pause, mire atrás, cámbielo todo: nada se puede estropear.</translation>
     </message>
     <message>
-        <source>Your own</source>
-        <translation>Su propio material</translation>
+        <source>Your own data</source>
+        <translation>Sus propios datos</translation>
     </message>
     <message>
         <source>Open videos…</source>
@@ -6780,19 +6780,19 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Usar cámaras…</translation>
     </message>
     <message>
-        <source>Connected ones, or network streams</source>
-        <translation>Conectadas o flujos de red</translation>
+        <source>Connected cameras or network streams</source>
+        <translation>Cámaras conectadas o flujos de red</translation>
     </message>
     <message>
         <source>Open a project…</source>
         <translation>Abrir un proyecto…</translation>
     </message>
     <message>
-        <source>One that was saved before</source>
-        <translation>Uno guardado antes</translation>
+        <source>A project saved earlier</source>
+        <translation>Un proyecto guardado antes</translation>
     </message>
     <message>
-        <source>Four balls alike</source>
+        <source>Four identical balls</source>
         <translation>Cuatro bolas iguales</translation>
     </message>
 </context>
@@ -6847,16 +6847,16 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>mirando atrás</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier moment, or tracking it again</source>
-        <translation>En marcha, en pausa, al final, mirando un momento anterior o siguiéndolo de nuevo</translation>
+        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking it again</source>
+        <translation>En marcha, en pausa, al final, mirando un fotograma anterior o siguiéndolo de nuevo</translation>
     </message>
     <message>
-        <source>held where it is thought to be</source>
-        <translation>se mantiene donde se cree que está</translation>
+        <source>held at its estimated position</source>
+        <translation>se mantiene en su posición estimada</translation>
     </message>
     <message>
-        <source>click it or drag a box around it</source>
-        <translation>haz clic o arrastra un recuadro a su alrededor</translation>
+        <source>click the object or drag a box around it</source>
+        <translation>haga clic en el objeto o dibuje un recuadro a su alrededor</translation>
     </message>
     <message>
         <source>x %1  y %2  %3 × %4</source>
@@ -6871,20 +6871,20 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>○ personas: %1, buscando</translation>
     </message>
     <message>
-        <source>others fit as well: press X, drag the target</source>
-        <translation>otros encajan igual: pulse X y arrastre el objetivo</translation>
+        <source>other objects fit equally well: press X, drag the target</source>
+        <translation>otros objetos encajan igual: pulse X y arrastre el objetivo</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
-        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otra cosa encaja casi igual de bien. Perdido: no seguido desde hace un segundo.</translation>
+        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not held for more than a second.</source>
+        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Perdido: no seguido desde hace más de un segundo.</translation>
     </message>
     <message>
         <source>± %1</source>
         <translation>± %1</translation>
     </message>
     <message>
-        <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
-        <translation>Con qué exactitud se conoce la posición: la desviación típica en 3D, x, y y z juntas (los gráficos muestran cada una)</translation>
+        <source>Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the plots show each of them)</source>
+        <translation>Incertidumbre de la posición: la desviación típica en 3D, x, y y z juntas (los gráficos muestran cada una)</translation>
     </message>
     <message>
         <source>%1 m/s</source>
@@ -6899,8 +6899,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Detalles</translation>
     </message>
     <message>
-        <source>Times, particles, and what is kept of the past</source>
-        <translation>Tiempos, partículas y lo que se conserva del pasado</translation>
+        <source>Times, particles and history memory</source>
+        <translation>Tiempos, partículas y memoria del historial</translation>
     </message>
 </context>
 <context>
@@ -6930,8 +6930,8 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>desconocido</translation>
     </message>
     <message>
-        <source>Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated.</source>
-        <translation>Radio de la bola, de 0 a 2000 mm. Desconocido: se estima.</translation>
+        <source>Radius of the ball, 0 to 2,000 mm. If unknown, it is estimated.</source>
+        <translation>Radio de la bola, de 0 a 2000 mm. Si es desconocido, se estima.</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -6950,16 +6950,16 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>cualquiera</translation>
     </message>
     <message>
-        <source>Ball: its outline is a circle in every image. Any: its extent is learned, and its center is that of its color. Automatic: the images decide. Only method dewpoint uses this.</source>
-        <translation>Bola: su contorno es un círculo en cada imagen. Cualquiera: se aprende su extensión, y su centro es el de su color. Automática: deciden las imágenes. Solo el método dewpoint lo usa.</translation>
+        <source>Ball: the outline is a circle in every image. Any: the size is learned, and the center is the center of the color. Automatic: determined from the images. Only method dewpoint uses this.</source>
+        <translation>Bola: el contorno es un círculo en cada imagen. Cualquiera: se aprende el tamaño, y el centro es el centro del color. Automática: se determina con las imágenes. Solo el método dewpoint lo usa.</translation>
     </message>
     <message>
-        <source>No target yet: click the thing to follow in any camera image.</source>
-        <translation>Aún no hay objetivo: haga clic en cualquier imagen sobre lo que quiere seguir.</translation>
+        <source>No target yet: click the object to track in any camera image.</source>
+        <translation>Aún no hay objetivo: haga clic en cualquier imagen en el objeto que quiere seguir.</translation>
     </message>
     <message>
-        <source>The color of a target is learned by clicking it in a camera image.</source>
-        <translation>El color de un objetivo se aprende haciendo clic sobre él en una imagen de cámara.</translation>
+        <source>Click a target in a camera image to learn its color.</source>
+        <translation>Haga clic en un objetivo en una imagen de cámara para aprender su color.</translation>
     </message>
     <message>
         <source>Rename target</source>
@@ -6978,12 +6978,12 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Quitar el objetivo</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view: it is followed from there on.</source>
-        <translation>Haz clic en la cosa o arrastra un recuadro a su alrededor en cualquier cámara: se sigue desde ahí.</translation>
+        <source>Click the object or drag a box around it in any camera view. It is tracked from there.</source>
+        <translation>Haga clic en el objeto o dibuje un recuadro a su alrededor en cualquier cámara. Se sigue desde ahí.</translation>
     </message>
     <message>
-        <source>No box at this moment.</source>
-        <translation>Sin recuadro en este momento.</translation>
+        <source>No box in this frame.</source>
+        <translation>Sin recuadro en este fotograma.</translation>
     </message>
     <message>
         <source>%1, in %2
@@ -7047,24 +7047,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Hilos</translation>
     </message>
     <message>
-        <source>as suits this machine</source>
-        <translation>lo que convenga a este equipo</translation>
+        <source>automatic</source>
+        <translation>automático</translation>
     </message>
     <message>
-        <source>How many threads share the work of the filter; results are the same with any number</source>
-        <translation>Cuántos hilos se reparten el trabajo del filtro; los resultados son los mismos con cualquier número</translation>
+        <source>Number of threads of the filter; it does not change the results</source>
+        <translation>Número de hilos del filtro; no cambia los resultados</translation>
     </message>
     <message>
-        <source>Used from the next frame on.</source>
-        <translation>Se usa a partir del próximo fotograma.</translation>
+        <source>The new number is used from the next frame.</source>
+        <translation>El nuevo número se usa a partir del próximo fotograma.</translation>
     </message>
     <message>
         <source>OK</source>
         <translation>Aceptar</translation>
     </message>
     <message>
-        <source>Keep this number</source>
-        <translation>Conservar este número</translation>
+        <source>Use this number</source>
+        <translation>Usar este número</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -7078,11 +7078,11 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
-        <translation>Memoria para retroceder en la ejecución: imágenes, partículas y copias del método. Cuando se llena, los momentos antiguos solo conservan sus estimaciones.</translation>
+        <source>Memory for looking back: images, particles and copies of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>Memoria para mirar atrás: imágenes, partículas y copias del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
     </message>
     <message>
-        <source>Nothing tracked yet: play (Space), then drag here through time.</source>
+        <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
         <translation>Aún no hay seguimiento: reproduzca (Espacio) y después arrastre aquí por el tiempo.</translation>
     </message>
     <message>
@@ -7090,8 +7090,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Línea de tiempo</translation>
     </message>
     <message>
-        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
-        <translation>El cambio vale a partir de ahora. «%1» muestra qué hace con este momento.</translation>
+        <source>The change applies to new frames. Use “%1” to track again from the current frame.</source>
+        <translation>El cambio se aplica a los fotogramas nuevos. Use «%1» para seguir de nuevo desde el fotograma actual.</translation>
     </message>
 </context>
 <context>
@@ -7101,36 +7101,36 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>La pelota %1</translation>
     </message>
     <message>
-        <source>What the ball does at the moment</source>
-        <translation>Qué hace la pelota en el momento</translation>
+        <source>What the ball does at this time</source>
+        <translation>Qué hace la pelota en este instante</translation>
     </message>
     <message>
-        <source>Three places of the floor, or a fall, tell where up is</source>
-        <translation>Tres lugares del suelo, o una caída, dicen dónde es arriba</translation>
+        <source>The upward direction comes from three positions on the floor, or from a fall</source>
+        <translation>La dirección hacia arriba se obtiene de tres posiciones en el suelo, o de una caída</translation>
     </message>
     <message>
-        <source>Take this moment</source>
-        <translation>Tomar este momento</translation>
+        <source>Add current time</source>
+        <translation>Añadir instante actual</translation>
     </message>
     <message>
-        <source>The moment that the images show is one at which the ball does this</source>
-        <translation>En el momento que muestran las imágenes la pelota hace esto</translation>
+        <source>Add the time of the images shown as one at which the ball does this</source>
+        <translation>Añadir el instante de las imágenes mostradas como uno en que la pelota hace esto</translation>
     </message>
     <message>
-        <source>Remove moment</source>
-        <translation>Quitar momento</translation>
+        <source>Remove time</source>
+        <translation>Quitar instante</translation>
     </message>
     <message>
-        <source>Take the chosen moment off the list</source>
-        <translation>Quitar de la lista el momento elegido</translation>
+        <source>Remove the selected time from the list</source>
+        <translation>Quitar de la lista el instante elegido</translation>
     </message>
     <message>
-        <source>Moments taken</source>
-        <translation>Momentos tomados</translation>
+        <source>Added times</source>
+        <translation>Instantes añadidos</translation>
     </message>
     <message>
-        <source>Double click or Enter shows the moment</source>
-        <translation>Doble clic o Intro muestra el momento</translation>
+        <source>Double-click or press Enter to show the images of this time</source>
+        <translation>Doble clic o Intro muestra las imágenes de este instante</translation>
     </message>
     <message>
         <source>%1 – %2</source>
@@ -7152,8 +7152,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>tiempo, s</translation>
     </message>
     <message>
-        <source>Seconds, of the frame</source>
-        <translation>Segundos, del fotograma</translation>
+        <source>Time of the frame, in seconds</source>
+        <translation>Tiempo del fotograma, en segundos</translation>
     </message>
     <message>
         <source>frame</source>
@@ -7208,8 +7208,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>existencia</translation>
     </message>
     <message>
-        <source>Probability that the target is where the estimate says</source>
-        <translation>Probabilidad de que el objetivo esté donde dice la estimación</translation>
+        <source>Probability that the target is at the estimated position</source>
+        <translation>Probabilidad de que el objetivo esté en la posición estimada</translation>
     </message>
     <message>
         <source>state</source>
@@ -7224,8 +7224,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>◇ ambiguo</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Corrected: you said where the target is</source>
-        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otra cosa encaja casi igual de bien. Corregido: usted dijo dónde está el objetivo</translation>
+        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
+        <translation>Seguido: las cámaras confirman la estimación. Ambiguo: otro objeto encaja casi igual de bien. Corregido: usted fijó la posición</translation>
     </message>
 </context>
 <context>
@@ -7280,11 +7280,11 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Los recuadros están en el portapapeles como CSV.</translation>
     </message>
     <message>
-        <source>Remove the correction</source>
-        <translation>Quitar la corrección</translation>
+        <source>Remove correction</source>
+        <translation>Quitar corrección</translation>
     </message>
     <message>
-        <source>Speed and height appear when tracking runs.</source>
+        <source>Speed and height appear during tracking.</source>
         <translation>La velocidad y la altura aparecen durante el seguimiento.</translation>
     </message>
 </context>
@@ -7295,8 +7295,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Mostrar el mapa en la vista de pájaro</translation>
     </message>
     <message>
-        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
-        <translation>Cuánto se espera que se desvíe un objetivo en cada lugar; sigue cada movimiento de una cámara</translation>
+        <source>Expected position error of a target at each point; updated whenever a camera moves</source>
+        <translation>Error de posición esperado de un objetivo en cada punto; se actualiza con cada movimiento de una cámara</translation>
     </message>
     <message>
         <source>Colors show</source>
@@ -7311,28 +7311,28 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>el número de cámaras</translation>
     </message>
     <message>
-        <source>What the colors show</source>
-        <translation>Qué muestran los colores</translation>
+        <source>Meaning of the colors</source>
+        <translation>Significado de los colores</translation>
     </message>
     <message>
-        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
-        <translation>El error esperado (desviación estándar en la peor dirección), o cuántas cámaras ven un lugar</translation>
+        <source>The expected error (standard deviation in the worst direction), or the number of cameras that see a point</source>
+        <translation>El error esperado (desviación estándar en la peor dirección), o el número de cámaras que ven un punto</translation>
     </message>
     <message>
-        <source>Good enough</source>
-        <translation>Suficiente</translation>
+        <source>Acceptable error</source>
+        <translation>Error aceptable</translation>
     </message>
     <message>
-        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
-        <translation>El error que basta: hasta él el mapa es azul, y por él se rigen la frase y la búsqueda de un lugar</translation>
+        <source>Errors up to this value are blue in the map. The summary and the search for a camera position use it, too</source>
+        <translation>Los errores hasta este valor son azules en el mapa. También lo usan el resumen y la búsqueda de una posición de cámara</translation>
     </message>
     <message>
-        <source>Error of a sighting</source>
-        <translation>Error de una observación</translation>
+        <source>Detection error</source>
+        <translation>Error de detección</translation>
     </message>
     <message>
-        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
-        <translation>Cuánto se desvía el objetivo hallado en una imagen, en píxeles (una desviación estándar)</translation>
+        <source>Error of a target&apos;s position in an image, in pixels (one standard deviation)</source>
+        <translation>Error de la posición de un objetivo en una imagen, en píxeles (una desviación estándar)</translation>
     </message>
     <message>
         <source>Layer at</source>
@@ -7355,12 +7355,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Altura de la capa en metros</translation>
     </message>
     <message>
-        <source>Volume: surfaces around what is good and what is fair</source>
-        <translation>Volumen: superficies en torno a lo bueno y lo aceptable</translation>
+        <source>Surfaces around good and fair regions</source>
+        <translation>Superficies en torno a zonas buenas y aceptables</translation>
     </message>
     <message>
-        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
-        <translation>Mostrar en toda la sala dónde el error es como mucho 0,4, 1 y 2 veces lo suficiente, o dónde ven dos, tres y cuatro cámaras</translation>
+        <source>Show surfaces in the room where the error is at most 0.4, 1 and 2 times the acceptable error, or where two, three and four cameras see</source>
+        <translation>Mostrar en la sala superficies donde el error es como mucho 0,4, 1 y 2 veces el error aceptable, o donde ven dos, tres y cuatro cámaras</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7375,20 +7375,20 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Volumen desde %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in meters</source>
-        <translation>Dónde empieza el volumen, en metros</translation>
+        <source>Lower corner of the volume, in meters</source>
+        <translation>Esquina inferior del volumen, en metros</translation>
     </message>
     <message>
         <source>Volume to %1</source>
         <translation>Volumen hasta %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in meters</source>
-        <translation>Dónde acaba el volumen, en metros</translation>
+        <source>Upper corner of the volume, in meters</source>
+        <translation>Esquina superior del volumen, en metros</translation>
     </message>
     <message>
-        <source>Like the reference grid</source>
-        <translation>Como la cuadrícula de referencia</translation>
+        <source>Use reference grid</source>
+        <translation>Usar cuadrícula</translation>
     </message>
     <message>
         <source>The volume above the reference grid, up to the highest camera</source>
@@ -7406,11 +7406,11 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Frente</translation>
     </message>
     <message>
-        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <source>View from above: X to the right, Y up. Drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>Vista desde arriba: X a la derecha, Y hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
     </message>
     <message>
-        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <source>View from the front: X to the right, Z up. Drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>Vista desde el frente: X a la derecha, Z hacia arriba. Arrastrar para mover, rueda para acercar, doble clic para verlo todo.</translation>
     </message>
     <message>
@@ -7426,8 +7426,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Ajustar</translation>
     </message>
     <message>
-        <source>See everything again, in the same view. Double click does it too.</source>
-        <translation>Verlo todo de nuevo, en la misma vista. El doble clic también lo hace.</translation>
+        <source>Fit everything in the view, in the same direction (or double-click)</source>
+        <translation>Ajustar todo a la vista, con la misma orientación (o doble clic)</translation>
     </message>
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
@@ -7476,19 +7476,19 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Volumen de interés hasta %1</translation>
     </message>
     <message>
-        <source>Where the volume of interest begins, in meters; targets are searched for in it alone</source>
-        <translation>Dónde empieza el volumen de interés, en metros; los objetivos se buscan solo en él</translation>
+        <source>Lower corner of the volume of interest, in meters; targets are searched for only inside it</source>
+        <translation>Esquina inferior del volumen de interés, en metros; los objetivos se buscan solo en él</translation>
     </message>
     <message>
-        <source>Where the volume of interest ends, in meters; targets are searched for in it alone</source>
-        <translation>Dónde termina el volumen de interés, en metros; los objetivos se buscan solo en él</translation>
+        <source>Upper corner of the volume of interest, in meters; targets are searched for only inside it</source>
+        <translation>Esquina superior del volumen de interés, en metros; los objetivos se buscan solo en él</translation>
     </message>
     <message>
         <source>From the cameras</source>
         <translation>De las cámaras</translation>
     </message>
     <message>
-        <source>Search for targets in the box around what at least two cameras see</source>
+        <source>Search for targets in the box around the region that at least two cameras see</source>
         <translation>Buscar objetivos en la caja que rodea lo que ven al menos dos cámaras</translation>
     </message>
     <message>
@@ -7508,12 +7508,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Quitar el volumen de interés</translation>
     </message>
     <message>
-        <source>Targets are searched for in this box alone.</source>
+        <source>Targets are searched for only inside this box.</source>
         <translation>Los objetivos se buscan solo en esta caja.</translation>
     </message>
     <message>
-        <source>None: targets are searched for anywhere. The numbers are what the cameras see; change one to search in a box.</source>
-        <translation>Ninguno: los objetivos se buscan en cualquier lugar. Los números son lo que ven las cámaras; cambie uno para buscar en una caja.</translation>
+        <source>None: targets are searched for everywhere. The numbers show the region that the cameras see; change one of them to search in a box.</source>
+        <translation>Ninguno: los objetivos se buscan en cualquier lugar. Los números muestran la zona que ven las cámaras; cambie uno para buscar en una caja.</translation>
     </message>
     <message>
         <source>None: targets are searched for anywhere. Change a number to search in a box.</source>
@@ -7527,28 +7527,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
-        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
-        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una vara con dos pelotas, por todo el volumen y refine.</translation>
+        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Después agite la pelota, o una varita con dos pelotas, por todo el volumen y refine.</translation>
     </message>
     <message>
-        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
-        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. La grabación de una pelota, o de una vara con dos pelotas, agitada por todo el volumen las hace exactas.</translation>
+        <source>Align the cameras by hand until they are roughly right. A recording in which you wave a ball, or a wand with two balls, through the whole volume then refines them.</source>
+        <translation>Ajuste las cámaras a mano hasta que estén más o menos bien. Una grabación en la que agita una pelota, o una varita con dos pelotas, por todo el volumen las refina después.</translation>
     </message>
     <message>
-        <source>Where the floor is</source>
-        <translation>Dónde está el suelo</translation>
+        <source>Floor</source>
+        <translation>Suelo</translation>
     </message>
     <message>
-        <source>Waving</source>
-        <translation>Agitar</translation>
+        <source>Wand</source>
+        <translation>Varita</translation>
     </message>
     <message>
         <source>Refine</source>
         <translation>Refinar</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>Agitar</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -7558,16 +7554,16 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::WandCalibrator</name>
     <message>
-        <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
-        <translation>Pulse «Empezar a agitar» y agite durante medio minuto donde se vaya a seguir.</translation>
+        <source>Press Start waving, then wave for half a minute in the volume in which you want to track.</source>
+        <translation>Pulse «Empezar a agitar» y agite durante medio minuto en el volumen en que quiere seguir.</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved stick</source>
-        <translation>Refinar cámaras con una vara agitada</translation>
+        <source>Refine cameras with a wand</source>
+        <translation>Refinar cámaras con una varita</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved ball</source>
-        <translation>Refinar cámaras con una pelota agitada</translation>
+        <source>Refine cameras with a ball</source>
+        <translation>Refinar cámaras con una pelota</translation>
     </message>
 </context>
 <context>
@@ -7581,59 +7577,59 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>el diámetro de la pelota, %1</translation>
     </message>
     <message>
-        <source>the cameras as they are</source>
-        <translation>las cámaras como están</translation>
+        <source>the current cameras</source>
+        <translation>las cámaras actuales</translation>
     </message>
     <message>
-        <source>a distance touched</source>
-        <translation>una distancia tocada</translation>
+        <source>a known distance</source>
+        <translation>una distancia conocida</translation>
     </message>
     <message>
-        <source>Waved</source>
-        <translation>Se agita</translation>
+        <source>Wand</source>
+        <translation>Varita</translation>
     </message>
     <message>
         <source>one ball</source>
         <translation>una pelota</translation>
     </message>
     <message>
-        <source>a stick with two balls</source>
-        <translation>una vara con dos pelotas</translation>
+        <source>wand with two balls</source>
+        <translation>varita con dos pelotas</translation>
     </message>
     <message>
-        <source>What is waved</source>
-        <translation>Qué se agita</translation>
+        <source>Kind of wand</source>
+        <translation>Tipo de varita</translation>
     </message>
     <message>
-        <source>A stick also gives the size, better than anything else</source>
-        <translation>Una vara da también el tamaño, mejor que nada</translation>
+        <source>A wand with two balls also gives the size, more accurately than the other ways</source>
+        <translation>Una varita con dos pelotas da también el tamaño, con más precisión que las otras formas</translation>
     </message>
     <message>
         <source>Ball</source>
         <translation>Pelota</translation>
     </message>
     <message>
-        <source>The target that is waved: its color is looked for</source>
-        <translation>El objetivo que se agita: se busca su color</translation>
+        <source>The target that you wave; it is detected by its color</source>
+        <translation>El objetivo que agita; se detecta por su color</translation>
     </message>
     <message>
         <source>Second ball</source>
         <translation>Segunda pelota</translation>
     </message>
     <message>
-        <source>The target at the other end of the stick</source>
-        <translation>El objetivo del otro extremo de la vara</translation>
+        <source>The target at the other end of the wand</source>
+        <translation>El objetivo del otro extremo de la varita</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Longitud</translation>
     </message>
     <message>
-        <source>Length of the stick</source>
-        <translation>Longitud de la vara</translation>
+        <source>Length of the wand</source>
+        <translation>Longitud de la varita</translation>
     </message>
     <message>
-        <source>From the middle of one ball to that of the other</source>
+        <source>From the center of one ball to the center of the other</source>
         <translation>Del centro de una pelota al de la otra</translation>
     </message>
     <message>
@@ -7645,44 +7641,44 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Tamaño de</translation>
     </message>
     <message>
-        <source>What gives the size</source>
-        <translation>Qué da el tamaño</translation>
+        <source>Source of the size</source>
+        <translation>Origen del tamaño</translation>
     </message>
     <message>
-        <source>Images alone do not tell a large room from a small one: a diameter is good to about one percent, a distance to what you measure</source>
-        <translation>Las imágenes solas no distinguen una sala grande de una pequeña: un diámetro vale hasta un uno por ciento, una distancia lo que usted mida</translation>
+        <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
+        <translation>Las imágenes solas no muestran si una sala es grande o pequeña. Un diámetro es preciso hasta un uno por ciento; una distancia, tanto como la mida</translation>
     </message>
     <message>
         <source>Distance</source>
         <translation>Distancia</translation>
     </message>
     <message>
-        <source>Distance touched</source>
-        <translation>Distancia tocada</translation>
+        <source>Known distance</source>
+        <translation>Distancia conocida</translation>
     </message>
     <message>
-        <source>Between the two places that the middle of the ball was held at</source>
-        <translation>Entre los dos lugares donde se sostuvo el centro de la pelota</translation>
+        <source>Distance between the two positions at which you held the center of the ball</source>
+        <translation>Distancia entre las dos posiciones en las que sostuvo el centro de la pelota</translation>
     </message>
     <message>
-        <source>Off by up to</source>
-        <translation>Error de hasta</translation>
+        <source>Initial error</source>
+        <translation>Error inicial</translation>
     </message>
     <message>
-        <source>How far cameras may be off</source>
-        <translation>Cuánto pueden estar desplazadas las cámaras</translation>
+        <source>Initial position error</source>
+        <translation>Error de posición inicial</translation>
     </message>
     <message>
-        <source>How well the cameras are nudged: about how far each may be from its true place</source>
-        <translation>Lo bien ajustadas que están: cuánto puede distar cada una de su lugar real</translation>
+        <source>Roughly how far each camera may be from its true position</source>
+        <translation>Aproximadamente cuánto puede distar cada cámara de su posición real</translation>
     </message>
     <message>
-        <source>How much cameras may be turned</source>
-        <translation>Cuánto pueden estar giradas las cámaras</translation>
+        <source>Initial rotation error</source>
+        <translation>Error de giro inicial</translation>
     </message>
     <message>
-        <source>About how far each may be turned from where it truly looks</source>
-        <translation>Cuánto puede estar girada cada una respecto a donde mira de verdad</translation>
+        <source>Roughly how far each camera may be rotated from its true orientation</source>
+        <translation>Aproximadamente cuánto puede estar girada cada cámara respecto a su orientación real</translation>
     </message>
     <message>
         <source>Find time offsets</source>
@@ -7697,15 +7693,15 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Buscar distancias focales</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or zoomed</source>
-        <translation>Para objetivos nunca calibrados o con otro zoom</translation>
+        <source>For lenses that were never calibrated, or whose zoom has changed</source>
+        <translation>Para objetivos que nunca se calibraron o cuyo zoom ha cambiado</translation>
     </message>
     <message>
         <source>Find the distortion k1</source>
         <translation>Buscar la distorsión k1</translation>
     </message>
     <message>
-        <source>The first coefficient of each lens; needs a ball seen up to the edges of the images</source>
+        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
         <translation>El primer coeficiente de cada objetivo; la pelota debe verse hasta los bordes de las imágenes</translation>
     </message>
     <message>
@@ -7713,8 +7709,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Solo el tramo elegido</translation>
     </message>
     <message>
-        <source>Look through the stretch selected in the timeline, not the whole recording</source>
-        <translation>Examinar el tramo elegido en la línea de tiempo, no toda la grabación</translation>
+        <source>Use only the part of the recording that is selected in the timeline</source>
+        <translation>Usar solo la parte de la grabación seleccionada en la línea de tiempo</translation>
     </message>
 </context>
 <context>
@@ -7724,16 +7720,16 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Refinar cámaras</translation>
     </message>
     <message>
-        <source>Find the ball in all images, and the cameras that explain them best</source>
-        <translation>Encontrar la pelota en todas las imágenes, y las cámaras que mejor las explican</translation>
+        <source>Detect the ball in all images and compute the cameras that fit best</source>
+        <translation>Detectar la pelota en todas las imágenes y calcular las cámaras que mejor encajan</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop; the cameras stay as they are</source>
-        <translation>Detener; las cámaras quedan como están</translation>
+        <source>Stop and keep the cameras unchanged</source>
+        <translation>Detener y dejar las cámaras sin cambios</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -7744,28 +7740,28 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Antes</translation>
     </message>
     <message>
-        <source>While it is pressed, the grid is drawn with the cameras as they were</source>
-        <translation>Mientras se pulsa, la rejilla se dibuja con las cámaras como estaban</translation>
+        <source>Hold down to draw the grid with the previous cameras</source>
+        <translation>Mantenga pulsado para dibujar la cuadrícula con las cámaras anteriores</translation>
     </message>
     <message>
         <source>Use it anyway</source>
         <translation>Usarla de todos modos</translation>
     </message>
     <message>
-        <source>Take these cameras although something seems to be wrong; it can be undone</source>
-        <translation>Tomar estas cámaras aunque algo parece estar mal; se puede deshacer</translation>
+        <source>Use these cameras although the result looks wrong; you can undo this</source>
+        <translation>Usar estas cámaras aunque el resultado parece erróneo; se puede deshacer</translation>
     </message>
     <message>
         <source>Save report…</source>
         <translation>Guardar informe…</translation>
     </message>
     <message>
-        <source>A page with all figures, residuals as arrows, coverage and a drawing in space</source>
-        <translation>Una página con todas las cifras, residuos como flechas, cobertura y un dibujo en el espacio</translation>
+        <source>A page with all numbers, residuals as arrows, coverage and a 3D drawing</source>
+        <translation>Una página con todos los números, residuos como flechas, cobertura y un dibujo en 3D</translation>
     </message>
     <message>
-        <source>Cameras found</source>
-        <translation>Cámaras halladas</translation>
+        <source>Refined cameras</source>
+        <translation>Cámaras refinadas</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -7780,36 +7776,36 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>movida cm</translation>
     </message>
     <message>
-        <source>turned °</source>
+        <source>rotated °</source>
         <translation>girada °</translation>
     </message>
     <message>
-        <source>late ms</source>
+        <source>delay ms</source>
         <translation>retraso ms</translation>
     </message>
     <message>
-        <source>Root mean square distance between seen and projected balls</source>
-        <translation>Distancia cuadrática media entre las pelotas vistas y las proyectadas</translation>
+        <source>Reprojection error: root mean square distance between detected and projected balls</source>
+        <translation>Error de reproyección: distancia cuadrática media entre las pelotas detectadas y las proyectadas</translation>
     </message>
     <message>
-        <source>How far the camera is from where it was</source>
-        <translation>Cuánto dista la cámara de donde estaba</translation>
+        <source>Distance between the old and the new position of the camera</source>
+        <translation>Distancia entre la posición anterior y la nueva de la cámara</translation>
     </message>
     <message>
-        <source>How far it is turned from where it looked</source>
-        <translation>Cuánto ha girado respecto a donde miraba</translation>
+        <source>Angle between the old and the new orientation of the camera</source>
+        <translation>Ángulo entre la orientación anterior y la nueva de la cámara</translation>
     </message>
     <message>
-        <source>The cameras are as they were.</source>
-        <translation>Las cámaras están como estaban.</translation>
+        <source>The cameras are unchanged.</source>
+        <translation>Las cámaras no han cambiado.</translation>
     </message>
     <message>
-        <source>Solutions without a part of the recording differ %1 times more than noise explains; the verdict includes that.</source>
-        <translation>Las soluciones sin una parte de la grabación difieren %1 veces más de lo que explica el ruido; el veredicto lo incluye.</translation>
+        <source>Solutions from parts of the recording vary %1 times more than noise predicts. The stated accuracy includes this.</source>
+        <translation>Las soluciones con partes de la grabación varían %1 veces más de lo que predice el ruido. La precisión indicada lo incluye.</translation>
     </message>
     <message>
-        <source>The fall says %1 m/s² (9.81 is expected).</source>
-        <translation>La caída dice %1 m/s² (se espera 9,81).</translation>
+        <source>The fall gives a gravity of %1 m/s² (9.81 is expected).</source>
+        <translation>La caída da una gravedad de %1 m/s² (se espera 9,81).</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -7820,31 +7816,31 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Páginas web (*.html)</translation>
     </message>
     <message>
-        <source>What was found of each camera; point at a heading to see what it means</source>
-        <translation>Lo que se halló de cada cámara; señala un encabezado para ver qué significa</translation>
+        <source>Results for each camera; hover over a heading to see its meaning</source>
+        <translation>Resultados de cada cámara; señale un encabezado para ver su significado</translation>
     </message>
     <message>
-        <source>The cameras were changed since; this is about how they were refined.</source>
-        <translation>Las cámaras se han cambiado desde entonces; esto se refiere a como quedaron al refinarlas.</translation>
+        <source>The cameras have changed since this refinement.</source>
+        <translation>Las cámaras han cambiado desde este refinamiento.</translation>
     </message>
     <message>
-        <source>By how much its images are later than the first camera&apos;s, beyond what was known</source>
-        <translation>Cuánto se retrasan sus imágenes respecto a las de la primera cámara, además de lo ya conocido</translation>
+        <source>Additional delay of this camera&apos;s images relative to the first camera</source>
+        <translation>Retraso adicional de las imágenes de esta cámara respecto a la primera</translation>
     </message>
     <message>
-        <source>That is less sure than the cameras were (off by up to %1): wave through more of the volume.</source>
-        <translation>Es menos seguro que las cámaras de antes (desviadas hasta %1): agite por una parte mayor del volumen.</translation>
+        <source>This is less accurate than the initial cameras (error up to %1): wave through more of the volume.</source>
+        <translation>Esto es menos preciso que las cámaras iniciales (error de hasta %1): agite por una parte mayor del volumen.</translation>
     </message>
     <message>
-        <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
-        <translation>El retraso de las cámaras queda en el proyecto: desde ahora las imágenes se emparejan según él.</translation>
+        <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
+        <translation>Los retrasos de las cámaras se guardan en el proyecto y desde ahora sincronizan las imágenes.</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
-        <translation>Reunir dónde ve cada cámara la pelota; empezar de nuevo olvida lo reunido antes</translation>
+        <source>Collect the positions of the ball in every camera; starting again discards what was collected before</source>
+        <translation>Reunir las posiciones de la pelota en cada cámara; empezar de nuevo descarta lo reunido antes</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -7875,12 +7871,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cada cámara vio bastante: pare o refine.</translation>
     </message>
     <message>
-        <source>Go on: each camera should see the ball 150 times, in half of its image.</source>
+        <source>Continue: each camera should see the ball 150 times, in half of its image.</source>
         <translation>Siga: cada cámara debería ver la pelota 150 veces, en la mitad de su imagen.</translation>
     </message>
     <message>
-        <source>Image sets left out because they came too fast: %1.</source>
-        <translation>Conjuntos de imágenes omitidos por llegar demasiado rápido: %1.</translation>
+        <source>Frames skipped because they arrived too fast: %1.</source>
+        <translation>Fotogramas omitidos por llegar demasiado rápido: %1.</translation>
     </message>
 </context>
 <context>
@@ -7934,8 +7930,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Mostrar esta vista</translation>
     </message>
     <message>
-        <source>Speak this language</source>
-        <translation>Hablar este idioma</translation>
+        <source>Switch to this language</source>
+        <translation>Cambiar a este idioma</translation>
     </message>
     <message>
         <source>&amp;Help</source>

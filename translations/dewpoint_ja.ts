@@ -16,8 +16,8 @@
         <translation>新しいプロジェクト…</translation>
     </message>
     <message>
-        <source>Make a project from videos or connected cameras</source>
-        <translation>動画や接続されたカメラからプロジェクトを作ります</translation>
+        <source>Create a project from videos or connected cameras</source>
+        <translation>動画や接続されたカメラからプロジェクトを作成します</translation>
     </message>
     <message>
         <source>Open project…</source>
@@ -76,16 +76,16 @@
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Take back the last change</source>
-        <translation>最後の変更を取り消します</translation>
+        <source>Undo the last change</source>
+        <translation>最後の変更を元に戻します</translation>
     </message>
     <message>
         <source>Redo</source>
         <translation>やり直す</translation>
     </message>
     <message>
-        <source>Make the change that was taken back again</source>
-        <translation>取り消した変更をやり直します</translation>
+        <source>Redo the last undone change</source>
+        <translation>最後に元に戻した変更をやり直します</translation>
     </message>
     <message>
         <source>Shortcuts…</source>
@@ -116,8 +116,8 @@
         <translation>1 回反復</translation>
     </message>
     <message>
-        <source>One filter iteration on the frame shown, and pause</source>
-        <translation>表示中のフレームでフィルターを 1 回反復して一時停止</translation>
+        <source>Run one filter iteration on the current frame and pause</source>
+        <translation>現在のフレームでフィルターを 1 回反復して一時停止します</translation>
     </message>
     <message>
         <source>Restart</source>
@@ -164,8 +164,8 @@
         <translation>名前で操作を探します</translation>
     </message>
     <message>
-        <source>Put all views back where they were at first</source>
-        <translation>すべての表示を最初の位置に戻します</translation>
+        <source>Restore the default arrangement of the views</source>
+        <translation>ビューの配置を既定に戻します</translation>
     </message>
     <message>
         <source>Colors of the system</source>
@@ -192,31 +192,31 @@
         <translation>ターゲットを取り除く</translation>
     </message>
     <message>
-        <source>Stop following the target that is chosen</source>
-        <translation>選んだターゲットの追跡をやめます</translation>
+        <source>Stop tracking the selected target</source>
+        <translation>選択中のターゲットの追跡をやめます</translation>
     </message>
     <message>
         <source>Learn the color</source>
         <translation>色を学習</translation>
     </message>
     <message>
-        <source>Then click the target in a camera image: its color is learned</source>
-        <translation>続けてカメラ画像のターゲットをクリックすると、その色を学習します</translation>
+        <source>Click the target in a camera image to learn its color</source>
+        <translation>カメラ画像のターゲットをクリックして、その色を学習します</translation>
     </message>
     <message>
         <source>Add a target</source>
         <translation>ターゲットを追加</translation>
     </message>
     <message>
-        <source>Follow one more thing: click it in a camera image</source>
-        <translation>もう1つ追跡します。カメラ画像でクリックしてください</translation>
+        <source>Track one more object: click it in a camera image</source>
+        <translation>物体をもう1つ追跡します。カメラ画像でクリックしてください</translation>
     </message>
     <message>
         <source>Export trajectory…</source>
         <translation>軌跡を書き出す…</translation>
     </message>
     <message>
-        <source>Write the trajectory so far for another program</source>
+        <source>Export the trajectory so far for use in another program</source>
         <translation>これまでの軌跡を他のプログラム用に書き出します</translation>
     </message>
     <message>
@@ -232,72 +232,72 @@
         <translation>前のフレーム</translation>
     </message>
     <message>
-        <source>Show the frame before this one as it was</source>
-        <translation>ひとつ前のフレームを当時のまま表示します</translation>
+        <source>Show the previous frame as it was tracked</source>
+        <translation>前のフレームを追跡時の状態で表示します</translation>
     </message>
     <message>
-        <source>Back to now</source>
-        <translation>現在に戻る</translation>
+        <source>Go to latest frame</source>
+        <translation>最新のフレームへ</translation>
     </message>
     <message>
-        <source>Show again where the run stands</source>
-        <translation>実行の現在位置を再び表示します</translation>
+        <source>Stop looking back and show the latest tracked frame</source>
+        <translation>過去の表示をやめ、最後に追跡したフレームを表示します</translation>
     </message>
     <message>
         <source>Track again from here</source>
         <translation>ここから再追跡</translation>
     </message>
     <message>
-        <source>Track again from the moment shown, with the method, parameters and colors of now; pausing stops it</source>
-        <translation>表示中の時点から、現在の手法・パラメータ・色で追跡し直します。一時停止で止まります</translation>
+        <source>Track again from the frame shown with the current method, parameters and colors; pause to stop</source>
+        <translation>表示中のフレームから、現在の手法・パラメータ・色で追跡し直します。一時停止で止まります</translation>
     </message>
     <message>
-        <source>Mark this moment</source>
-        <translation>この時点をマーク</translation>
+        <source>Add marker</source>
+        <translation>マークを追加</translation>
     </message>
     <message>
-        <source>Put a named mark on the moment shown</source>
-        <translation>表示中の時点に名前付きのマークを付けます</translation>
+        <source>Add a named marker at the frame shown</source>
+        <translation>表示中のフレームに名前付きのマークを付けます</translation>
     </message>
     <message>
-        <source>Remove the mark</source>
+        <source>Remove marker</source>
         <translation>マークを外す</translation>
     </message>
     <message>
-        <source>Take the mark away from the moment shown</source>
-        <translation>表示中の時点のマークを外します</translation>
+        <source>Remove the marker at the frame shown</source>
+        <translation>表示中のフレームのマークを外します</translation>
     </message>
     <message>
-        <source>Previous mark</source>
+        <source>Previous marker</source>
         <translation>前のマーク</translation>
     </message>
     <message>
-        <source>Show the moment of the mark before this one</source>
-        <translation>前のマークの時点を表示します</translation>
+        <source>Go to the previous marker</source>
+        <translation>前のマークへ移動します</translation>
     </message>
     <message>
-        <source>Next mark</source>
+        <source>Next marker</source>
         <translation>次のマーク</translation>
     </message>
     <message>
-        <source>Show the moment of the next mark</source>
-        <translation>次のマークの時点を表示します</translation>
+        <source>Go to the next marker</source>
+        <translation>次のマークへ移動します</translation>
     </message>
     <message>
         <source>Zoom to the selected span</source>
         <translation>選択した区間を拡大</translation>
     </message>
     <message>
-        <source>Let the timeline show the selected span only</source>
+        <source>Show only the selected span in the timeline</source>
         <translation>タイムラインに選択区間だけを表示します</translation>
     </message>
     <message>
-        <source>Show evidence</source>
-        <translation>根拠を表示</translation>
+        <source>Show likelihood map</source>
+        <translation>尤度マップを表示</translation>
     </message>
     <message>
-        <source>Show how likely the cameras find each place around the target, and which places were considered</source>
-        <translation>ターゲットの周囲の各位置をカメラがどれだけ確からしいと見るか、どの位置が候補になったかを表示します</translation>
+        <source>Show the likelihood of each position around the target, and the candidate positions</source>
+        <translation>ターゲット周辺の各位置の尤度と、候補の位置を表示します</translation>
     </message>
     <message>
         <source>Show best particle</source>
@@ -324,15 +324,15 @@
         <translation>有効サンプルサイズを表示</translation>
     </message>
     <message>
-        <source>How many particles the weighted ones are worth, and how many there are</source>
-        <translation>重み付き粒子が何個分に相当するかと、粒子の総数</translation>
+        <source>Effective sample size, and number of particles</source>
+        <translation>有効サンプルサイズと粒子の数</translation>
     </message>
     <message>
         <source>Plot likelihood</source>
         <translation>尤度を表示</translation>
     </message>
     <message>
-        <source>What each camera says of the estimate: its log likelihood</source>
+        <source>Log likelihood of the estimate in each camera</source>
         <translation>各カメラから見た推定の対数尤度</translation>
     </message>
     <message>
@@ -340,15 +340,15 @@
         <translation>存在確率を表示</translation>
     </message>
     <message>
-        <source>Probability that the target is at the estimate, by all cameras and by each alone</source>
-        <translation>推定位置にターゲットがある確率（全カメラおよび各カメラ単独）</translation>
+        <source>Existence probability: from all cameras together, and from each camera alone</source>
+        <translation>存在確率（全カメラおよび各カメラ単独）</translation>
     </message>
     <message>
         <source>Plot error</source>
         <translation>誤差を表示</translation>
     </message>
     <message>
-        <source>Distance of the estimate from the truth, where it is known</source>
+        <source>Distance between estimate and ground truth, if it is known</source>
         <translation>真値がわかる場合の、推定と真値の距離</translation>
     </message>
     <message>
@@ -356,24 +356,24 @@
         <translation>1 ステップの時間を表示</translation>
     </message>
     <message>
-        <source>Microseconds that each filter iteration took, per target</source>
-        <translation>ターゲットごとの各フィルタ反復にかかったマイクロ秒</translation>
+        <source>Duration of each filter iteration per target, in microseconds</source>
+        <translation>ターゲットごとの各フィルター反復にかかった時間（マイクロ秒）</translation>
     </message>
     <message>
         <source>Over time</source>
         <translation>時間軸</translation>
     </message>
     <message>
-        <source>Plot over seconds instead of filter iterations</source>
-        <translation>フィルタ反復ではなく秒で表示</translation>
+        <source>Plot against time in seconds instead of filter iterations</source>
+        <translation>フィルター反復ではなく時間（秒）に対して表示します</translation>
     </message>
     <message>
         <source>Whole run</source>
         <translation>全体を表示</translation>
     </message>
     <message>
-        <source>Plot the whole run again (double click does the same)</source>
-        <translation>もう一度全体を表示（ダブルクリックでも可）</translation>
+        <source>Show the whole run in the plots again (or double-click)</source>
+        <translation>グラフに実行全体を再び表示します（ダブルクリックでも可）</translation>
     </message>
     <message>
         <source>Copy plots as CSV</source>
@@ -404,32 +404,32 @@
         <translation>手動で校正…</translation>
     </message>
     <message>
-        <source>Adjust cameras until a grid lies on the real thing in their images</source>
-        <translation>画像の中で格子が実物に重なるまでカメラを調整します</translation>
+        <source>Adjust the cameras until a grid matches the real scene in their images</source>
+        <translation>画像の中で格子が実際の場面に重なるまでカメラを調整します</translation>
     </message>
     <message>
         <source>Import calibration…</source>
         <translation>較正をインポート…</translation>
     </message>
     <message>
-        <source>Take the cameras&apos; calibration from a file of any tool</source>
-        <translation>任意のツールのファイルからカメラの較正を取り込む</translation>
+        <source>Load the calibration of the cameras from a file of another tool</source>
+        <translation>ほかのツールのファイルからカメラの較正を読み込みます</translation>
     </message>
     <message>
         <source>Export calibration…</source>
         <translation>較正をエクスポート…</translation>
     </message>
     <message>
-        <source>Write the cameras&apos; calibration for another tool</source>
-        <translation>ほかのツールのためにカメラの較正を書き出す</translation>
+        <source>Save the calibration of the cameras for another tool</source>
+        <translation>ほかのツール用にカメラの較正を保存します</translation>
     </message>
     <message>
-        <source>Calibrate by waving…</source>
-        <translation>振って較正…</translation>
+        <source>Calibrate with wand…</source>
+        <translation>ワンドで較正…</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved ball, or a stick with two balls</source>
-        <translation>振ったボール、または2つのボールの付いた棒でカメラを精密化する</translation>
+        <source>Refine the cameras with a ball, or a wand with two balls, that you wave</source>
+        <translation>ボール、または2つのボールの付いたワンドを振ってカメラを精密化します</translation>
     </message>
     <message>
         <source>Calibration</source>
@@ -440,95 +440,95 @@
         <translation>ボードでキャリブレーション…</translation>
     </message>
     <message>
-        <source>Find lenses and places of the cameras with a printed board</source>
-        <translation>印刷したボードでカメラのレンズと位置を求めます</translation>
+        <source>Find the intrinsics and positions of the cameras with a printed board</source>
+        <translation>印刷したボードでカメラの内部パラメータと位置を求めます</translation>
     </message>
     <message>
         <source>Print a calibration board…</source>
         <translation>キャリブレーションボードを印刷…</translation>
     </message>
     <message>
-        <source>Write the board to calibrate with as a PDF in its true size</source>
-        <translation>キャリブレーション用ボードを実寸のPDFに書き出します</translation>
+        <source>Save the calibration board as a PDF at its true size</source>
+        <translation>キャリブレーション用ボードを実寸の PDF に保存します</translation>
     </message>
     <message>
         <source>Plan the rig…</source>
         <translation>配置を計画…</translation>
     </message>
     <message>
-        <source>See how well the cameras will measure, and where one more would help</source>
-        <translation>カメラの測定精度と、もう1台が役立つ場所を見る</translation>
+        <source>See how accurately the cameras will measure, and where another camera would help</source>
+        <translation>カメラの測定精度と、もう1台が役立つ場所を調べます</translation>
     </message>
     <message>
-        <source>Show the map of expected errors</source>
-        <translation>予想誤差のマップを表示</translation>
+        <source>Show error map</source>
+        <translation>誤差マップを表示</translation>
     </message>
     <message>
-        <source>Show in the bird&apos;s-eye view how far off a target is expected to be at each place</source>
-        <translation>各場所でターゲットがどれだけずれると予想されるかを鳥瞰図に表示</translation>
+        <source>Show the expected position error of a target at each point of the bird&apos;s-eye view</source>
+        <translation>鳥瞰図の各点に、ターゲットの予想位置誤差を表示します</translation>
     </message>
     <message>
-        <source>Add a camera to plan</source>
-        <translation>計画にカメラを追加</translation>
+        <source>Add planned camera</source>
+        <translation>計画用のカメラを追加</translation>
     </message>
     <message>
-        <source>Add a camera that is not there yet, to be dragged about</source>
-        <translation>まだ存在しないカメラを追加してドラッグする</translation>
+        <source>Add a camera that does not exist yet and drag it in the bird&apos;s-eye view</source>
+        <translation>まだ存在しないカメラを追加し、鳥瞰図でドラッグします</translation>
     </message>
     <message>
-        <source>Re-solve the bumped camera</source>
-        <translation>動いたカメラを解き直す</translation>
+        <source>Recompute camera pose</source>
+        <translation>カメラの姿勢を再計算</translation>
     </message>
     <message>
-        <source>Calibrate the camera that was turned during the run as it stands now; all others stay</source>
-        <translation>実行中に回転したカメラを現在の姿勢に校正します。他のカメラはそのままです</translation>
+        <source>Recompute the pose of the camera that was moved during the run; all other cameras stay unchanged</source>
+        <translation>実行中に動いたカメラの姿勢を計算し直します。他のカメラはそのままです</translation>
     </message>
     <message>
-        <source>Find the best place for one more camera</source>
-        <translation>もう1台のカメラの最適な場所を探す</translation>
+        <source>Find best position</source>
+        <translation>最適な位置を探す</translation>
     </message>
     <message>
-        <source>Search the walls and the ceiling for the place from which one more camera helps most</source>
-        <translation>もう1台のカメラが最も役立つ場所を壁と天井で探す</translation>
+        <source>Search the walls and the ceiling for the position where another camera would help most</source>
+        <translation>もう1台のカメラが最も役立つ位置を壁と天井で探します</translation>
     </message>
     <message>
         <source>Experiments…</source>
         <translation>実験…</translation>
     </message>
     <message>
-        <source>Make the figures of the papers anew, with a report</source>
-        <translation>論文の図を作り直し、レポートにします</translation>
+        <source>Reproduce the figures of the papers and write a report</source>
+        <translation>論文の図を再現し、レポートを書き出します</translation>
     </message>
     <message>
-        <source>Take a box</source>
-        <translation>枠を取る</translation>
+        <source>Set box</source>
+        <translation>枠を設定</translation>
     </message>
     <message>
-        <source>Export volumes of people…</source>
+        <source>Export people&apos;s volumes…</source>
         <translation>人物の体積を書き出す…</translation>
     </message>
     <message>
-        <source>Write places, volumes, hulls and densities on the floor of all people as tables</source>
-        <translation>全人物の位置、体積、凸包、床の上の密度を表として書き出す</translation>
+        <source>Save the position, volume, hull and floor density of each person as tables</source>
+        <translation>各人物の位置、体積、凸包、床の上の密度を表として保存します</translation>
     </message>
     <message>
-        <source>A person stands here…</source>
-        <translation>ここに人がいます…</translation>
+        <source>Add person…</source>
+        <translation>人物を追加…</translation>
     </message>
     <message>
-        <source>Say where somebody is: by a click on the person in a camera image, or on the floor in the bird&apos;s-eye view</source>
-        <translation>人のいる場所を伝える：カメラ画像の中の人、または鳥瞰図の床をクリック</translation>
+        <source>Click the person in a camera image, or the floor in the bird&apos;s-eye view</source>
+        <translation>カメラ画像の中の人物、または鳥瞰図の床をクリックします</translation>
     </message>
     <message>
-        <source>Remove this person</source>
-        <translation>この人物を取り除く</translation>
+        <source>Remove person</source>
+        <translation>人物を取り除く</translation>
     </message>
     <message>
-        <source>The person chosen in the table is not there</source>
-        <translation>表で選んだ人物はそこにいません</translation>
+        <source>Remove the person selected in the table</source>
+        <translation>表で選んだ人物を取り除きます</translation>
     </message>
     <message>
-        <source>Show volumes of people</source>
+        <source>Show people&apos;s volumes</source>
         <translation>人物の体積を表示</translation>
     </message>
     <message>
@@ -544,20 +544,20 @@
         <translation>フィルターの処理を分担するスレッド数を選びます</translation>
     </message>
     <message>
-        <source>It is here</source>
-        <translation>ここにあります</translation>
+        <source>Correct position</source>
+        <translation>位置を修正</translation>
     </message>
     <message>
-        <source>Drag a target in the camera images to where it is in the frame shown: tracking goes on from there</source>
-        <translation>表示中のフレームで、カメラ画像のターゲットを実際の位置へドラッグします。そこから追跡を続けます</translation>
+        <source>Drag a target in the camera images to its true position in this frame; tracking continues from there</source>
+        <translation>このフレームで、カメラ画像のターゲットを実際の位置へドラッグします。そこから追跡を続けます</translation>
     </message>
     <message>
-        <source>Remove the correction</source>
+        <source>Remove correction</source>
         <translation>修正を取り消す</translation>
     </message>
     <message>
-        <source>Take away where you said that the selected target is in the frame shown; without a selected target, of all</source>
-        <translation>表示中のフレームで選択中のターゲットに指定した位置を取り消します。選択がなければすべてのターゲットが対象です</translation>
+        <source>Remove the correction of the selected target in this frame, or of all targets if none is selected</source>
+        <translation>このフレームで選択中のターゲットの修正を取り消します。選択がなければすべてのターゲットが対象です</translation>
     </message>
     <message>
         <source>Show the volume of interest</source>
@@ -576,8 +576,8 @@
         <translation>再追跡</translation>
     </message>
     <message>
-        <source>Track all again that is of earlier settings</source>
-        <translation>以前の設定による結果をすべて追跡し直します</translation>
+        <source>Track again all frames that have results from earlier settings</source>
+        <translation>以前の設定による結果があるフレームをすべて追跡し直します</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -604,7 +604,7 @@
         <translation>録画を撮影時と同じ速さで再生します</translation>
     </message>
     <message>
-        <source>Slowly until it converges</source>
+        <source>Slow until converged</source>
         <translation>収束するまでゆっくり</translation>
     </message>
     <message>
@@ -616,40 +616,40 @@
         <translation>拡大鏡を表示</translation>
     </message>
     <message>
-        <source>Enlarge the particles of a target in a corner of the image where they are too close together to be seen</source>
-        <translation>ターゲットの粒子が密集して見えないとき、画像の隅に拡大して表示します</translation>
+        <source>Show an enlarged inset when the particles of a target are too close together to see</source>
+        <translation>ターゲットの粒子が密集して見えないとき、拡大図を表示します</translation>
     </message>
     <message>
         <source>Show lines of sight</source>
         <translation>視線を表示</translation>
     </message>
     <message>
-        <source>Draw a line in the bird&apos;s-eye view from each camera to the target: broken where it is hidden from the camera</source>
-        <translation>鳥瞰図に各カメラからターゲットまでの線を引きます。カメラから隠れている場合は破線です</translation>
+        <source>Draw a line from each camera to the target in the bird&apos;s-eye view; it is dashed if the camera cannot see the target</source>
+        <translation>鳥瞰図に各カメラからターゲットまでの線を引きます。カメラからターゲットが見えない場合は破線です</translation>
     </message>
     <message>
         <source>Zoom in</source>
         <translation>拡大</translation>
     </message>
     <message>
-        <source>Enlarge the camera image under the pointer, or that of the selected camera (the wheel does the same)</source>
-        <translation>ポインターの下のカメラ画像、または選択中のカメラの画像を拡大します（ホイールでも可）</translation>
+        <source>Zoom in on the camera image under the pointer, or on the image of the selected camera (or use the mouse wheel)</source>
+        <translation>ポインターの下のカメラ画像、または選択中のカメラの画像を拡大します（マウスホイールでも可）</translation>
     </message>
     <message>
         <source>Zoom out</source>
         <translation>縮小</translation>
     </message>
     <message>
-        <source>Show more of the camera image under the pointer, or of that of the selected camera</source>
-        <translation>ポインターの下のカメラ画像、または選択中のカメラの画像をより広く表示します</translation>
+        <source>Zoom out of the camera image under the pointer, or of the image of the selected camera</source>
+        <translation>ポインターの下のカメラ画像、または選択中のカメラの画像を縮小します</translation>
     </message>
     <message>
         <source>Fit image</source>
         <translation>画像全体を表示</translation>
     </message>
     <message>
-        <source>Show all of the camera image again (double click does the same)</source>
-        <translation>もう一度カメラ画像の全体を表示します（ダブルクリックでも可）</translation>
+        <source>Show the whole camera image (or double-click)</source>
+        <translation>カメラ画像の全体を表示します（ダブルクリックでも可）</translation>
     </message>
     <message>
         <source>Top view</source>
@@ -672,8 +672,8 @@
         <translation>すべてをビューに収める</translation>
     </message>
     <message>
-        <source>Show the whole room in the bird&apos;s-eye view again (double click does the same)</source>
-        <translation>もう一度鳥瞰図に部屋全体を表示します（ダブルクリックでも可）</translation>
+        <source>Show the whole room in the bird&apos;s-eye view (or double-click)</source>
+        <translation>鳥瞰図に部屋全体を表示します（ダブルクリックでも可）</translation>
     </message>
     <message>
         <source>Reset layout</source>
@@ -684,8 +684,8 @@
         <translation>全画面表示</translation>
     </message>
     <message>
-        <source>Let the window fill the screen, or give it its frame back</source>
-        <translation>ウィンドウを画面いっぱいに広げるか、元の枠に戻します</translation>
+        <source>Switch between full screen and a normal window</source>
+        <translation>全画面と通常のウィンドウを切り替えます</translation>
     </message>
     <message>
         <source>Follow system</source>
@@ -740,8 +740,8 @@
         <translation>問題を報告…</translation>
     </message>
     <message>
-        <source>Collect what helps to find a fault, ready to be copied</source>
-        <translation>不具合を見つけるのに役立つ情報を集め、コピーできるようにします</translation>
+        <source>Collect the information that a bug report needs, ready to copy</source>
+        <translation>不具合の報告に必要な情報を集め、コピーできるようにします</translation>
     </message>
     <message>
         <source>About Dewpoint</source>
@@ -756,8 +756,8 @@
         <translation>鳥瞰図に画像を表示</translation>
     </message>
     <message>
-        <source>Show what each camera sees, in the bird&apos;s-eye view, on the pyramid it looks through</source>
-        <translation>各カメラに見えているものを、鳥瞰図でその視野の角錐の上に表示します</translation>
+        <source>Show each camera&apos;s image inside its viewing pyramid in the bird&apos;s-eye view</source>
+        <translation>鳥瞰図で、各カメラの画像をその視野の角錐の中に表示します</translation>
     </message>
 </context>
 <context>
@@ -774,36 +774,36 @@
 <context>
     <name>BoardText</name>
     <message>
-        <source>%1: rms %2, focal length %3, %4 pictures; known to %5</source>
-        <translation>%1: rms %2、焦点距離 %3、画像 %4 枚、精度 %5</translation>
+        <source>%1: RMS %2, focal length %3, %4 images; accuracy %5</source>
+        <translation>%1: RMS %2、焦点距離 %3、画像 %4 枚、精度 %5</translation>
     </message>
     <message>
-        <source>Corners in only %1 % of its image: show the board in all of it, also tilted.</source>
-        <translation>角があるのは画像の%1 %だけです。画像全体で、傾けても見せてください。</translation>
+        <source>The corners cover only %1 % of its image: show the board in every part of the image, also tilted.</source>
+        <translation>角が覆うのは画像の %1 % だけです。画像のあらゆる場所で、傾けても見せてください。</translation>
     </message>
     <message>
-        <source>%1 keeps its place: it never saw the board.</source>
+        <source>%1 keeps its position: it never saw the board.</source>
         <translation>%1の位置はそのままです。ボードが一度も見えませんでした。</translation>
     </message>
     <message>
-        <source>%1: rms %2</source>
-        <translation>%1: rms %2</translation>
+        <source>%1: RMS %2</source>
+        <translation>%1: RMS %2</translation>
     </message>
     <message>
-        <source>, place ±%1, direction ±%2</source>
+        <source>, position ±%1, direction ±%2</source>
         <translation>、位置 ±%1、向き ±%2</translation>
     </message>
     <message>
-        <source>Lenses</source>
-        <translation>レンズ</translation>
+        <source>Intrinsics</source>
+        <translation>内部パラメータ</translation>
     </message>
     <message>
-        <source>%1 keeps its lens: %2</source>
-        <translation>%1のレンズはそのままです: %2</translation>
+        <source>%1 keeps its intrinsics: %2</source>
+        <translation>%1 の内部パラメータはそのままです: %2</translation>
     </message>
     <message>
-        <source>Places: rms %1 over %2 positions of the board</source>
-        <translation>位置: ボード %2 か所で rms %1</translation>
+        <source>Positions: RMS %1 over %2 board poses</source>
+        <translation>位置: ボードの姿勢 %2 個で RMS %1</translation>
     </message>
     <message>
         <source>upper left</source>
@@ -822,7 +822,7 @@
         <translation>左</translation>
     </message>
     <message>
-        <source>middle</source>
+        <source>center</source>
         <translation>中央</translation>
     </message>
     <message>
@@ -842,19 +842,19 @@
         <translation>右下</translation>
     </message>
     <message>
-        <source>its left side nearer</source>
+        <source>left side closer</source>
         <translation>左側を近く</translation>
     </message>
     <message>
-        <source>its right side nearer</source>
+        <source>right side closer</source>
         <translation>右側を近く</translation>
     </message>
     <message>
-        <source>its upper side nearer</source>
+        <source>upper side closer</source>
         <translation>上側を近く</translation>
     </message>
     <message>
-        <source>its lower side nearer</source>
+        <source>lower side closer</source>
         <translation>下側を近く</translation>
     </message>
     <message>
@@ -866,7 +866,7 @@
         <translation>まだ画像がありません</translation>
     </message>
     <message>
-        <source>Show it the whole board</source>
+        <source>Show the whole board</source>
         <translation>ボード全体を見せてください</translation>
     </message>
     <message>
@@ -874,19 +874,19 @@
         <translation>ボードを動かす: %1</translation>
     </message>
     <message>
-        <source>Tilt it, %1</source>
-        <translation>傾ける: %1</translation>
+        <source>Tilt the board, %1</source>
+        <translation>ボードを傾ける: %1</translation>
     </message>
     <message>
-        <source>Come nearer with the board</source>
+        <source>Move the board closer</source>
         <translation>ボードを近づけてください</translation>
     </message>
     <message>
-        <source>Hold it still</source>
-        <translation>静止させてください</translation>
+        <source>Hold the board still</source>
+        <translation>ボードを静止させてください</translation>
     </message>
     <message>
-        <source>The image is soft: focus, or more light</source>
+        <source>The image is blurred: focus the lens or add light</source>
         <translation>画像がぼけています。ピントを合わせるか明るくしてください</translation>
     </message>
     <message>
@@ -894,23 +894,23 @@
         <translation>✓ 完了</translation>
     </message>
     <message>
-        <source>✓ All cameras have seen enough together</source>
-        <translation>✓ すべてのカメラが十分に同時に見ました</translation>
+        <source>✓ The cameras have enough shared views</source>
+        <translation>✓ カメラの共通ビューが十分に集まりました</translation>
     </message>
     <message>
-        <source>Show the board to %1 and %2 at once, hold it still, then elsewhere</source>
+        <source>Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere</source>
         <translation>ボードを%1と%2に同時に見せて静止させ、別の場所でも繰り返してください</translation>
     </message>
     <message>
-        <source>no board in sight</source>
+        <source>board not visible</source>
         <translation>ボードが見えません</translation>
     </message>
     <message>
-        <source>⚠ soft, edges of %1</source>
+        <source>⚠ blurred, edge width %1</source>
         <translation>⚠ ぼけ、エッジ幅 %1</translation>
     </message>
     <message>
-        <source>sharp, edges of %1</source>
+        <source>sharp, edge width %1</source>
         <translation>鮮明、エッジ幅 %1</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation>%1 / 少なくとも %2 ビュー</translation>
     </message>
     <message>
-        <source>%1 views, known to %2 (wanted: %3)</source>
+        <source>%1 views, accuracy %2 (goal: %3)</source>
         <translation>%1 ビュー、精度 %2（目標: %3）</translation>
     </message>
     <message>
@@ -930,20 +930,20 @@
         <translation>○ ボードが見えません</translation>
     </message>
     <message>
-        <source>%1 views, place known to %2</source>
+        <source>%1 views, position accuracy %2</source>
         <translation>%1 ビュー、位置の精度 %2</translation>
     </message>
     <message>
-        <source>%1 views with others</source>
-        <translation>他と共通のビュー %1</translation>
+        <source>%1 views shared with other cameras</source>
+        <translation>他のカメラと共通のビュー %1</translation>
     </message>
     <message>
-        <source>The places were not found: %1</source>
+        <source>The positions were not found: %1</source>
         <translation>位置は求められませんでした: %1</translation>
     </message>
     <message>
-        <source>How good it is cannot be said: too few places were seen by two cameras.</source>
-        <translation>どれほど良いかは判定できません。2台のカメラで見えた場所が少なすぎます。</translation>
+        <source>The accuracy cannot be estimated: two cameras saw the board together too rarely.</source>
+        <translation>精度を見積もれません。2台のカメラが同時にボードを見た回数が少なすぎます。</translation>
     </message>
 </context>
 <context>
@@ -972,16 +972,16 @@
         <translation>%1 は動画をずらすと合います。おそらくすべてが %2 フレーム早まっています。動画を同期させるか、時間のずれを求めてください。</translation>
     </message>
     <message>
-        <source>%1 fits one place before %2 and another after: it was likely moved or bumped then. Calibrate with the part after it.</source>
-        <translation>%1 は %2より前と後で位置が異なります。そのとき動かされたかぶつけられたようです。その後の部分で較正してください。</translation>
+        <source>%1 fits one pose before %2 and another after it: the camera was probably moved. Calibrate with the part after that time.</source>
+        <translation>%1 は %2 より前と後で姿勢が異なります。カメラが動かされたようです。その後の部分で較正してください。</translation>
     </message>
     <message>
-        <source>%1 fits only with flipped images: its video is likely mirrored or upside down. Set how its images are turned and mirrored.</source>
+        <source>%1 fits only with flipped images: its video is probably mirrored or upside down. Set the rotation and mirroring of its images.</source>
         <translation>%1 は画像を反転させたときだけ合います。動画が鏡像か上下逆のようです。画像の回転と鏡像を設定してください。</translation>
     </message>
     <message>
-        <source>%1 fits with a focal length %2 times the given one: its zoom (or a crop) was likely changed. Calibrate its lens again.</source>
-        <translation>%1 は焦点距離を %2 倍にすると合います。ズーム（または切り出し）が変わったようです。レンズを較正し直してください。</translation>
+        <source>%1 fits with %2 times the given focal length: its zoom or crop was probably changed. Calibrate its intrinsics again.</source>
+        <translation>%1 は焦点距離を %2 倍にすると合います。ズームまたは切り出しが変わったようです。内部パラメータを較正し直してください。</translation>
     </message>
     <message>
         <source>The lens data of %1 are likely for another resolution: its images are %2 times as large. Convert them, or record at the calibrated size.</source>
@@ -1024,12 +1024,12 @@
         <translation>与えられた長さはカメラの見る長さの %1 倍です。インチのようです（1 インチ = 2.54 cm）。</translation>
     </message>
     <message>
-        <source>The corners form a board with %1 in a row: the number of squares is likely wrong. Count them and correct the board.</source>
-        <translation>角は1列に %1 個あるボードをなしています。マス目の数が違うようです。数えてボードを直してください。</translation>
+        <source>The corners form a board with %1 squares in a row: the number of squares is probably wrong. Count them and correct the board.</source>
+        <translation>角は1列にマス目が %1 個あるボードをなしています。マス目の数が違うようです。数えてボードを直してください。</translation>
     </message>
     <message>
-        <source>The board&apos;s squares are given %1 times as large as the cameras see them: measure a row with a ruler (prints are often rescaled).</source>
-        <translation>ボードのマス目はカメラの見る大きさの %1 倍とされています。定規で1列を測ってください（印刷はよく拡大縮小されます）。</translation>
+        <source>The given size of the squares is %1 times what the cameras see: measure a row with a ruler (prints are often rescaled).</source>
+        <translation>指定したマス目の大きさはカメラの見る大きさの %1 倍です。定規で1列を測ってください（印刷はよく拡大縮小されます）。</translation>
     </message>
     <message>
         <source>The images fit when shifted by %1 along both axes: a program likely counts pixels from their corners. Convert the principal points.</source>
@@ -1110,7 +1110,7 @@
 <context>
     <name>CameraMotion</name>
     <message>
-        <source>turned by %1</source>
+        <source>rotated by %1</source>
         <translation>%1 回転</translation>
     </message>
 </context>
@@ -1143,8 +1143,8 @@
         <translation>半径は約 %1 のようですが、%2 と指定されています。</translation>
     </message>
     <message>
-        <source>This is a part of something larger of its color: it is followed as a ball with a radius of %1, from where it was marked.</source>
-        <translation>これは同じ色のより大きな物の一部です。印を付けた場所から、半径%1の球として追跡します。</translation>
+        <source>This is part of a larger object of the same color. It is tracked as a ball with radius %1, starting at the marked spot.</source>
+        <translation>これは同じ色のより大きな物体の一部です。印を付けた場所から、半径 %1 の球として追跡します。</translation>
     </message>
 </context>
 <context>
@@ -1173,7 +1173,7 @@
         <translation>左</translation>
     </message>
     <message>
-        <source>in the middle</source>
+        <source>in the center</source>
         <translation>中央</translation>
     </message>
     <message>
@@ -1261,12 +1261,12 @@
         <translation>ターゲットの多くが一致しません。明るい側と暗い側を Shift クリックしてください。</translation>
     </message>
     <message>
-        <source>Alt-click what matches too: it can be told apart.</source>
-        <translation>一致している別の物を Alt クリックすると区別できます。</translation>
+        <source>Alt-click what also matches to exclude it.</source>
+        <translation>一致している別の物を Alt クリックして除外してください。</translation>
     </message>
     <message>
-        <source>Cover what has the same color, or take it out of view.</source>
-        <translation>同じ色の物を覆うか、画面の外に出してください。</translation>
+        <source>Cover objects of the same color, or take them out of view.</source>
+        <translation>同じ色の物体を覆うか、画面の外に出してください。</translation>
     </message>
     <message>
         <source>The target is nearly black here: more light would help.</source>
@@ -1281,8 +1281,8 @@
         <translation>ターゲットがほぼ灰色です。もっと鮮やかな色が良いでしょう。</translation>
     </message>
     <message>
-        <source>This fills much of the image: click the thing itself, or drag a box on it.</source>
-        <translation>画像の大部分を占めています。物そのものをクリックするか、枠で囲んでください。</translation>
+        <source>This fills much of the image: click only the target, or drag a box on it.</source>
+        <translation>画像の大部分を占めています。ターゲットだけをクリックするか、その上で枠を引いてください。</translation>
     </message>
     <message>
         <source>%1 % of the images match. Shift-click the target to learn how well it stands out.</source>
@@ -1293,33 +1293,33 @@
         <translation>背景の %1 % も一致します。</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: much around it looks the same, or it shows something else.</source>
-        <translation>学習した色にほとんど合わない見本があります。周りにも同じ色があるか、別のものを示しています。</translation>
+        <source>One sample hardly matches the learned color: its surroundings look the same, or it shows another object.</source>
+        <translation>学習した色にほとんど合わない見本があります。周りが同じ色か、別の物体を示しています。</translation>
     </message>
     <message>
-        <source>Something %1 %2 of %3 matches too.</source>
+        <source>A %1 region %2 of %3 also matches.</source>
         <translation>%3 の%2にある%1も一致します。</translation>
     </message>
     <message>
-        <source>Several things have this color: another one would help.</source>
-        <translation>この色の物がいくつもあります。別の色にするとよいでしょう。</translation>
+        <source>Several objects have this color: another color would help.</source>
+        <translation>この色の物体がいくつもあります。別の色にするとよいでしょう。</translation>
     </message>
     <message>
-        <source>Only a speck was clicked: drag a box on the whole thing.</source>
-        <translation>小さな点だけがクリックされました。物全体を枠で囲んでください。</translation>
+        <source>You clicked only a speck: drag a box on the whole target.</source>
+        <translation>小さな点だけがクリックされました。ターゲット全体の上で枠を引いてください。</translation>
     </message>
     <message>
         <source>Only %1 % of the target and %2 % of the background match.</source>
         <translation>ターゲットの %1 % と背景の %2 % だけが一致します。</translation>
     </message>
     <message>
-        <source>A range for all of the target would match %1 % of the background.</source>
+        <source>A range that covers the whole target would match %1 % of the background.</source>
         <translation>ターゲット全体を含む範囲は、背景の %1 % にも一致します。</translation>
     </message>
     <message numerus="yes">
-        <source>%n things have this color and size: follow all of them, or cover the others.</source>
+        <source>%n objects have this color and size: follow all of them, or cover the others.</source>
         <translation>
-            <numerusform>この色と大きさの物が %n 個あります: すべて追跡するか、ほかの物を覆ってください。</numerusform>
+            <numerusform>この色と大きさの物体が %n 個あります: すべて追跡するか、ほかの物体を覆ってください。</numerusform>
         </translation>
     </message>
 </context>
@@ -1386,7 +1386,7 @@
         <translation>ファイルがありません</translation>
     </message>
     <message>
-        <source>the observations do not settle it</source>
+        <source>the observations do not determine it</source>
         <translation>観測からは決まりません</translation>
     </message>
     <message>
@@ -1433,20 +1433,20 @@
         <translation>Barrera ら 2005、図8:小さいシグマと大きいシグマでの6時点の雲。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: start volume against the share of runs that converge, and starts beyond the ball.</source>
-        <translation>Barrera ら 2005、III-B節:開始体積と収束した割合、ボールの向こうからの開始。</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge for each start volume, and starts behind the ball.</source>
+        <translation>Barrera ら 2005、III-B節：開始体積ごとの収束した実行の割合と、ボールの後ろからの開始。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: with one camera the cloud moves away from it.</source>
-        <translation>Barrera ら 2005、III-B節:カメラ1台では雲がそこから遠ざかります。</translation>
+        <source>Barrera et al. 2005, section III-B: with one camera, the cloud moves away from the camera.</source>
+        <translation>Barrera ら 2005、III-B節：カメラ1台では、雲がカメラから遠ざかります。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, figure 5: where one camera alone finds the color, and why the cloud moves away from it.</source>
+        <source>Barrera et al. 2005, figure 5: where a single camera finds the color, and why the cloud moves away from the camera.</source>
         <translation>Barrera ら 2005、図5:カメラ1台だけで色が見つかる範囲と、雲がそこから遠ざかる理由。</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009, figures 1 and 3: what moves in the images of a camera, in pieces, and how likely that makes a person at each pixel.</source>
-        <translation>Mohedano ら 2009、図1と図3:カメラの画像で動く部分(断片的)と、それによる各画素での人物の確からしさ。</translation>
+        <source>Mohedano et al. 2009, figures 1 and 3: the regions that move in a camera&apos;s images, and the likelihood of a person at each pixel.</source>
+        <translation>Mohedano ら 2009、図1と図3：カメラの画像で動く領域と、各画素での人物の尤度。</translation>
     </message>
     <message>
         <source>Drift along the optical axis</source>
@@ -1469,8 +1469,8 @@
         <translation>両画像のパーティクル</translation>
     </message>
     <message>
-        <source>The cloud on its way</source>
-        <translation>移動中の雲</translation>
+        <source>The cloud over time</source>
+        <translation>時間とともに動く雲</translation>
     </message>
     <message>
         <source>Motion masks and motion likelihood</source>
@@ -1489,16 +1489,16 @@
         <translation>枠：誤差、成功率、精度</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and how long a person has no estimate.</source>
-        <translation>Mohedano ら 2009：人が出入りします。誰のものでもない推定が続く時間と、人に推定がない時間を調べます。</translation>
+        <source>Mohedano et al. 2009: people enter and leave; how long an estimate stays without a person, and a person without an estimate.</source>
+        <translation>Mohedano ら 2009：人が出入りします。人のいない推定が続く時間と、推定のない人がいる時間を調べます。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet and walk on; motion alone may confuse them, color keeps them apart when their clothes differ.</source>
         <translation>Mohedano ら 2009：2 人が出会って通り過ぎます。動きだけでは取り違えることがあり、服が違えば色で区別できます。</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people meet, stay and go back where they came from.</source>
-        <translation>Mohedano ら 2009：2 人が出会い、立ち止まり、来た方へ戻ります。</translation>
+        <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
+        <translation>Mohedano ら 2009：2 人が出会い、立ち止まり、引き返します。</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people walk close to each other.</source>
@@ -1517,7 +1517,7 @@
         <translation>入って出て行く人</translation>
     </message>
     <message>
-        <source>People who meet and turn</source>
+        <source>People who meet and turn back</source>
         <translation>出会って引き返す人</translation>
     </message>
     <message>
@@ -1525,7 +1525,7 @@
         <translation>Sugandi ら 2009、第 4 節：粒子 100 個と 300 個、手法 histogram、OpenCV の 4 つの追跡器を同じ映像で比べます。</translation>
     </message>
     <message>
-        <source>Mohedano et al. 2009: two people far from each other, the easy case, in which no method may mix them up.</source>
+        <source>Mohedano et al. 2009: two people far apart. This is the easy case: no method may confuse them.</source>
         <translation>Mohedano ほか 2009: 互いに離れた二人。どの方法も取り違えてはならない易しい場合。</translation>
     </message>
     <message>
@@ -1565,11 +1565,11 @@
         <translation>1 人がスツールに座って立ち上がり、1 人がしゃがんで立ち上がり、1 人が通り過ぎます。</translation>
     </message>
     <message>
-        <source>People who carry things</source>
+        <source>People who carry objects</source>
         <translation>物を運ぶ人</translation>
     </message>
     <message>
-        <source>Two people walk past each other, one with a box before the chest, one with a bag.</source>
+        <source>Two people walk past each other, one with a box in front of the chest, one with a bag.</source>
         <translation>2 人がすれ違います。1 人は胸の前に箱を、1 人はかばんを持っています。</translation>
     </message>
     <message>
@@ -1605,8 +1605,8 @@
         <translation>カメラが背景を学習した後で、戸棚とスツールが動かされます。</translation>
     </message>
     <message>
-        <source>Clothes like the room</source>
-        <translation>部屋と似た服</translation>
+        <source>Clothes in the room&apos;s colors</source>
+        <translation>部屋と同じ色の服</translation>
     </message>
     <message>
         <source>Two people in clothes of the colors of walls, furniture and floor walk past each other.</source>
@@ -1676,7 +1676,7 @@
         <translation>欠落なし</translation>
     </message>
     <message>
-        <source>%1 places unknown</source>
+        <source>%1 positions unknown</source>
         <translation>不明な位置 %1</translation>
     </message>
     <message>
@@ -1753,11 +1753,11 @@
         <translation>– 枠なし</translation>
     </message>
     <message>
-        <source>◔ learning the room</source>
-        <translation>◔ 部屋を学習中</translation>
+        <source>◔ learning background</source>
+        <translation>◔ 背景を学習中</translation>
     </message>
     <message>
-        <source>◌ nobody there</source>
+        <source>◌ nobody in view</source>
         <translation>◌ 誰もいません</translation>
     </message>
     <message>
@@ -1810,43 +1810,43 @@
         <translation>1 本の動画の中の枠</translation>
     </message>
     <message>
-        <source>A particle filter on color histograms</source>
+        <source>A particle filter with color histograms</source>
         <translation>色ヒストグラムのパーティクルフィルタ</translation>
     </message>
     <message>
-        <source>A particle filter on positions</source>
-        <translation>位置のパーティクルフィルタ</translation>
+        <source>A particle filter with position measurements</source>
+        <translation>位置の測定によるパーティクルフィルタ</translation>
     </message>
     <message>
-        <source>A plain particle filter on color</source>
+        <source>A simple particle filter with color</source>
         <translation>色の単純なパーティクルフィルタ</translation>
     </message>
     <message>
-        <source>Anything colored, in 3D</source>
-        <translation>色のついた物を 3D で</translation>
+        <source>Colored objects in 3D</source>
+        <translation>色のついた物体を 3D で</translation>
     </message>
     <message>
         <source>Anything you draw a box around</source>
         <translation>枠で囲んだ物なら何でも</translation>
     </message>
     <message>
-        <source>Balls, hands, anything colored</source>
-        <translation>ボール、手、色のついた物なら何でも</translation>
+        <source>Balls, hands and other colored objects</source>
+        <translation>ボール、手など色のついた物体</translation>
     </message>
     <message>
-        <source>Follows its colors and its size, and finds it again after it was hidden.</source>
-        <translation>色と大きさの変化を追い、隠れた後も見つけ直します。</translation>
+        <source>Tracks colors and size of the target, and finds it again after it was hidden.</source>
+        <translation>ターゲットの色と大きさを追跡し、隠れた後も見つけ直します。</translation>
     </message>
     <message>
         <source>For comparison: confuses people who come close.</source>
         <translation>比較用：近づいた人を取り違えます。</translation>
     </message>
     <message>
-        <source>For comparison: tells people apart by different clothes.</source>
-        <translation>比較用：服の違いで人を区別します。</translation>
+        <source>For comparison: distinguishes people by their clothes.</source>
+        <translation>比較用：人を服で区別します。</translation>
     </message>
     <message>
-        <source>For teaching: follows a box in one video.</source>
+        <source>For teaching: tracks a box in one video.</source>
         <translation>教育用：1 本の動画の中の枠を追います。</translation>
     </message>
     <message>
@@ -1878,12 +1878,12 @@
         <translation>歩き、出会う人物</translation>
     </message>
     <message>
-        <source>Positions on the floor of several people, also in similar clothes.</source>
-        <translation>似た服を着ていても、複数の人物の床の上の位置を求めます。</translation>
+        <source>Tracks several people on the floor, even in similar clothes.</source>
+        <translation>似た服を着ていても、床の上の複数の人物を追跡します。</translation>
     </message>
     <message>
-        <source>The most accurate: decides by itself between a ball and any other shape.</source>
-        <translation>最も正確：ボールかほかの形かを自動で判断します。</translation>
+        <source>The most accurate: decides whether the target is a ball or has another shape.</source>
+        <translation>最も正確：ターゲットがボールかほかの形かを判断します。</translation>
     </message>
 </context>
 <context>
@@ -1912,7 +1912,7 @@
         <translation>開始点を囲む箱の z 方向の大きさの半分。粒子はこの箱の中に一様に散らばって始まります。0 ではすべて同じ z から始まります。</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis in one iteration: larger follows faster objects and spreads wider.</source>
+        <source>How far particles move at random along each axis in one iteration: larger values follow faster objects, but spread the particles wider.</source>
         <translation>1 回の反復で粒子が各軸方向にランダムに動く大きさ。大きいほど速い物体を追えますが、粒子は広く散らばります。</translation>
     </message>
     <message>
@@ -1920,7 +1920,7 @@
         <translation>1 フレームごとに実行するフィルターの反復回数。</translation>
     </message>
     <message>
-        <source>How many particles the filter uses: more follow more surely and cost more time.</source>
+        <source>Number of particles of the filter: more particles track more reliably, but take more time.</source>
         <translation>フィルターが使う粒子の数。多いほど確実に追跡できますが、時間がかかります。</translation>
     </message>
     <message>
@@ -1960,47 +1960,47 @@
         <translation>開始位置 z</translation>
     </message>
     <message>
-        <source>World x of the place where all particles start.</source>
-        <translation>すべての粒子が始まる場所の世界座標 x。</translation>
+        <source>World x coordinate of the point at which all particles start.</source>
+        <translation>すべての粒子が始まる点の世界座標 x。</translation>
     </message>
     <message>
-        <source>World y of the place where all particles start.</source>
-        <translation>すべての粒子が始まる場所の世界座標 y。</translation>
+        <source>World y coordinate of the point at which all particles start.</source>
+        <translation>すべての粒子が始まる点の世界座標 y。</translation>
     </message>
     <message>
-        <source>World z of the place where all particles start.</source>
-        <translation>すべての粒子が始まる場所の世界座標 z。</translation>
+        <source>World z coordinate of the point at which all particles start.</source>
+        <translation>すべての粒子が始まる点の世界座標 z。</translation>
     </message>
     <message>
         <source>Acceleration sigma</source>
         <translation>加速度のシグマ</translation>
     </message>
     <message>
-        <source>Edge of the room in which a target may appear: larger asks for more evidence before a target is believed.</source>
-        <translation>目標が現れうる空間の一辺の長さ。大きいほど、目標があると判断するまでに多くの証拠が必要になります。</translation>
+        <source>Edge length of the room in which a target may appear: larger values require a higher likelihood before a track is created.</source>
+        <translation>ターゲットが現れうる空間の一辺の長さ。大きいほど、追跡を始めるのに高い尤度が必要になります。</translation>
     </message>
     <message>
         <source>Fewest particles</source>
         <translation>最小粒子数</translation>
     </message>
     <message>
-        <source>How far the particles may be from the distribution they stand for (Kullback-Leibler distance): smaller takes more particles where they disagree; 0 always takes all of them.</source>
-        <translation>粒子が、それらの表す分布からどれだけ離れてよいか（カルバック・ライブラー距離）。小さいほど、粒子がばらつく所で多くの粒子を使います。0 では常にすべてを使います。</translation>
+        <source>How far the particles may be from the distribution that they represent (Kullback-Leibler divergence): smaller values use more particles where they are spread; 0 always uses all of them.</source>
+        <translation>粒子が、それらの表す分布からどれだけ離れてよいか（カルバック・ライブラー情報量）。小さいほど、粒子が散らばる所で多くの粒子を使います。0 では常にすべてを使います。</translation>
     </message>
     <message>
-        <source>How long a target that no camera can judge is believed to be still there.</source>
-        <translation>どのカメラからも判断できない目標を、まだそこにあるとみなす時間。</translation>
+        <source>How long a target still counts as present when no camera can see where it should be.</source>
+        <translation>ターゲットがあるはずの場所をどのカメラからも見られないとき、まだそこにあるとみなす時間。</translation>
     </message>
     <message>
-        <source>How many particles each target uses at least, when they all agree.</source>
+        <source>Smallest number of particles of each target, used when all particles agree.</source>
         <translation>すべての粒子がそろっているときに、各目標が使う粒子の最小数。</translation>
     </message>
     <message>
-        <source>How many particles each target uses at most.</source>
+        <source>Largest number of particles of each target.</source>
         <translation>各目標が使う粒子の最大数。</translation>
     </message>
     <message>
-        <source>How strongly targets speed up, slow down and turn: larger follows abrupt motion, smaller bridges gaps better.</source>
+        <source>How strongly targets accelerate, brake and turn: larger values follow abrupt motion, smaller values bridge gaps better.</source>
         <translation>目標がどれだけ強く加速、減速、方向転換するか。大きいほど急な動きを追え、小さいほど途切れをうまく補えます。</translation>
     </message>
     <message>
@@ -2020,7 +2020,7 @@
         <translation>時間の上限</translation>
     </message>
     <message>
-        <source>How long one iteration may take: fewer particles are used, and searches are spread over several frames, to keep to it. 0 sets no limit; with a limit a run depends on the speed of the machine and cannot be repeated bit by bit.</source>
+        <source>How long one iteration may take. To meet it, fewer particles are used and searches are spread over several frames. 0 sets no limit. With a limit, a run depends on the speed of the computer and cannot be repeated bit by bit.</source>
         <translation>1 回の反復にかけてよい時間です。これを守るために粒子を減らし、探索を複数のフレームに分けます。0 は上限なしです。上限があると、実行はマシンの速度に左右され、ビット単位では再現できません。</translation>
     </message>
     <message>
@@ -2028,12 +2028,12 @@
         <translation>色の追従</translation>
     </message>
     <message>
-        <source>How fast a target&apos;s color range follows slow changes of light, as a time constant; only while the target is surely there, and in each camera by itself. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
-        <translation>ターゲットの色範囲が光のゆっくりした変化に追従する速さ(時定数)。ターゲットが確かに見えている間だけ、カメラごとに追従します。0では範囲は変わりません。自然光の入る部屋では2が適しています。</translation>
+        <source>Time constant with which a target&apos;s color range follows slow changes of light, in each camera separately and only while the target is clearly visible. 0 keeps the range as it is; 2 is a good value in a room with daylight.</source>
+        <translation>ターゲットの色範囲が光のゆっくりした変化に追従する時定数。カメラごとに、ターゲットがはっきり見えている間だけ追従します。0 では範囲は変わりません。自然光の入る部屋では 2 が適しています。</translation>
     </message>
     <message>
-        <source>How far off a measured position is taken to be along each axis: larger trusts the particles more, smaller the measurement.</source>
-        <translation>測定位置の各軸の誤差。大きいほどパーティクルを、小さいほど測定を信頼します。</translation>
+        <source>Assumed error of a measured position along each axis: larger values trust the particles more, smaller values the measurement.</source>
+        <translation>測定位置の各軸の誤差の想定。大きいほど粒子を、小さいほど測定を信頼します。</translation>
     </message>
     <message>
         <source>Observation sigma</source>
@@ -2052,32 +2052,32 @@
         <translation>これ未満で隠れたとみなす</translation>
     </message>
     <message>
-        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller trusts the best particles more.</source>
+        <source>How different from the reference the colors may be (Bhattacharyya distance): smaller values trust the best particles more.</source>
         <translation>色が基準からどれだけ違ってよいか（バタチャリヤ距離）。小さいほど最良の粒子を重んじます。</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis from image to image, beside going on as before, in sizes of the target.</source>
-        <translation>画像ごとに、それまでの動きに加えて、粒子が各軸方向にランダムに動く大きさ。目標の大きさを単位とします。</translation>
+        <source>How far particles move at random along each axis between images, in sizes of the target, in addition to their constant velocity.</source>
+        <translation>画像ごとに、等速の動きに加えて、粒子が各軸方向にランダムに動く大きさ。ターゲットの大きさを単位とします。</translation>
     </message>
     <message>
-        <source>How far particles move at random along each axis from image to image, beside going on as before: larger follows sudden motion and spreads wider.</source>
-        <translation>画像ごとに、それまでの動きに加えて、粒子が各軸方向にランダムに動く大きさ。大きいほど急な動きを追えますが、広く散らばります。</translation>
+        <source>How far particles move at random along each axis between images, in addition to their constant velocity: larger values follow sudden motion, but spread the particles wider.</source>
+        <translation>画像ごとに、等速の動きに加えて、粒子が各軸方向にランダムに動く大きさ。大きいほど急な動きを追えますが、広く散らばります。</translation>
     </message>
     <message>
-        <source>How far the target may be from where it was expected, in sizes of the target, before that counts strongly against a place.</source>
-        <translation>目標が予想の場所からどれだけ離れてよいか（目標の大きさを単位とする）。これを超えると、その場所は強く不利になります。</translation>
+        <source>How far the target may be from its predicted position, in sizes of the target, before a position counts as unlikely.</source>
+        <translation>ターゲットが予測位置からどれだけ離れてよいか（ターゲットの大きさを単位とする）。これを超える位置はありそうもないとみなします。</translation>
     </message>
     <message>
-        <source>How much better a place with more of the target&apos;s colors is held to be.</source>
-        <translation>目標の色がより多い場所を、どれだけ良いとみなすか。</translation>
+        <source>How strongly positions with more of the target&apos;s colors are preferred.</source>
+        <translation>ターゲットの色がより多い位置をどれだけ優先するか。</translation>
     </message>
     <message>
-        <source>How much the proportion of width to height may change from image to image (logarithm); 0 keeps it as it was given.</source>
-        <translation>画像ごとに幅と高さの比がどれだけ変わってよいか（対数）。0 では与えたままです。</translation>
+        <source>How much the ratio of width to height may change between images (logarithm); 0 keeps the initial ratio.</source>
+        <translation>画像ごとに縦横比がどれだけ変わってよいか（対数）。0 では最初の比のままです。</translation>
     </message>
     <message>
-        <source>How much the size of the box may change from image to image (logarithm); 0 keeps it as it was given.</source>
-        <translation>画像ごとに枠の大きさがどれだけ変わってよいか（対数）。0 では与えたままです。</translation>
+        <source>How much the size of the box may change between images (logarithm); 0 keeps the initial size.</source>
+        <translation>画像ごとに枠の大きさがどれだけ変わってよいか（対数）。0 では最初の大きさのままです。</translation>
     </message>
     <message>
         <source>Jump reach</source>
@@ -2100,28 +2100,28 @@
         <translation>大きさのシグマ</translation>
     </message>
     <message>
-        <source>Share by which the reference colors follow those of the box from image to image; 0 keeps those of the first image.</source>
-        <translation>画像ごとに基準の色が枠の色に近づく割合。0 では最初の画像の色のままです。</translation>
+        <source>How much of the box&apos;s current colors is blended into the reference colors at each image; 0 keeps the colors of the first image.</source>
+        <translation>画像ごとに、枠の現在の色を基準の色にどれだけ混ぜるか。0 では最初の画像の色のままです。</translation>
     </message>
     <message>
-        <source>Share of the particles that are tried at other places with the target&apos;s colors.</source>
-        <translation>目標の色がある別の場所で試される粒子の割合。</translation>
+        <source>Share of the particles that are placed at other positions with the target&apos;s colors.</source>
+        <translation>ターゲットの色がある別の位置に置かれる粒子の割合。</translation>
     </message>
     <message>
         <source>Sharpness</source>
         <translation>鋭さ</translation>
     </message>
     <message>
-        <source>The target counts as hidden, and is held, where less than this share of its usual colors is found.</source>
-        <translation>ふだんの色のこの割合未満しか見つからないとき、目標は隠れたとみなされ、その場に保たれます。</translation>
+        <source>If less than this share of its usual colors is found, the target counts as hidden and keeps its position.</source>
+        <translation>ふだんの色のこの割合未満しか見つからないとき、ターゲットは隠れたとみなされ、位置を保ちます。</translation>
     </message>
     <message>
-        <source>1: who is seen by several cameras becomes a person; 0: only people put there by hand.</source>
-        <translation>1：複数のカメラに写った人を人物とみなします。0：手で置いた人物だけ。</translation>
+        <source>1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.</source>
+        <translation>1：複数のカメラに写った人をすべて追跡します。0：手で追加した人物だけを追跡します。</translation>
     </message>
     <message>
-        <source>After how long something new that stays counts as background.</source>
-        <translation>動かずに残る新しいものを背景とみなすまでの時間。</translation>
+        <source>Time after which a new object that stays in place counts as background.</source>
+        <translation>動かずに残る新しい物体を背景とみなすまでの時間。</translation>
     </message>
     <message>
         <source>Area half size x</source>
@@ -2148,11 +2148,11 @@
         <translation>背景モデル</translation>
     </message>
     <message>
-        <source>Birth time</source>
+        <source>Creation time</source>
         <translation>出現までの時間</translation>
     </message>
     <message>
-        <source>Births</source>
+        <source>Create tracks</source>
         <translation>人物の出現</translation>
     </message>
     <message>
@@ -2172,43 +2172,43 @@
         <translation>最も暗い影</translation>
     </message>
     <message>
-        <source>Evidence per camera</source>
-        <translation>カメラごとの証拠</translation>
+        <source>Weight per camera</source>
+        <translation>カメラごとの重み</translation>
     </message>
     <message>
         <source>Floor z</source>
         <translation>床の z</translation>
     </message>
     <message>
-        <source>Half the size of the floor that is watched; who crosses its border has left.</source>
-        <translation>見張る床の大きさの半分。境界を越えた人は立ち去ったとみなします。</translation>
+        <source>Half the size of the tracked floor area; a person who crosses its border has left.</source>
+        <translation>追跡する床の大きさの半分。境界を越えた人は立ち去ったとみなします。</translation>
     </message>
     <message>
-        <source>Height of a person whose own is not known yet.</source>
-        <translation>身長がまだ分からない人物の身長。</translation>
+        <source>Assumed height of a person whose height is not known yet.</source>
+        <translation>身長がまだ分からない人物に仮定する身長。</translation>
     </message>
     <message>
-        <source>Height of the floor in the world frame.</source>
+        <source>Height of the floor in world coordinates.</source>
         <translation>世界座標系での床の高さ。</translation>
     </message>
     <message>
-        <source>How long a person whom no two cameras see is believed to be still there.</source>
-        <translation>2 台のカメラに写っていない人物を、まだそこにいるとみなす時間。</translation>
+        <source>How long a person still counts as present when fewer than two cameras see the person.</source>
+        <translation>2 台未満のカメラにしか写っていない人物を、まだそこにいるとみなす時間。</translation>
     </message>
     <message>
-        <source>How long foreground that nobody explains must stay together to become a person.</source>
-        <translation>誰のものでもない前景が、人物とみなされるまで続く必要のある時間。</translation>
+        <source>How long foreground that belongs to no tracked person must last before a new track is created.</source>
+        <translation>追跡中の誰のものでもない前景が、新しい人物とみなされるまで続く必要のある時間。</translation>
     </message>
     <message>
-        <source>How long the cameras only learn what they usually show, at first; nobody should be there.</source>
-        <translation>最初に、カメラがふだんの眺めだけを学習する時間。その間は誰もいないようにします。</translation>
+        <source>How long the cameras only learn the background at the start; nobody should be in view.</source>
+        <translation>最初に、カメラが背景だけを学習する時間。その間は誰も写らないようにします。</translation>
     </message>
     <message>
-        <source>How many particles each person has.</source>
+        <source>Number of particles of each person.</source>
         <translation>1 人あたりの粒子の数。</translation>
     </message>
     <message>
-        <source>How many points stand for the volume of each person.</source>
+        <source>Number of points that represent the volume of each person.</source>
         <translation>各人物の体積を表す点の数。</translation>
     </message>
     <message>
@@ -2216,19 +2216,19 @@
         <translation>動く領域の見つけ方：0 画素ごとに 1 つのガウス分布（高速）、1 OpenCV の MOG2、2 OpenCV の KNN。</translation>
     </message>
     <message>
-        <source>How much a camera that sees a whole person says: larger trusts the masks more.</source>
-        <translation>全身が写ったカメラの発言の重さ。大きいほどマスクを信用します。</translation>
+        <source>How much a camera that sees a whole person counts: larger values trust the masks more.</source>
+        <translation>全身が写ったカメラの重み。大きいほどマスクを信用します。</translation>
     </message>
     <message>
-        <source>How much the colors of clothes count beside the masks when people are near each other.</source>
+        <source>How much the colors of clothes count compared with the masks when people are close to each other.</source>
         <translation>人が近くにいるとき、マスクに対して服の色をどれだけ重んじるか。</translation>
     </message>
     <message>
-        <source>How near the middles of two people can come.</source>
-        <translation>2 人の体の中心がどこまで近づけるか。</translation>
+        <source>Smallest distance between the centers of two people.</source>
+        <translation>2 人の中心の最小距離。</translation>
     </message>
     <message>
-        <source>How strongly people speed up, slow down and turn.</source>
+        <source>How strongly people accelerate, brake and turn.</source>
         <translation>人がどれだけ強く加速、減速、方向転換するか。</translation>
     </message>
     <message>
@@ -2252,19 +2252,19 @@
         <translation>学習時間</translation>
     </message>
     <message>
-        <source>Least distance</source>
+        <source>Minimum distance</source>
         <translation>最小距離</translation>
     </message>
     <message>
-        <source>Least likelihood of a hue (the paper&apos;s h_B): something else may be seen.</source>
-        <translation>色相の尤度の下限（論文の h_B）：別のものが写っているかもしれません。</translation>
+        <source>Smallest likelihood of a hue (h_B in the paper), because another object may be seen.</source>
+        <translation>色相の尤度の下限（論文の h_B）。別の物体が写っている可能性があるためです。</translation>
     </message>
     <message>
-        <source>Least likelihood of a saturation (the paper&apos;s s_B).</source>
+        <source>Smallest likelihood of a saturation (s_B in the paper).</source>
         <translation>彩度の尤度の下限（論文の s_B）。</translation>
     </message>
     <message>
-        <source>Least likelihood where a camera sees no motion (the paper&apos;s p_B: 0.2).</source>
+        <source>Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).</source>
         <translation>カメラに動きが写らない所での尤度の下限（論文の p_B：0.2）。</translation>
     </message>
     <message>
@@ -2272,8 +2272,8 @@
         <translation>マスクの平滑化</translation>
     </message>
     <message>
-        <source>Middle of the floor that is watched.</source>
-        <translation>見張る床の中心。</translation>
+        <source>Center of the tracked floor area.</source>
+        <translation>追跡する床の中心。</translation>
     </message>
     <message>
         <source>Motion floor</source>
@@ -2324,20 +2324,20 @@
         <translation>速度のノイズ</translation>
     </message>
     <message>
-        <source>What is darker than usual by no more than this factor, in the same tint, is a shadow.</source>
-        <translation>ふだんと同じ色合いで、暗さがこの倍率以内のものは影とみなします。</translation>
+        <source>Lowest brightness of a shadow, as a share of the background&apos;s brightness, at the same hue. Anything darker is foreground.</source>
+        <translation>同じ色合いで、影とみなす明るさの下限（背景の明るさに対する割合）。それより暗いものは前景です。</translation>
     </message>
     <message>
         <source>Calibration error</source>
         <translation>キャリブレーション誤差</translation>
     </message>
     <message>
-        <source>How far off the directions are in which the cameras see things. The stated uncertainty of a position includes it. 0.25 suits a calibration by hand.</source>
-        <translation>カメラが物を見る方向のずれ。表示される位置の不確かさに含まれます。手動キャリブレーションには 0.25 が適しています。</translation>
+        <source>Error of the directions in which the cameras see objects. It is part of the reported uncertainty of a position. 0.25 suits a calibration by hand.</source>
+        <translation>カメラが物体を見る方向の誤差。表示される位置の不確かさに含まれます。手動キャリブレーションには 0.25 が適しています。</translation>
     </message>
     <message>
-        <source>How far off the times of the images are. The stated uncertainty of a moving target includes it. 8 suits webcams.</source>
-        <translation>画像の時刻のずれ。動くターゲットの表示される不確かさに含まれます。ウェブカメラには 8 が適しています。</translation>
+        <source>Error of the times of the images. It is part of the reported uncertainty of a moving target. 8 suits webcams.</source>
+        <translation>画像の時刻の誤差。動くターゲットの表示される不確かさに含まれます。ウェブカメラには 8 が適しています。</translation>
     </message>
     <message>
         <source>Time error</source>
@@ -2397,11 +2397,11 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
 <context>
     <name>People</name>
     <message>
-        <source>learning the empty room: %1 % · keep out of view</source>
-        <translation>空の部屋を学習中：%1 % · 画面に入らないでください</translation>
+        <source>learning background: %1 % · keep the scene empty</source>
+        <translation>背景を学習中：%1 % · 画面に入らないでください</translation>
     </message>
     <message>
-        <source>%1 % of the image moves: not looked at</source>
+        <source>%1 % of the image moves: ignored</source>
         <translation>画像の %1 % が動いています：使いません</translation>
     </message>
     <message>
@@ -2516,11 +2516,11 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>隠れている</translation>
     </message>
     <message>
-        <source>at a look-alike</source>
+        <source>at a distractor</source>
         <translation>似た物の位置</translation>
     </message>
     <message>
-        <source>%1 beside a look-alike</source>
+        <source>%1 from a distractor</source>
         <translation>似た物から %1</translation>
     </message>
     <message>
@@ -2532,7 +2532,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>その色は %1 離れている</translation>
     </message>
     <message>
-        <source>its color, but not its shape</source>
+        <source>right color, wrong shape</source>
         <translation>色は合うが形が違う</translation>
     </message>
     <message>
@@ -2540,7 +2540,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ここでは隠れている</translation>
     </message>
     <message>
-        <source>not in this picture</source>
+        <source>not in this image</source>
         <translation>この画像に写っていない</translation>
     </message>
 </context>
@@ -2646,12 +2646,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>修正済み</translation>
     </message>
     <message>
-        <source>of earlier settings</source>
+        <source>from earlier settings</source>
         <translation>以前の設定の結果</translation>
     </message>
     <message>
-        <source>How well each target is held appears here when tracking runs.</source>
-        <translation>追跡を実行すると、各ターゲットをどれだけ確実に追跡できているかがここに表示されます。</translation>
+        <source>The state of each target appears here during tracking.</source>
+        <translation>追跡中、ここに各ターゲットの状態が表示されます。</translation>
     </message>
 </context>
 <context>
@@ -2727,11 +2727,11 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>落ち始める</translation>
     </message>
     <message>
-        <source>still falls</source>
+        <source>is still falling</source>
         <translation>まだ落ちている</translation>
     </message>
     <message>
-        <source>Two cameras or more must see the ball.</source>
+        <source>At least two cameras must see the ball.</source>
         <translation>2台以上のカメラがボールを見る必要があります。</translation>
     </message>
     <message>
@@ -2739,20 +2739,20 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>まずボールの色を学習させてください。L を押して画像の中のボールをクリックします。</translation>
     </message>
     <message>
-        <source>A stick has two balls of different colors: learn the second one (Shift+L).</source>
-        <translation>棒には色の違う2つのボールがあります。2つ目を学習させてください (Shift+L)。</translation>
+        <source>A wand has two balls of different colors: learn the second color (Shift+L).</source>
+        <translation>ワンドには色の異なるボールが2つあります。2つ目の色を学習してください（Shift+L）。</translation>
     </message>
     <message>
-        <source>The two ends of the stick are the same target: choose another.</source>
-        <translation>棒の両端が同じターゲットです。別のものを選んでください。</translation>
+        <source>Both ends of the wand are the same target: choose another target.</source>
+        <translation>ワンドの両端が同じターゲットです。別のものを選んでください。</translation>
     </message>
     <message>
-        <source>The size is to come from a distance: take the moments at which the ball is at its two ends.</source>
-        <translation>大きさは距離から求めます。ボールがその両端にある瞬間を取り込んでください。</translation>
+        <source>The size comes from a distance: add the times at which the ball is at its two ends.</source>
+        <translation>大きさは距離から求めます。ボールがその両端にある時刻を追加してください。</translation>
     </message>
     <message>
-        <source>A fall needs two moments: one at which the ball begins to fall, and one at which it still falls.</source>
-        <translation>落下には2つの瞬間が必要です。ボールが落ち始める瞬間と、まだ落ちている瞬間です。</translation>
+        <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
+        <translation>落下には2つの時刻が必要です。ボールが落ち始める時刻と、まだ落ちている時刻です。</translation>
     </message>
 </context>
 <context>
@@ -2786,7 +2786,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>引用方法</translation>
     </message>
     <message>
-        <source>Show the whole text of the license, or hide it</source>
+        <source>Show or hide the full text of the license</source>
         <translation>ライセンスの全文を表示または非表示にします</translation>
     </message>
     <message>
@@ -2794,8 +2794,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>引用をコピー</translation>
     </message>
     <message>
-        <source>Copy the line for your list of references</source>
-        <translation>参考文献リスト用の行をコピーします</translation>
+        <source>Copy the entry for your reference list</source>
+        <translation>参考文献リスト用の記載をコピーします</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2813,31 +2813,31 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>人物をクリック</translation>
     </message>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter says that a person is there</source>
-        <translation>%1 の画像：矢印キーで十字を動かし、Enter でそこに人物がいると伝えます</translation>
+        <source>Image of %1: arrow keys move a cross, Enter adds a person there</source>
+        <translation>%1 の画像：矢印キーで十字を動かし、Enter でそこに人物を追加します</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::BackgroundImageTaker</name>
     <message>
-        <source>“%1” is in this image: where it is now it would be taken for the room. Better show a moment without it.</source>
-        <translation>この画像には「%1」が写っています。今の位置では部屋の一部とみなされます。写っていない瞬間を表示するほうがよいでしょう。</translation>
+        <source>“%1” is visible in this image and would become part of the background. Choose a frame without it.</source>
+        <translation>この画像には「%1」が写っていて、背景の一部になってしまいます。写っていないフレームを選んでください。</translation>
     </message>
     <message>
-        <source>Use it all the same</source>
+        <source>Use it anyway</source>
         <translation>それでも使う</translation>
     </message>
     <message>
-        <source>The camera was changed meanwhile: the image is kept as %1, but not used.</source>
+        <source>The camera has changed in the meantime. The image was saved as %1, but is not used.</source>
         <translation>その間にカメラが変更されました。画像は %1 として保存しましたが、使用しません。</translation>
     </message>
     <message>
-        <source>Change empty room</source>
-        <translation>空の部屋を変更</translation>
+        <source>Change background image</source>
+        <translation>背景画像を変更</translation>
     </message>
     <message>
-        <source>The image shown is now the empty room of %1; it is kept as %2.</source>
-        <translation>表示中の画像を %1 の無人の部屋にしました。%2 に保存されています。</translation>
+        <source>The current image is now the background image of %1. It was saved as %2.</source>
+        <translation>現在の画像を %1 の背景画像にしました。%2 に保存しました。</translation>
     </message>
 </context>
 <context>
@@ -2847,11 +2847,11 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>位置を修正</translation>
     </message>
     <message>
-        <source>The target was followed back to frame %1; from there on it is tracked again.</source>
+        <source>The target was tracked back to frame %1. From there, it is tracked again.</source>
         <translation>ターゲットをフレーム%1までさかのぼって追跡しました。そこから追跡し直します。</translation>
     </message>
     <message>
-        <source>Following the target back in time: frame %1.</source>
+        <source>Tracking the target backward: frame %1.</source>
         <translation>ターゲットをさかのぼって追跡しています: フレーム%1。</translation>
     </message>
     <message>
@@ -2881,52 +2881,52 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ボード</translation>
     </message>
     <message>
-        <source>What to find</source>
-        <translation>求めるもの</translation>
+        <source>Values to calibrate</source>
+        <translation>求める値</translation>
     </message>
     <message>
         <source>Calibrate</source>
         <translation>キャリブレーション</translation>
     </message>
     <message>
-        <source>Look for the board in the recording, and calibrate the cameras with it; one step that can be undone</source>
-        <translation>録画からボードを探してカメラをキャリブレーションします。1つの取り消せる手順です</translation>
+        <source>Find the board in the recording and calibrate the cameras with it (one undo step)</source>
+        <translation>録画からボードを探し、カメラをキャリブレーションします（1 回で元に戻せます）</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Stop; the former calibration is kept</source>
-        <translation>中止します。以前のキャリブレーションは保たれます</translation>
+        <source>Stop and keep the previous calibration</source>
+        <translation>中止し、以前のキャリブレーションを保ちます</translation>
     </message>
     <message>
         <source>Apply</source>
         <translation>適用</translation>
     </message>
     <message>
-        <source>Take the calibration into the project; one step that can be undone</source>
-        <translation>キャリブレーションをプロジェクトに取り込みます。1つの取り消せる手順です</translation>
+        <source>Use the calibration in the project (one undo step)</source>
+        <translation>キャリブレーションをプロジェクトで使います（1 回で元に戻せます）</translation>
     </message>
     <message>
         <source>Report…</source>
         <translation>レポート…</translation>
     </message>
     <message>
-        <source>Save a page with residuals, coverage and errors of all pictures, and open it</source>
+        <source>Save a page with the residuals, coverage and errors of all images, and open it</source>
         <translation>残差、カバー範囲、全画像の誤差のページを保存して開きます</translation>
     </message>
     <message>
-        <source>How far the calibration is</source>
+        <source>Calibration progress</source>
         <translation>キャリブレーションの進み具合</translation>
     </message>
     <message>
-        <source>Show a printed board to the cameras: you are told what to show next, and it is taken when you hold it still.</source>
-        <translation>印刷したボードをカメラに見せてください。次に何を見せるかが示され、静止させると取り込まれます。</translation>
+        <source>Show a printed board to the cameras. This page says what to show next. A view is captured when you hold the board still.</source>
+        <translation>印刷したボードをカメラに見せてください。次に何を見せるかがこのページに示されます。ボードを静止させるとビューが取り込まれます。</translation>
     </message>
     <message>
-        <source>A recording in which a printed board is shown to the cameras, held still in many places, near and tilted, calibrates them.</source>
-        <translation>印刷したボードを多くの場所で、近づけたり傾けたりして静止させながらカメラに見せた録画から、キャリブレーションします。</translation>
+        <source>To calibrate from a recording, record a printed board that you hold still in many positions, also close and tilted.</source>
+        <translation>録画からキャリブレーションするには、印刷したボードを多くの位置で、近づけたり傾けたりして静止させながら録画します。</translation>
     </message>
     <message>
         <source>Live cameras</source>
@@ -2937,8 +2937,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>この録画</translation>
     </message>
     <message>
-        <source>✓ The cameras are calibrated (Ctrl+Z takes it back).</source>
-        <translation>✓ カメラをキャリブレーションしました（Ctrl+Zで取り消せます）。</translation>
+        <source>✓ The cameras are calibrated (Ctrl+Z undoes this).</source>
+        <translation>✓ カメラをキャリブレーションしました（Ctrl+Z で元に戻せます）。</translation>
     </message>
     <message>
         <source>Looking for the board: %p %</source>
@@ -2968,11 +2968,11 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
 <context>
     <name>dewpoint::ui::BoardCalibrator</name>
     <message>
-        <source>Stopped: the former calibration is kept.</source>
+        <source>Stopped. The previous calibration is kept.</source>
         <translation>中止しました。以前のキャリブレーションはそのままです。</translation>
     </message>
     <message>
-        <source>The project has other cameras by now: calibrate again.</source>
+        <source>The cameras of the project have changed: calibrate again.</source>
         <translation>プロジェクトのカメラが変わりました。もう一度キャリブレーションしてください。</translation>
     </message>
     <message>
@@ -3007,7 +3007,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ボードの種類</translation>
     </message>
     <message>
-        <source>ChArUco boards may be partly hidden or outside the image; chessboards must be seen whole</source>
+        <source>A ChArUco board may be partly hidden or outside the image; a chessboard must be completely visible</source>
         <translation>ChArUcoボードは一部が隠れても画像の外に出てもかまいません。チェスボードは全体が見える必要があります</translation>
     </message>
     <message>
@@ -3035,15 +3035,15 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>マス目の一辺</translation>
     </message>
     <message>
-        <source>Measured on the print: a long row with a ruler, divided by its squares</source>
-        <translation>印刷物で測ります。長い行を定規で測り、マス目の数で割ります</translation>
+        <source>Measure a long row on the print with a ruler and divide by the number of squares</source>
+        <translation>印刷物の長い行を定規で測り、マス目の数で割ります</translation>
     </message>
     <message>
         <source>Unit of the sizes</source>
         <translation>寸法の単位</translation>
     </message>
     <message>
-        <source>Unit in which the sizes are typed</source>
+        <source>Unit of the sizes that you enter</source>
         <translation>寸法を入力する単位</translation>
     </message>
     <message>
@@ -3051,7 +3051,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>マーカーの一辺</translation>
     </message>
     <message>
-        <source>Of the black square around the pattern</source>
+        <source>Side of the black square around the pattern</source>
         <translation>模様を囲む黒い四角の一辺</translation>
     </message>
     <message>
@@ -3059,19 +3059,19 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>マーカーの辞書</translation>
     </message>
     <message>
-        <source>As the program called it that made it</source>
-        <translation>ボードを作ったプログラムでの名前</translation>
+        <source>The dictionary name used when the board was generated</source>
+        <translation>ボードの生成に使った辞書の名前</translation>
     </message>
     <message>
-        <source>Even rows of older software</source>
-        <translation>古いソフトウェアの偶数行</translation>
+        <source>Legacy layout (even rows)</source>
+        <translation>旧形式（偶数行）</translation>
     </message>
     <message>
-        <source>A ChArUco board with an even number of rows from software older than OpenCV 4.6: its first square is white</source>
-        <translation>OpenCV 4.6より古いソフトウェアで作った偶数行のChArUcoボード（最初のマス目が白）</translation>
+        <source>For ChArUco boards with an even number of rows from software older than OpenCV 4.6: the first square is white</source>
+        <translation>OpenCV 4.6 より古いソフトウェアで作った偶数行の ChArUco ボード用（最初のマス目が白）</translation>
     </message>
     <message>
-        <source>Black and white exchanged</source>
+        <source>Inverted colors</source>
         <translation>白黒反転</translation>
     </message>
     <message>
@@ -3083,16 +3083,16 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>このボードを印刷…</translation>
     </message>
     <message>
-        <source>Write the board as a PDF in its true size, with a bar to check it with a ruler</source>
-        <translation>ボードを実寸のPDFに書き出します。定規で確かめる目盛りが付きます</translation>
+        <source>Save the board as a PDF at its true size, with a scale bar to check with a ruler</source>
+        <translation>ボードを実寸の PDF に保存します。定規で確かめる目盛りが付きます</translation>
     </message>
     <message>
         <source>Paper</source>
         <translation>用紙</translation>
     </message>
     <message>
-        <source>Size of the sheet that is printed on</source>
-        <translation>印刷する用紙の大きさ</translation>
+        <source>Size of the paper</source>
+        <translation>用紙の大きさ</translation>
     </message>
     <message>
         <source>%1 × %2 inner corners; for the command line:</source>
@@ -3110,24 +3110,24 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>求めるもの</translation>
     </message>
     <message>
-        <source>Lenses and places</source>
-        <translation>レンズと位置</translation>
+        <source>Intrinsics and positions</source>
+        <translation>内部パラメータと位置</translation>
     </message>
     <message>
-        <source>Lenses</source>
-        <translation>レンズ</translation>
+        <source>Intrinsics</source>
+        <translation>内部パラメータ</translation>
     </message>
     <message>
-        <source>Places of the cameras</source>
+        <source>Camera positions</source>
         <translation>カメラの位置</translation>
     </message>
     <message>
-        <source>What is found</source>
-        <translation>求めるもの</translation>
+        <source>Values to calibrate</source>
+        <translation>求める値</translation>
     </message>
     <message>
-        <source>Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board that several of them see at once</source>
-        <translation>レンズ: 各カメラの写り方。位置: 複数のカメラが同時に見るボードから求めるカメラの場所</translation>
+        <source>Intrinsics: lens and sensor of each camera separately. Positions: where the cameras are, from a board that several of them see at the same time</source>
+        <translation>内部パラメータ: 各カメラのレンズとセンサー。位置: 複数のカメラが同時に見るボードから求めるカメラの場所</translation>
     </message>
     <message>
         <source>Lens model</source>
@@ -3146,19 +3146,19 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>魚眼</translation>
     </message>
     <message>
-        <source>5 for most lenses; 8 for wide ones; fisheye from about 120° on</source>
+        <source>5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°</source>
         <translation>ほとんどのレンズは5、広角は8、約120°以上は魚眼</translation>
     </message>
     <message>
-        <source>The board lies on the floor in frame</source>
+        <source>Frame with the board on the floor</source>
         <translation>ボードが床に置かれているフレーム</translation>
     </message>
     <message>
-        <source>That frame makes the world: X along the rows, Y to the upper edge, Z up. Without it the first camera keeps its place</source>
+        <source>This frame defines the world coordinates: X along the rows, Y toward the upper edge, Z up. Without it, the first camera keeps its position</source>
         <translation>このフレームが世界座標を決めます。Xは行の向き、Yは上の辺の向き、Zは上。指定しなければ最初のカメラの位置を保ちます</translation>
     </message>
     <message>
-        <source>Frame in which the board lies on the floor</source>
+        <source>Frame number with the board on the floor</source>
         <translation>ボードが床にあるフレーム</translation>
     </message>
     <message>
@@ -3166,83 +3166,83 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>フレーム番号</translation>
     </message>
     <message>
-        <source>This one</source>
-        <translation>このフレーム</translation>
+        <source>Use current frame</source>
+        <translation>現在のフレーム</translation>
     </message>
     <message>
-        <source>The frame shown</source>
-        <translation>表示中のフレーム</translation>
+        <source>Use current frame for the floor</source>
+        <translation>現在のフレームを床に使う</translation>
     </message>
     <message>
         <source>Take the frame that is shown now</source>
         <translation>今表示しているフレームを使います</translation>
     </message>
     <message>
-        <source>Enough at</source>
+        <source>Stop at accuracy</source>
         <translation>目標精度</translation>
     </message>
     <message>
-        <source>Accuracy wanted of lenses</source>
-        <translation>レンズの目標精度</translation>
+        <source>Desired accuracy of the intrinsics</source>
+        <translation>内部パラメータの目標精度</translation>
     </message>
     <message>
-        <source>The guidance ends when a ray is known to so many pixels all over the image</source>
-        <translation>画像全体で光線がこのピクセル数まで分かると案内が終わります</translation>
+        <source>The guidance ends when rays are known to this accuracy all over the image</source>
+        <translation>画像全体で光線がこの精度で分かると案内が終わります</translation>
     </message>
     <message>
-        <source>Accuracy wanted of places</source>
+        <source>Desired accuracy of the positions</source>
         <translation>位置の目標精度</translation>
     </message>
     <message>
-        <source>The guidance ends when the place of each camera is known so well</source>
+        <source>The guidance ends when the position of each camera is known to this accuracy</source>
         <translation>各カメラの位置がこの精度で分かると案内が終わります</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::BoardLive</name>
     <message>
-        <source>How long the board was held still before %1</source>
+        <source>Time for which the board was held still in front of %1</source>
         <translation>%1の前でボードを静止させた時間</translation>
     </message>
     <message>
-        <source>Where %1 saw the board</source>
+        <source>Positions in which %1 saw the board</source>
         <translation>%1がボードを見た場所</translation>
     </message>
     <message>
-        <source>Filled: the regions and tilts that the board was shown in. Orange: what is asked for. Green: the board as it is seen now</source>
-        <translation>塗り: ボードを見せた領域と傾き。オレンジ: 次に求められるもの。緑: 今見えているボード</translation>
+        <source>Filled: regions and tilts in which the board was shown. Orange: what to show next. Green: the board in the current image</source>
+        <translation>塗り: ボードを見せた領域と傾き。オレンジ: 次に見せるもの。緑: 現在の画像のボード</translation>
     </message>
     <message>
         <source>Capture now</source>
         <translation>今取り込む</translation>
     </message>
     <message>
-        <source>Take the board as it is shown now, also when it is not held still</source>
+        <source>Capture the board as it is shown now, even if it is not held still</source>
         <translation>静止していなくても、今見せているボードを取り込みます</translation>
     </message>
     <message>
-        <source>On the floor now</source>
-        <translation>今、床にある</translation>
+        <source>Set floor from board</source>
+        <translation>ボードで床を設定</translation>
     </message>
     <message>
-        <source>Take the board as it lies on the floor now: it makes the world. X along its rows, Y to its upper edge, Z up</source>
-        <translation>今床にあるボードを取り込み、世界座標を決めます。Xは行の向き、Yは上の辺の向き、Zは上</translation>
+        <source>Use the board on the floor to define the world coordinates: X along its rows, Y toward its upper edge, Z up</source>
+        <translation>床にあるボードで世界座標を決めます。X は行の向き、Y は上の辺の向き、Z は上</translation>
     </message>
     <message>
-        <source>Next: places</source>
+        <source>Next: positions</source>
         <translation>次へ: 位置</translation>
     </message>
     <message>
-        <source>Leave the lenses as well known as they are, and show the board to several cameras at once</source>
-        <translation>レンズは今の精度のままにして、ボードを複数のカメラに同時に見せます</translation>
+        <source>Keep the accuracy of the intrinsics as it is, and show the board to several cameras at once</source>
+        <translation>内部パラメータの精度は今のままにして、ボードを複数のカメラに同時に見せます</translation>
     </message>
     <message>
         <source>Calibrate with these views</source>
         <translation>これらのビューでキャリブレーション</translation>
     </message>
     <message>
-        <source>End here: what was taken so far is enough</source>
-        <translation>ここで終わります。これまでの取り込みで十分です</translation>
+        <source>Finish now: the captured views are enough</source>
+        <translation>ここで終わります。取り込んだビューで十分です</translation>
     </message>
     <message>
         <source>Start over</source>
@@ -3253,12 +3253,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>開始</translation>
     </message>
     <message>
-        <source>Look for the board in the live images, and be told what to show</source>
+        <source>Find the board in the live images and get guidance on what to show</source>
         <translation>ライブ画像でボードを探し、何を見せるかを案内します</translation>
     </message>
     <message>
-        <source>Waiting for images: are the cameras playing?</source>
-        <translation>画像を待っています。カメラは再生中ですか？</translation>
+        <source>Waiting for images. Check that the cameras are running.</source>
+        <translation>画像を待っています。カメラが動作していることを確かめてください。</translation>
     </message>
     <message>
         <source>Show the board to one camera after the other, as each of them asks.</source>
@@ -3276,16 +3276,16 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>2 つのファイルを書き出します。boxes.csv（目標とフレームごとに 1 行：枠、中心、類似度、見えているか隠れているか）と boxes_mot.txt（MOT Challenge の形式）。単位はすべてピクセルです。</translation>
     </message>
     <message>
-        <source>How boxes.csv begins</source>
-        <translation>boxes.csv の冒頭</translation>
+        <source>First lines of boxes.csv</source>
+        <translation>boxes.csv の最初の行</translation>
     </message>
     <message>
         <source>Folder</source>
         <translation>フォルダー</translation>
     </message>
     <message>
-        <source>Both files go there; it is made if need be</source>
-        <translation>両方のファイルの保存先。なければ作られます</translation>
+        <source>Both files are saved in this folder; it is created if it does not exist</source>
+        <translation>両方のファイルをこのフォルダーに保存します。なければ作成します</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -3312,12 +3312,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>枠のフォルダー</translation>
     </message>
     <message>
-        <source>boxes.csv and boxes_mot.txt are in %1.</source>
-        <translation>boxes.csv と boxes_mot.txt は %1 にあります。</translation>
+        <source>Saved boxes.csv and boxes_mot.txt in %1.</source>
+        <translation>boxes.csv と boxes_mot.txt を %1 に保存しました。</translation>
     </message>
     <message>
-        <source>The boxes of another export are there already. Replace them?</source>
-        <translation>別の書き出しの枠がすでにあります。置き換えますか？</translation>
+        <source>The folder already contains exported boxes. Replace them?</source>
+        <translation>このフォルダーには書き出した枠がすでにあります。置き換えますか？</translation>
     </message>
     <message>
         <source>%1 exists already; nothing was written.</source>
@@ -3343,7 +3343,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>時間, s</translation>
     </message>
     <message>
-        <source>Seconds, of the frame</source>
+        <source>Time of the frame, in seconds</source>
         <translation>フレームの時刻（秒）</translation>
     </message>
     <message>
@@ -3399,8 +3399,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>類似度</translation>
     </message>
     <message>
-        <source>How alike the colors in the box are to those it was given with, 0 to 1</source>
-        <translation>枠の中の色が、与えられたときの色にどれだけ似ているか（0〜1）</translation>
+        <source>Similarity of the colors in the box to the initial colors, 0 to 1</source>
+        <translation>枠の中の色と最初の色の類似度（0〜1）</translation>
     </message>
     <message>
         <source>spread, px</source>
@@ -3415,8 +3415,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>状態</translation>
     </message>
     <message>
-        <source>Hidden: it is held where it is thought to be</source>
-        <translation>隠れている：あると思われる場所に保たれます</translation>
+        <source>Hidden: held at its estimated position</source>
+        <translation>隠れている：推定位置に保たれます</translation>
     </message>
 </context>
 <context>
@@ -3426,8 +3426,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>目標の枠</translation>
     </message>
     <message>
-        <source>This method follows boxes in images: click the thing or drag a box around it in any camera view. Its box in every frame appears here, in pixels.</source>
-        <translation>この手法は画像の中の枠を追います。どれかのカメラ画像で物をクリックするか、囲むようにドラッグしてください。各フレームでの枠がピクセル単位でここに表示されます。</translation>
+        <source>This method tracks boxes in images. Click the object or drag a box around it in any camera view. Its box in each frame appears here, in pixels.</source>
+        <translation>この手法は画像の中の枠を追跡します。どれかのカメラ画像で物体をクリックするか、枠で囲んでください。各フレームでの枠がピクセル単位でここに表示されます。</translation>
     </message>
     <message numerus="yes">
         <source>%n boxes, in pixels of the image</source>
@@ -3439,8 +3439,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
 <context>
     <name>dewpoint::ui::BoxPicker</name>
     <message>
-        <source>This camera shows no image to take a box from.</source>
-        <translation>このカメラには、枠を取る画像が表示されていません。</translation>
+        <source>This camera shows no image in which a box could be set.</source>
+        <translation>このカメラには、枠を設定できる画像が表示されていません。</translation>
     </message>
     <message>
         <source>Box of %1</source>
@@ -3458,15 +3458,15 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>キャリブレーションを選択…</translation>
     </message>
     <message>
-        <source>A calibration file of Dewpoint or another program; cameras are found by their names, or else taken in its order</source>
-        <translation>Dewpoint または他のプログラムのキャリブレーションファイル。カメラは名前で対応づけ、できなければファイル内の順番で対応づけます</translation>
+        <source>A calibration file of Dewpoint or another program. Cameras are matched by name, or by order if the names differ</source>
+        <translation>Dewpoint または他のプログラムのキャリブレーションファイル。カメラは名前で対応づけ、名前が違えば順番で対応づけます</translation>
     </message>
     <message>
         <source>None</source>
         <translation>なし</translation>
     </message>
     <message>
-        <source>Go without a calibration file</source>
+        <source>Continue without a calibration file</source>
         <translation>キャリブレーションファイルを使いません</translation>
     </message>
     <message>
@@ -3474,8 +3474,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>キャリブレーションを選択</translation>
     </message>
     <message>
-        <source>Recognized: %1. It leaves something open: %2. Create the project without it; then Import calibration asks for what is missing.</source>
-        <translation>判別: %1。決まっていないことがあります: %2。これなしでプロジェクトを作成してください。その後「較正をインポート」で足りないものを指定できます。</translation>
+        <source>Recognized: %1. Some information is missing: %2. Create the project without this file, then use Import calibration and enter what is missing.</source>
+        <translation>判別: %1。足りない情報があります: %2。このファイルなしでプロジェクトを作成し、その後「較正をインポート」で足りないものを指定してください。</translation>
     </message>
     <message>
         <source>Recognized: %1. It cannot be used: %2.</source>
@@ -3490,7 +3490,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>判別できません。Dewpoint が読める形式: %1。</translation>
     </message>
     <message>
-        <source>Recognized: %1. Its cameras do not fit those above: %2.</source>
+        <source>Recognized: %1. Its cameras do not match the cameras above: %2.</source>
         <translation>判別: %1。カメラが上のものと合いません: %2。</translation>
     </message>
     <message numerus="yes">
@@ -3534,7 +3534,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>書き出す</translation>
     </message>
     <message>
-        <source>Write the file; one that exists is replaced</source>
+        <source>Write the file; an existing file is replaced</source>
         <translation>ファイルを書き出す。既存のものは置き換えられます</translation>
     </message>
     <message>
@@ -3542,7 +3542,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>形式</translation>
     </message>
     <message>
-        <source>The program that is to read the file</source>
+        <source>The program that will read the file</source>
         <translation>ファイルを読むプログラム</translation>
     </message>
     <message>
@@ -3550,12 +3550,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>単位</translation>
     </message>
     <message>
-        <source>Of lengths, where the format leaves it open</source>
+        <source>Unit of lengths, if the format does not define it</source>
         <translation>長さの単位。形式が定めていない場合</translation>
     </message>
     <message>
-        <source>as usual for the format</source>
-        <translation>形式の通例どおり</translation>
+        <source>format default</source>
+        <translation>形式の既定</translation>
     </message>
     <message>
         <source>meters</source>
@@ -3570,7 +3570,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>センチメートル</translation>
     </message>
     <message>
-        <source>%1: largest reprojection difference %2 (fitted anew)</source>
+        <source>%1: largest reprojection difference %2 (refitted)</source>
         <translation>%1: 再投影の最大差 %2（当てはめ直し）</translation>
     </message>
     <message>
@@ -3578,8 +3578,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>%1: 再投影の最大差 %2</translation>
     </message>
     <message>
-        <source>%1: %2 of 81 directions have no pixel any more</source>
-        <translation>%1: 81方向のうち %2 方向に画素がなくなりました</translation>
+        <source>%1: %2 of 81 directions no longer map to a pixel</source>
+        <translation>%1: 81方向のうち %2 方向が画素に対応しなくなりました</translation>
     </message>
     <message>
         <source>%1 exists and will be replaced.</source>
@@ -3601,8 +3601,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>較正をインポート</translation>
     </message>
     <message>
-        <source>as the names say</source>
-        <translation>名前のとおり</translation>
+        <source>by name</source>
+        <translation>名前で対応</translation>
     </message>
     <message>
         <source>only %1</source>
@@ -3617,24 +3617,24 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>フォルダー…</translation>
     </message>
     <message>
-        <source>Find a folder with a file for each camera</source>
-        <translation>カメラごとのファイルがあるフォルダーを探す</translation>
+        <source>Choose a folder with one file per camera</source>
+        <translation>カメラごとのファイルがあるフォルダーを選択</translation>
     </message>
     <message>
         <source>Use these cameras</source>
         <translation>このカメラを使う</translation>
     </message>
     <message>
-        <source>Take the calibration into the project; it can be undone</source>
-        <translation>較正をプロジェクトに取り込む。元に戻せます</translation>
+        <source>Use the calibration in the project; you can undo this</source>
+        <translation>較正をプロジェクトで使います。元に戻せます</translation>
     </message>
     <message>
-        <source>as the file says</source>
+        <source>as in the file</source>
         <translation>ファイルのとおり</translation>
     </message>
     <message>
-        <source>recognized from the content</source>
-        <translation>内容から判別</translation>
+        <source>detect automatically</source>
+        <translation>自動判別</translation>
     </message>
     <message>
         <source>meters</source>
@@ -3665,8 +3665,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>魚眼の k1 k2 k3 k4</translation>
     </message>
     <message>
-        <source>as the format has them</source>
-        <translation>形式のとおり</translation>
+        <source>format default</source>
+        <translation>形式の既定</translation>
     </message>
     <message>
         <source>camera from world</source>
@@ -3689,19 +3689,19 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>単位</translation>
     </message>
     <message>
-        <source>Of lengths in the file; or type the meters of one unit, such as 0.025 for squares of 25 mm</source>
-        <translation>ファイル内の長さの単位。または1単位のメートル数を入力（25 mm のマス目なら 0.025）</translation>
+        <source>Unit of the lengths in the file; or enter the length of one unit in meters, such as 0.025 for squares of 25 mm</source>
+        <translation>ファイル内の長さの単位。または1単位の長さをメートルで入力（25 mm のマス目なら 0.025）</translation>
     </message>
     <message>
         <source>Four coefficients</source>
         <translation>4つの係数</translation>
     </message>
     <message>
-        <source>What four lens coefficients mean</source>
+        <source>Meaning of the four lens coefficients</source>
         <translation>4つのレンズ係数の意味</translation>
     </message>
     <message>
-        <source>Size of images</source>
+        <source>Image size</source>
         <translation>画像の大きさ</translation>
     </message>
     <message>
@@ -3713,32 +3713,32 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>姿勢</translation>
     </message>
     <message>
-        <source>Which way the poses in the file go</source>
-        <translation>ファイル内の姿勢の向き</translation>
+        <source>Direction of the transformation that the file stores as a pose</source>
+        <translation>ファイルが姿勢として記録する変換の向き</translation>
     </message>
     <message>
-        <source>For</source>
-        <translation>対象</translation>
+        <source>Camera</source>
+        <translation>カメラ</translation>
     </message>
     <message>
-        <source>Which camera a file of one camera is about</source>
+        <source>The camera to which a file with a single camera belongs</source>
         <translation>1台分のファイルがどのカメラのものか</translation>
     </message>
     <message>
-        <source>The file leaves something open. Answer “%1” above.</source>
-        <translation>ファイルだけでは決まりません。上の「%1」に答えてください。</translation>
+        <source>The file does not contain all information. Set “%1” above.</source>
+        <translation>ファイルの情報が足りません。上の「%1」を設定してください。</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
         <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
     </message>
     <message>
-        <source>There is no pose in the file: only the lens is taken, the pose stays.</source>
-        <translation>ファイルに姿勢がありません。レンズだけを取り込み、姿勢はそのままです。</translation>
+        <source>The file contains no pose: only the intrinsics are imported, and the pose is kept.</source>
+        <translation>ファイルに姿勢がありません。内部パラメータだけを取り込み、姿勢はそのままです。</translation>
     </message>
     <message>
-        <source>%1 (in the file: %2): %3 and %4 from where it is now</source>
-        <translation>%1（ファイルでは %2）: 今の位置から %3、%4</translation>
+        <source>%1 (in the file: %2): moves by %3 and rotates by %4</source>
+        <translation>%1（ファイルでは %2）: 移動 %3、回転 %4</translation>
     </message>
     <message>
         <source>Largest reprojection difference to the file: %1</source>
@@ -3749,7 +3749,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>較正をインポート</translation>
     </message>
     <message>
-        <source>The cameras have the calibration of %1 now.</source>
+        <source>The cameras now use the calibration from %1.</source>
         <translation>カメラは %1 のキャリブレーションを使います。</translation>
     </message>
 </context>
@@ -3774,7 +3774,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>The camera that is adjusted; clicking into its image chooses it too</source>
+        <source>The camera to adjust; you can also click its image</source>
         <translation>調整するカメラ。画像をクリックしても選べます</translation>
     </message>
     <message>
@@ -3794,15 +3794,15 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>位置の単位</translation>
     </message>
     <message>
-        <source>Unit in which positions are shown and typed</source>
+        <source>Unit for showing and entering positions</source>
         <translation>位置の表示と入力に使う単位</translation>
     </message>
     <message>
-        <source>Looks</source>
-        <translation>視線</translation>
+        <source>Direction</source>
+        <translation>向き</translation>
     </message>
     <message>
-        <source>at a point, roll</source>
+        <source>point, roll</source>
         <translation>注視点とロール</translation>
     </message>
     <message>
@@ -3810,8 +3810,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ヨー、ピッチ、ロール</translation>
     </message>
     <message>
-        <source>How the direction is said</source>
-        <translation>向きの表し方</translation>
+        <source>Direction format</source>
+        <translation>向きの形式</translation>
     </message>
     <message>
         <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
@@ -3830,8 +3830,8 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>画角</translation>
     </message>
     <message>
-        <source>How the lens is said</source>
-        <translation>レンズの表し方</translation>
+        <source>Lens parameter</source>
+        <translation>レンズのパラメータ</translation>
     </message>
     <message>
         <source>Focal length in pixels, or the horizontal field of view in degrees</source>
@@ -3842,7 +3842,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>焦点距離または画角</translation>
     </message>
     <message>
-        <source>How much the camera magnifies; the keys + and − change it too</source>
+        <source>Magnification of the camera; the keys + and − also change it</source>
         <translation>カメラの倍率。+ と − のキーでも変わります</translation>
     </message>
     <message>
@@ -3858,7 +3858,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>カメラをずらす</translation>
     </message>
     <message>
-        <source>What dragging does</source>
+        <source>Effect of dragging</source>
         <translation>ドラッグの働き</translation>
     </message>
     <message>
@@ -3866,12 +3866,12 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>何も固定せずに格子をドラッグしたときのカメラの動き。格子の点をクリックすると三つまで固定できます。</translation>
     </message>
     <message>
-        <source>Three held points: the focal length gives way</source>
-        <translation>三点固定時は焦点距離が変わる</translation>
+        <source>With three held points, adjust the focal length</source>
+        <translation>三点固定時は焦点距離を調整</translation>
     </message>
     <message>
-        <source>Three held points fix the pose; dragging then changes the focal length, and the camera follows</source>
-        <translation>三点を固定すると姿勢が決まります。ドラッグは焦点距離を変え、カメラがそれに従います</translation>
+        <source>Three held points fix the pose. Dragging then changes the focal length, and the pose follows</source>
+        <translation>三点を固定すると姿勢が決まります。ドラッグすると焦点距離が変わり、姿勢がそれに従います</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -3886,7 +3886,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>回転</translation>
     </message>
     <message>
-        <source>What keys do</source>
+        <source>Effect of the keys</source>
         <translation>キーの働き</translation>
     </message>
     <message>
@@ -3894,20 +3894,20 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>矢印または W A S D と Q、E または PageUp/PageDown: 一回 1 cm または 0.2°。Shift: 十倍。Ctrl と矢印・Page キー: 十分の一。</translation>
     </message>
     <message>
-        <source>as it looks</source>
-        <translation>カメラの向きに沿って</translation>
+        <source>camera axes</source>
+        <translation>カメラの軸</translation>
     </message>
     <message>
-        <source>along x, y, z</source>
-        <translation>x、y、z に沿って</translation>
+        <source>world axes</source>
+        <translation>世界の軸</translation>
     </message>
     <message>
-        <source>Directions of keys</source>
-        <translation>キーの方向</translation>
+        <source>Axes of the keys</source>
+        <translation>キーの軸</translation>
     </message>
     <message>
-        <source>Right, forward and up as the camera looks, or the axes of the world</source>
-        <translation>カメラから見た右・前・上、または世界の軸</translation>
+        <source>Move along the camera&apos;s right, forward and up directions, or along the world axes</source>
+        <translation>カメラの右・前・上の方向、または世界の軸に沿って動かします</translation>
     </message>
     <message>
         <source>Yaw</source>
@@ -3922,7 +3922,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>位置 %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, along %1</source>
+        <source>%1 coordinate of the camera&apos;s position</source>
         <translation>カメラの位置の %1 座標</translation>
     </message>
     <message>
@@ -3930,7 +3930,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>注視点 %1</translation>
     </message>
     <message>
-        <source>The point the camera looks at, along %1</source>
+        <source>%1 coordinate of the point that the camera looks at</source>
         <translation>カメラの注視点の %1 座標</translation>
     </message>
     <message>
@@ -3938,7 +3938,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>上から見た向き: x 方向が 0°、y 方向が 90°</translation>
     </message>
     <message>
-        <source>Above the horizon; straight down is −90°</source>
+        <source>Angle above the horizon; straight down is −90°</source>
         <translation>水平より上の角度。真下は −90°</translation>
     </message>
     <message>
@@ -3950,7 +3950,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>ロール</translation>
     </message>
     <message>
-        <source>Turned about its line of sight, clockwise</source>
+        <source>Clockwise rotation about the line of sight</source>
         <translation>視線まわりの時計回りの回転</translation>
     </message>
     <message>
@@ -3985,24 +3985,24 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>新しい姿勢を計算しています。</translation>
     </message>
     <message>
-        <source>Its pose can be solved again from what it sees.</source>
-        <translation>見えているものから姿勢を解き直せます。</translation>
+        <source>Its pose can be recomputed from what it sees.</source>
+        <translation>見えているものから姿勢を計算し直せます。</translation>
     </message>
     <message>
-        <source>Re-solve %1</source>
-        <translation>%1 を解き直す</translation>
+        <source>Recompute %1</source>
+        <translation>%1 を再計算</translation>
     </message>
     <message>
-        <source>It cannot be solved again from what it sees: calibrate it anew, or put it back.</source>
-        <translation>見えているものからは解き直せません。再校正するか、元に戻してください。</translation>
+        <source>Its pose cannot be recomputed from what it sees: calibrate the camera again, or put it back.</source>
+        <translation>見えているものからは姿勢を計算し直せません。カメラを再校正するか、元に戻してください。</translation>
     </message>
     <message>
         <source>Calibrate %1…</source>
         <translation>%1 を校正…</translation>
     </message>
     <message>
-        <source>%1 stands again as it was calibrated.</source>
-        <translation>%1 は校正時の位置に戻りました。</translation>
+        <source>%1 is back in its calibrated pose.</source>
+        <translation>%1 は校正時の姿勢に戻りました。</translation>
     </message>
 </context>
 <context>
@@ -4044,7 +4044,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>画像</translation>
     </message>
     <message>
-        <source>Video file, folder of images, device or address of a stream</source>
+        <source>Video file, image folder, device, or stream address</source>
         <translation>動画ファイル、画像フォルダー、デバイス、または映像のアドレス</translation>
     </message>
     <message>
@@ -4052,23 +4052,23 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>選択…</translation>
     </message>
     <message>
-        <source>Find the recording of this camera in another place</source>
-        <translation>このカメラの録画を別の場所から選びます</translation>
+        <source>Choose the file, folder or device of this camera</source>
+        <translation>このカメラのファイル、フォルダー、またはデバイスを選びます</translation>
     </message>
     <message>
-        <source>Turned</source>
+        <source>Rotated</source>
         <translation>回転</translation>
     </message>
     <message>
-        <source>Images are turned clockwise by so much before use</source>
-        <translation>画像は使う前に時計回りにこれだけ回転されます</translation>
+        <source>Clockwise rotation of the images before use</source>
+        <translation>画像を使う前の時計回りの回転</translation>
     </message>
     <message>
         <source>Load calibration…</source>
         <translation>キャリブレーションを読み込む…</translation>
     </message>
     <message>
-        <source>Take the calibration of all cameras from a file</source>
+        <source>Load the calibration of all cameras from a file</source>
         <translation>すべてのカメラのキャリブレーションをファイルから読み込みます</translation>
     </message>
     <message>
@@ -4098,47 +4098,47 @@ at %4, %5, %6</source>
         <translation>鏡像</translation>
     </message>
     <message>
-        <source>Images are mirrored left to right, after they were turned</source>
+        <source>Mirror the images left to right, after rotation</source>
         <translation>回転したあと、画像を左右に反転します</translation>
     </message>
     <message>
-        <source>Empty room</source>
-        <translation>空の部屋</translation>
+        <source>Background image</source>
+        <translation>背景画像</translation>
     </message>
     <message>
-        <source>Image, video or folder of images in which this camera shows the scene without any target: what has its color there is not taken for it</source>
-        <translation>このカメラがターゲットのない場面を写した画像、動画、または画像のフォルダー。そこで同じ色だったものはターゲットとみなしません</translation>
+        <source>Image, video or image folder that shows the scene without any target. Regions that have the target&apos;s color there are not taken for the target</source>
+        <translation>ターゲットのない場面を写した画像、動画、または画像フォルダー。そこでターゲットと同じ色の領域はターゲットとみなしません</translation>
     </message>
     <message>
-        <source>Choose the empty room</source>
-        <translation>空の部屋を選択</translation>
+        <source>Choose background image</source>
+        <translation>背景画像を選択</translation>
     </message>
     <message>
         <source>Find an image or a video of the scene without any target</source>
         <translation>ターゲットのない場面の画像か動画を探します</translation>
     </message>
     <message>
-        <source>Use the image shown</source>
-        <translation>表示中の画像を使う</translation>
+        <source>Use current image</source>
+        <translation>現在の画像を使う</translation>
     </message>
     <message>
-        <source>Keep the image this camera shows now as the one of the empty room</source>
-        <translation>このカメラが今表示している画像を空の部屋の画像として保存します</translation>
+        <source>Save the current image of this camera as its background image</source>
+        <translation>このカメラの現在の画像を背景画像として保存します</translation>
     </message>
     <message>
-        <source>Change empty room</source>
-        <translation>空の部屋を変更</translation>
+        <source>Change background image</source>
+        <translation>背景画像を変更</translation>
     </message>
     <message>
-        <source>Choose an image or a video of the empty room</source>
-        <translation>空の部屋の画像か動画を選択</translation>
+        <source>Choose a background image or video</source>
+        <translation>背景の画像か動画を選択</translation>
     </message>
     <message>
-        <source>Change how late the images are</source>
-        <translation>画像の遅れの変更</translation>
+        <source>Change delay</source>
+        <translation>遅れを変更</translation>
     </message>
     <message>
-        <source>Late by</source>
+        <source>Delay</source>
         <translation>遅れ</translation>
     </message>
     <message>
@@ -4146,11 +4146,11 @@ at %4, %5, %6</source>
         <translation> ms</translation>
     </message>
     <message>
-        <source>Milliseconds by which its images are late: they are put together with those of the other cameras by it. Calibrate by waving finds it</source>
-        <translation>この画像が遅れているミリ秒数。これを使って他のカメラの画像と組み合わせます。「振って較正」で求められます</translation>
+        <source>Delay of this camera&apos;s images in ms, used to synchronize it with the other cameras. Calibration with a wand can measure it</source>
+        <translation>このカメラの画像の遅れ（ミリ秒）。ほかのカメラと同期させるために使います。ワンドによる較正で測定できます</translation>
     </message>
     <message>
-        <source>Milliseconds by which the images are late</source>
+        <source>Delay of the images in milliseconds</source>
         <translation>画像が遅れているミリ秒数</translation>
     </message>
     <message>
@@ -4158,11 +4158,11 @@ at %4, %5, %6</source>
         <translation>キャリブレーションを読み込む</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
         <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
     </message>
     <message>
-        <source>The cameras have the calibration of %1 now.</source>
+        <source>The cameras now use the calibration from %1.</source>
         <translation>カメラは %1 のキャリブレーションを使います。</translation>
     </message>
 </context>
@@ -4193,12 +4193,12 @@ at %4, %5, %6</source>
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Live: tried when the project is made</source>
+        <source>Live: tested when the project is created</source>
         <translation>ライブ: プロジェクトの作成時に接続を試します</translation>
     </message>
     <message>
-        <source>Videos differ in frame rate: frame N of one is not the same moment as frame N of the other.</source>
-        <translation>動画のフレームレートが異なります: 一方のフレーム N と他方のフレーム N は同じ時点ではありません。</translation>
+        <source>The videos have different frame rates: frame N does not show the same time in each of them.</source>
+        <translation>動画のフレームレートが異なります: フレーム N はすべての動画で同じ時刻を示すわけではありません。</translation>
     </message>
     <message numerus="yes">
         <source>Videos differ in length: using the first %n frames.</source>
@@ -4275,8 +4275,8 @@ at %4, %5, %6</source>
         <translation>色</translation>
     </message>
     <message>
-        <source>Take a box here</source>
-        <translation>ここで枠を取る</translation>
+        <source>Set box here</source>
+        <translation>ここに枠を設定</translation>
     </message>
     <message>
         <source>Learn the color here</source>
@@ -4287,8 +4287,8 @@ at %4, %5, %6</source>
         <translation>ここの見本を追加</translation>
     </message>
     <message>
-        <source>This is not the target</source>
-        <translation>これはターゲットではありません</translation>
+        <source>Exclude this color</source>
+        <translation>この色を除外</translation>
     </message>
     <message>
         <source>Track this object, starting from a box around it</source>
@@ -4303,8 +4303,8 @@ at %4, %5, %6</source>
         <translation>この色をターゲットの色に加えます（Shift クリックでも可）</translation>
     </message>
     <message>
-        <source>Exclude this color (Alt-click does the same)</source>
-        <translation>この色を除外します（Alt クリックでも可）</translation>
+        <source>Learn that this color is not the target (or Alt-click)</source>
+        <translation>この色がターゲットではないことを学習します（Alt クリックでも可）</translation>
     </message>
 </context>
 <context>
@@ -4314,8 +4314,8 @@ at %4, %5, %6</source>
         <translation>このカメラには学習に使える画像がありません。</translation>
     </message>
     <message>
-        <source>Click the target first; then exclude what is not it.</source>
-        <translation>まずターゲットをクリックし、その後で違うものを除外してください。</translation>
+        <source>Click the target first. Then exclude colors that are not the target.</source>
+        <translation>まずターゲットをクリックし、その後でターゲットではない色を除外してください。</translation>
     </message>
     <message>
         <source>Exclude color</source>
@@ -4337,7 +4337,7 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::ColorPanel</name>
     <message>
-        <source>Looking at the images…</source>
+        <source>Analyzing images…</source>
         <translation>画像を調べています…</translation>
     </message>
     <message>
@@ -4349,32 +4349,32 @@ at %4, %5, %6</source>
         <translation>新しいターゲット</translation>
     </message>
     <message>
-        <source>Drag ring and bars, or press Learn and click the target.</source>
+        <source>Drag the ring and the bars, or press Learn and click the target.</source>
         <translation>リングやバーをドラッグするか、「学習」を押してターゲットをクリックしてください。</translation>
     </message>
     <message>
-        <source>Click the thing to follow in any camera image.</source>
-        <translation>カメラ画像で追跡したいものをクリックしてください。</translation>
+        <source>Click the object to track in any camera image.</source>
+        <translation>どれかのカメラ画像で、追跡したい物体をクリックしてください。</translation>
     </message>
     <message>
         <source>Change color range</source>
         <translation>色の範囲を変更</translation>
     </message>
     <message>
-        <source>Click the thing to follow</source>
-        <translation>追跡したいものをクリック</translation>
+        <source>Click the object to track</source>
+        <translation>追跡したい物体をクリック</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it</source>
-        <translation>物をクリックするか、囲むようにドラッグ</translation>
+        <source>Click the object or drag a box around it</source>
+        <translation>物体をクリックするか、枠で囲む</translation>
     </message>
     <message>
-        <source>Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press Box and click the thing for another box.</source>
-        <translation>%1 のフレーム %2 の枠（%3 × %4）から追跡しています。この手法に色は要りません。別の枠にするには「枠」を押して物をクリックします。</translation>
+        <source>Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set another box, press Box and click the object.</source>
+        <translation>%1 のフレーム %2 の枠（%3 × %4）から追跡しています。この手法に色は要りません。別の枠にするには「枠」を押して物体をクリックします。</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物体をクリックするか、枠で囲んでください。</translation>
     </message>
     <message>
         <source>Remove color</source>
@@ -4420,8 +4420,8 @@ at %4, %5, %6</source>
         <translation>最大の輝度（0〜1）</translation>
     </message>
     <message>
-        <source>Drag the ends or the middle; with the keyboard, Tab chooses and the arrows move (with Shift ten times as far)</source>
-        <translation>両端または中央をドラッグします。キーボードでは Tab で選び、矢印で動かします（Shift で10倍）</translation>
+        <source>Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
+        <translation>両端または中央をドラッグします。キーボード：Tab でつまみを選び、矢印キーで動かします（Shift で10倍）</translation>
     </message>
     <message>
         <source>Range of hues</source>
@@ -4451,7 +4451,7 @@ at %4, %5, %6</source>
         <translation>取り除く</translation>
     </message>
     <message>
-        <source>not this: %1, frame %2, at %3, %4</source>
+        <source>excluded: %1, frame %2, at %3, %4</source>
         <translation>除外: %1、フレーム %2、位置 %3, %4</translation>
     </message>
     <message>
@@ -4463,12 +4463,12 @@ at %4, %5, %6</source>
         <translation>検出: %1、フレーム %2、位置 %3, %4</translation>
     </message>
     <message>
-        <source>Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples marked “found” were not clicked, but found in other cameras.</source>
-        <translation>画像を Shift+クリックするとサンプルを追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示されたサンプルは、クリックしたものではなく、他のカメラで見つかったものです。</translation>
+        <source>Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to exclude one. Samples marked “found” were detected in other cameras.</source>
+        <translation>画像を Shift+クリックするとサンプルを追加し、Alt+クリックまたは Ctrl+Shift+クリックすると除外します。「検出」と表示されたサンプルは、他のカメラで見つかったものです。</translation>
     </message>
     <message>
-        <source>Forget the chosen sample and learn from the rest (Del). A found sample becomes an excluded one.</source>
-        <translation>選択したサンプルを破棄し、残りから学習します (Del)。検出されたサンプルは除外サンプルになります。</translation>
+        <source>Remove the selected sample and learn from the others (Del). A found sample becomes an excluded one.</source>
+        <translation>選択したサンプルを削除し、残りから学習します (Del)。検出されたサンプルは除外サンプルになります。</translation>
     </message>
 </context>
 <context>
@@ -4486,14 +4486,14 @@ at %4, %5, %6</source>
         <translation>見つかった操作</translation>
     </message>
     <message>
-        <source>Nothing here is called “%1”.</source>
-        <translation>「%1」という名前のものはありません。</translation>
+        <source>No action is called “%1”.</source>
+        <translation>「%1」という操作はありません。</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionMode</name>
     <message>
-        <source>Drag the target in an image to where it is; the same in another image fixes its depth. Esc ends it.</source>
+        <source>Drag the target to its true position in an image; do the same in another image to fix its depth. Press Esc to finish.</source>
         <translation>画像の中でターゲットを実際の位置へドラッグします。別の画像でも行うと奥行きが決まります。Esc で終了します。</translation>
     </message>
     <message>
@@ -4509,18 +4509,18 @@ at %4, %5, %6</source>
         <translation>修正を取り消す</translation>
     </message>
     <message>
-        <source>Say that the target is here in the frame shown: tracking goes on from there</source>
-        <translation>表示中のフレームで、ターゲットがここにあると指定します。そこから追跡を続けます</translation>
+        <source>Set the target&apos;s position in this frame to this point; tracking continues from there</source>
+        <translation>このフレームでのターゲットの位置をこの点にします。そこから追跡を続けます</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::CorrectionTool</name>
     <message>
-        <source>Drag the target to where it is</source>
+        <source>Drag the target to its true position</source>
         <translation>ターゲットを実際の位置へドラッグしてください</translation>
     </message>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter says that the target is there</source>
+        <source>Image of %1: arrow keys move a cross, Enter sets the target&apos;s position there</source>
         <translation>%1 の画像：矢印キーで十字を動かし、Enter でターゲットの位置を指定します</translation>
     </message>
     <message>
@@ -4546,16 +4546,16 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::DockTitle</name>
     <message>
-        <source>Float this view, or put it back (double click the title: whole window)</source>
-        <translation>この表示を切り離す、または戻す（タイトルをダブルクリック：ウィンドウ全体）</translation>
+        <source>Float or dock this view (double-click the title to maximize it)</source>
+        <translation>この表示を切り離す、またはドッキングする（タイトルをダブルクリックで最大化）</translation>
     </message>
     <message>
         <source>Show all views</source>
         <translation>すべてのビューを表示</translation>
     </message>
     <message>
-        <source>Give the other views their places back (Esc, or double click here)</source>
-        <translation>ほかのビューを元の場所に戻します（Esc、またはここをダブルクリック）</translation>
+        <source>Restore the other views (Esc, or double-click here)</source>
+        <translation>ほかのビューを元に戻します（Esc、またはここをダブルクリック）</translation>
     </message>
 </context>
 <context>
@@ -4607,16 +4607,16 @@ at %4, %5, %6</source>
         <translation>ファイルを選択</translation>
     </message>
     <message>
-        <source>Find the file</source>
+        <source>Choose the file to read or write</source>
         <translation>ファイルを探す</translation>
     </message>
     <message>
-        <source>What is decided</source>
-        <translation>決定内容</translation>
+        <source>Preview</source>
+        <translation>プレビュー</translation>
     </message>
     <message>
-        <source>Choose a file. What is decided about it is shown here before anything changes.</source>
-        <translation>ファイルを選択してください。変更の前に、決定内容がここに表示されます。</translation>
+        <source>Choose a file. A preview of the result is shown here before anything changes.</source>
+        <translation>ファイルを選択してください。変更の前に、結果のプレビューがここに表示されます。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4642,8 +4642,8 @@ at %4, %5, %6</source>
         <translation>シードの数。多いほど時間がかかり、確かになります</translation>
     </message>
     <message>
-        <source>The report, its pictures and its numbers go there</source>
-        <translation>レポート、図、数値がここに入ります</translation>
+        <source>Folder for the report, its pictures and its numbers</source>
+        <translation>レポート、図、数値を保存するフォルダー</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4654,7 +4654,7 @@ at %4, %5, %6</source>
         <translation>レポートのフォルダーを選びます</translation>
     </message>
     <message>
-        <source>How far the experiment is</source>
+        <source>Experiment progress</source>
         <translation>実験の進み具合</translation>
     </message>
     <message>
@@ -4666,7 +4666,7 @@ at %4, %5, %6</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Stop the experiment; nothing is written</source>
+        <source>Stop the experiment without writing anything</source>
         <translation>実験を止めます。何も書き込みません</translation>
     </message>
     <message>
@@ -4686,7 +4686,7 @@ at %4, %5, %6</source>
         <translation>レポートのフォルダー</translation>
     </message>
     <message>
-        <source>Name the folder of the report first.</source>
+        <source>Choose the folder for the report first.</source>
         <translation>先にレポートのフォルダーを指定してください。</translation>
     </message>
     <message>
@@ -4706,7 +4706,7 @@ at %4, %5, %6</source>
         <translation>フォルダー</translation>
     </message>
     <message>
-        <source>Run it</source>
+        <source>Run</source>
         <translation>実行</translation>
     </message>
     <message>
@@ -4718,8 +4718,8 @@ at %4, %5, %6</source>
         <translation>服</translation>
     </message>
     <message>
-        <source>Whether the clothes of the simulated people tell them apart</source>
-        <translation>シミュレーションの人が服で見分けられるかどうか</translation>
+        <source>Whether the simulated people wear different clothes</source>
+        <translation>シミュレーションの人が異なる服を着るかどうか</translation>
     </message>
     <message>
         <source>both kinds</source>
@@ -4757,8 +4757,8 @@ at %4, %5, %6</source>
         <translation>軌跡の書き出し</translation>
     </message>
     <message>
-        <source>Write a figure</source>
-        <translation>図を書き出す</translation>
+        <source>Save figure</source>
+        <translation>図を保存</translation>
     </message>
     <message>
         <source>Figures (*.svg *.pdf)</source>
@@ -4801,16 +4801,16 @@ at %4, %5, %6</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Stop the work under way; what is there already stays as it was</source>
-        <translation>進行中の作業を止めます。既にあるものはそのまま残ります</translation>
+        <source>Stop the current work; files that already exist stay unchanged</source>
+        <translation>進行中の作業を止めます。既にあるファイルは変わりません</translation>
     </message>
     <message>
         <source>Figure…</source>
         <translation>図…</translation>
     </message>
     <message>
-        <source>Write a figure of it as SVG or PDF: x, y, z over time and from above</source>
-        <translation>図を SVG または PDF で書き出します（x、y、z の時間変化と上から見た図）</translation>
+        <source>Save a figure of the trajectory as SVG or PDF: x, y, z over time, and the view from above</source>
+        <translation>軌跡の図を SVG または PDF で保存します（x、y、z の時間変化と上から見た図）</translation>
     </message>
     <message>
         <source>Export</source>
@@ -4825,7 +4825,7 @@ at %4, %5, %6</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Close; an export that is under way goes on</source>
+        <source>Close; a running export continues</source>
         <translation>閉じます。実行中の書き出しは続きます</translation>
     </message>
     <message>
@@ -4848,24 +4848,24 @@ at %4, %5, %6</source>
         <translation>形式</translation>
     </message>
     <message>
-        <source>Which program is to read it</source>
-        <translation>どのプログラムで読むか</translation>
+        <source>The program that will read the file</source>
+        <translation>ファイルを読むプログラム</translation>
     </message>
     <message>
         <source>Targets</source>
         <translation>ターゲット</translation>
     </message>
     <message>
-        <source>Those with a mark are exported; all, if none has one</source>
-        <translation>印を付けたものを書き出します。印がなければすべて書き出します</translation>
+        <source>Only checked targets are exported; if none is checked, all are exported</source>
+        <translation>チェックしたターゲットだけを書き出します。チェックがなければすべて書き出します</translation>
     </message>
     <message>
         <source>Estimates</source>
         <translation>推定値</translation>
     </message>
     <message>
-        <source>As they were known live, or as all frames before and after tell</source>
-        <translation>追跡中に分かっていた値、または前後すべてのフレームから求めた値</translation>
+        <source>Live: as estimated during the run. Smoothed: from all frames, before and after</source>
+        <translation>追跡中の値：実行中の推定値。平滑化：前後すべてのフレームから求めた値</translation>
     </message>
     <message>
         <source>From</source>
@@ -4896,23 +4896,23 @@ at %4, %5, %6</source>
         <translation>欠落</translation>
     </message>
     <message>
-        <source>What to write where the target is not known</source>
-        <translation>ターゲットが不明な所に何を書くか</translation>
+        <source>What to write while the position is unknown</source>
+        <translation>位置が不明な間に何を書くか</translation>
     </message>
     <message>
         <source>Longest gap</source>
         <translation>最長の欠落</translation>
     </message>
     <message>
-        <source>A longer gap is left, 0.01 to 60 s</source>
-        <translation>これより長い欠落は残します（0.01〜60 s）</translation>
+        <source>Longer gaps are not filled, 0.01 to 60 s</source>
+        <translation>これより長い欠落は埋めません（0.01〜60 s）</translation>
     </message>
     <message>
         <source>World axes</source>
         <translation>世界座標軸</translation>
     </message>
     <message>
-        <source>Which axis points up in the file</source>
+        <source>Axis that points up in the file</source>
         <translation>ファイルで上を向く軸</translation>
     </message>
     <message>
@@ -4968,8 +4968,8 @@ at %4, %5, %6</source>
         <translation>埋める</translation>
     </message>
     <message>
-        <source>as usual in the format</source>
-        <translation>形式の標準</translation>
+        <source>format default</source>
+        <translation>形式の既定</translation>
     </message>
     <message>
         <source>Z up</source>
@@ -4999,8 +4999,8 @@ at %4, %5, %6</source>
         <translation>書き出したファイルのフォルダーを開きます</translation>
     </message>
     <message>
-        <source>No file manager was found. The file is %1.</source>
-        <translation>ファイルマネージャーが見つかりません。ファイルは %1 です。</translation>
+        <source>No file manager was found. The path of the file is %1.</source>
+        <translation>ファイルマネージャーが見つかりません。ファイルのパスは %1 です。</translation>
     </message>
 </context>
 <context>
@@ -5091,51 +5091,51 @@ at %4, %5, %6</source>
         <translation>格子の種類</translation>
     </message>
     <message>
-        <source>What the grid lies on in the room</source>
-        <translation>部屋の何に格子を置くか</translation>
+        <source>Surface of the room on which the grid lies</source>
+        <translation>格子を置く部屋の面</translation>
     </message>
     <message>
         <source>Size along x, y, z</source>
         <translation>x、y、z 方向の大きさ</translation>
     </message>
     <message>
-        <source>Begins at x, y, z</source>
-        <translation>始点 x、y、z</translation>
+        <source>Origin x, y, z</source>
+        <translation>原点 x、y、z</translation>
     </message>
     <message>
         <source>Size along %1</source>
         <translation>%1 方向の大きさ</translation>
     </message>
     <message>
-        <source>How far the grid reaches, in meters</source>
-        <translation>格子の広がり(メートル)</translation>
+        <source>Size of the grid, in meters</source>
+        <translation>格子の大きさ（メートル）</translation>
     </message>
     <message>
         <source>Origin %1</source>
         <translation>原点 %1</translation>
     </message>
     <message>
-        <source>The corner where its axes begin, in meters</source>
-        <translation>軸が始まる角(メートル)</translation>
+        <source>Corner at which the grid&apos;s axes start, in meters</source>
+        <translation>格子の軸が始まる角（メートル）</translation>
     </message>
     <message>
-        <source>Step, turn</source>
+        <source>Spacing, rotation</source>
         <translation>間隔、回転</translation>
     </message>
     <message>
-        <source>Step of the grid</source>
+        <source>Spacing of the grid</source>
         <translation>格子の間隔</translation>
     </message>
     <message>
-        <source>Meters from line to line</source>
+        <source>Distance between lines, in meters</source>
         <translation>線と線の間隔(メートル)</translation>
     </message>
     <message>
-        <source>Turn of the grid</source>
+        <source>Rotation of the grid</source>
         <translation>格子の回転</translation>
     </message>
     <message>
-        <source>Turned about the vertical, counterclockwise from above</source>
+        <source>Rotation about the vertical, counterclockwise as seen from above</source>
         <translation>鉛直軸まわりの回転(上から見て反時計回り)</translation>
     </message>
     <message>
@@ -5151,12 +5151,12 @@ at %4, %5, %6</source>
         <translation>画像の上に格子を描く濃さ</translation>
     </message>
     <message>
-        <source>Show edges of the images</source>
+        <source>Show image edges</source>
         <translation>画像の輪郭を表示</translation>
     </message>
     <message>
-        <source>Let the rest of the images step back behind their edges</source>
-        <translation>輪郭以外を目立たなくします</translation>
+        <source>Dim the images except for their edges</source>
+        <translation>輪郭以外を暗くします</translation>
     </message>
     <message>
         <source>Before</source>
@@ -5167,8 +5167,8 @@ at %4, %5, %6</source>
         <translation>カメラの以前の状態を表示</translation>
     </message>
     <message>
-        <source>While held down (or B, over an image): the grid as it was when the calibration was opened</source>
-        <translation>押している間(または画像上で B)、校正を開いたときの格子を表示</translation>
+        <source>Hold down (or hold B over an image) to show the grid as it was when the calibration was opened</source>
+        <translation>押している間（または画像上で B）、較正を開いたときの格子を表示</translation>
     </message>
 </context>
 <context>
@@ -5178,8 +5178,8 @@ at %4, %5, %6</source>
         <translation>%1 の画像の格子</translation>
     </message>
     <message>
-        <source>Drag the grid onto the real thing; click to hold a point; arrows, W A S D, Q and E move or turn the camera</source>
-        <translation>格子を実物に重ねるようにドラッグ。クリックで点を固定。矢印、W A S D、Q、E でカメラを移動・回転</translation>
+        <source>Drag the grid onto the real scene. Click a point to hold it. Arrow keys, W A S D, Q and E move or rotate the camera</source>
+        <translation>格子を実際の場面に重ねるようにドラッグします。クリックで点を固定します。矢印、W A S D、Q、E でカメラを移動・回転します</translation>
     </message>
     <message>
         <source>before</source>
@@ -5200,7 +5200,7 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::HistoryDock</name>
     <message>
-        <source>As it was opened</source>
+        <source>Initial state</source>
         <translation>開いたときの状態</translation>
     </message>
     <message>
@@ -5231,8 +5231,8 @@ at %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::ImagePickTool</name>
     <message>
-        <source>Image of %1: arrow keys move a cross, Enter points there</source>
-        <translation>%1 の画像: 矢印キーで十字を動かし、Enter でその場所を指します</translation>
+        <source>Image of %1: arrow keys move a cross, Enter clicks there</source>
+        <translation>%1 の画像: 矢印キーで十字を動かし、Enter でその場所をクリックします</translation>
     </message>
 </context>
 <context>
@@ -5254,7 +5254,7 @@ at %4, %5, %6</source>
         <translation>見本を追加</translation>
     </message>
     <message>
-        <source>Not this</source>
+        <source>Exclude</source>
         <translation>除外</translation>
     </message>
     <message>
@@ -5262,15 +5262,15 @@ at %4, %5, %6</source>
         <translation>先に色を学習してください。カメラ画像のターゲットをクリックします。</translation>
     </message>
     <message>
-        <source>Click: add a sample · Alt: not this · Esc</source>
+        <source>Click: add a sample · Alt: exclude · Esc</source>
         <translation>クリック：見本を追加 · Alt：除外 · Esc</translation>
     </message>
     <message>
-        <source>Click what is not the target · Esc</source>
-        <translation>ターゲットでないものをクリック · Esc</translation>
+        <source>Click a color to exclude · Esc</source>
+        <translation>除外する色をクリック · Esc</translation>
     </message>
     <message>
-        <source>Click: learn · Shift: add · Alt: not this · Esc</source>
+        <source>Click: learn · Shift: add · Alt: exclude · Esc</source>
         <translation>クリック：学習 · Shift：追加 · Alt：除外 · Esc</translation>
     </message>
     <message>
@@ -5305,7 +5305,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>十字：推定。粒子の重み付き平均です。</translation>
     </message>
     <message>
-        <source>Unbroken ellipse: with 95 % probability the target is inside. The smaller, the surer.</source>
+        <source>Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse is more certain.</source>
         <translation>実線の楕円：95 % の確率でターゲットはこの中にあります。小さいほど確かです。</translation>
     </message>
     <message>
@@ -5313,7 +5313,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>破線の楕円：ターゲットがボールでない場合の、ターゲット自体の大きさ。</translation>
     </message>
     <message>
-        <source>White diamond: where the target really is. Only simulated scenes, such as the demo, know it.</source>
+        <source>White diamond: the true position of the target, known only in simulated scenes such as the demo.</source>
         <translation>白いひし形：ターゲットの真の位置。デモなどシミュレーションのシーンでだけ分かります。</translation>
     </message>
     <message>
@@ -5321,16 +5321,16 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>三角形：重みが最大のパーティクル（表示 › 最良のパーティクルを表示）。</translation>
     </message>
     <message>
-        <source>Line through the image: the ray of another camera along which the target must be, while you drag it to where it is.</source>
-        <translation>画像を横切る線：ターゲットを実際の位置へドラッグする間に示される、他のカメラの光線。ターゲットはこの線上にあるはずです。</translation>
+        <source>Line across the image: the line of sight of another camera, shown while you drag the target. The target must lie on it.</source>
+        <translation>画像を横切る線：ターゲットをドラッグする間に示される、他のカメラの視線。ターゲットはこの線上にあるはずです。</translation>
     </message>
     <message>
-        <source>Dots: particles. Each is one guess of where the target is; the brighter, the better it fits the images.</source>
+        <source>Dots: particles. Each one is a guess of where the target is. Brighter particles fit the images better.</source>
         <translation>点：粒子。それぞれがターゲットの位置の推測です。明るいほど画像によく合います。</translation>
     </message>
     <message>
-        <source>Tinted and outlined: where the image has the color of the target (View › Show mask).</source>
-        <translation>色と輪郭の付いた所：画像がターゲットの色を持つ所（表示 › マスクを表示）。</translation>
+        <source>Tinted and outlined: regions with the color of the target (View › Show mask).</source>
+        <translation>色と輪郭の付いた所：ターゲットの色を持つ領域（表示 › マスクを表示）。</translation>
     </message>
 </context>
 <context>
@@ -5347,7 +5347,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::ManualCalibration</name>
     <message>
-        <source>Three points are held already: click one of them to let go of it</source>
+        <source>Three points are already held. Click one of them to release it</source>
         <translation>すでに三点を固定しています。一つをクリックすると外れます</translation>
     </message>
     <message>
@@ -5355,19 +5355,19 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%1 で格子をドラッグ</translation>
     </message>
     <message>
-        <source>No further: a point would leave what the camera can see</source>
+        <source>Limit reached: a point would leave the camera&apos;s field of view</source>
         <translation>これ以上は動きません: 点がカメラの視界から外れます</translation>
     </message>
     <message>
-        <source>No further: the held points and this one lie on one ray or line</source>
+        <source>Limit reached: the held points and this point lie on one ray or line</source>
         <translation>これ以上は動きません: 固定点とこの点が一直線上にあります</translation>
     </message>
     <message>
-        <source>No further: no pose near this one shows the held points where they are</source>
+        <source>Limit reached: no nearby pose keeps the held points in place</source>
         <translation>これ以上は動きません: 近くに固定点を保つ姿勢がありません</translation>
     </message>
     <message>
-        <source>Three held points fix the pose: let go of one, or let the focal length change</source>
+        <source>Three held points fix the pose. Release one of them, or let the focal length change</source>
         <translation>三点を固定すると姿勢が決まります。一つ外すか、焦点距離の変更を許してください</translation>
     </message>
     <message>
@@ -5406,8 +5406,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::ManualCalibrationPage</name>
     <message>
-        <source>Drag the grid in an image until it lies on the real thing. Click a point of it to hold it there.</source>
-        <translation>画像の中で格子を実物に重なるまでドラッグします。点をクリックするとそこに固定されます。</translation>
+        <source>Drag the grid in an image until it matches the real scene. Click a grid point to hold it in place.</source>
+        <translation>画像の中で格子を実際の場面に重なるまでドラッグします。格子の点をクリックするとそこに固定されます。</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -5437,12 +5437,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>マニュアルのページ</translation>
     </message>
     <message>
-        <source>Back to the page before</source>
+        <source>Back to the previous page</source>
         <translation>前のページに戻ります</translation>
     </message>
     <message>
-        <source>Forward again</source>
-        <translation>再び次へ進みます</translation>
+        <source>Forward to the next page</source>
+        <translation>次のページへ進みます</translation>
     </message>
     <message>
         <source>The manual was not found. It is expected in the folder %1.</source>
@@ -5452,23 +5452,23 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::MarkerEditor</name>
     <message>
-        <source>Name of the mark</source>
+        <source>Name of the marker</source>
         <translation>マークの名前</translation>
     </message>
     <message>
-        <source>Mark %1</source>
+        <source>Marker %1</source>
         <translation>マーク %1</translation>
     </message>
     <message>
-        <source>Add a mark</source>
+        <source>Add a marker</source>
         <translation>マークを追加</translation>
     </message>
     <message>
-        <source>Remove a mark</source>
+        <source>Remove a marker</source>
         <translation>マークを削除</translation>
     </message>
     <message>
-        <source>Rename a mark</source>
+        <source>Rename a marker</source>
         <translation>マークの名前を変更</translation>
     </message>
 </context>
@@ -5511,8 +5511,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>すべてのファイル (*)</translation>
     </message>
     <message>
-        <source>Opened with the located files. Save the project to keep where they are.</source>
-        <translation>場所を指定したファイルで開きました。その場所を残すには、プロジェクトを保存してください。</translation>
+        <source>Opened with the located files. Save the project to keep their new paths.</source>
+        <translation>場所を指定したファイルで開きました。新しいパスを残すには、プロジェクトを保存してください。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -5539,32 +5539,32 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>このコンピューターに接続されたすべてのカメラ</translation>
     </message>
     <message>
-        <source>A device number or a network stream; type it in</source>
+        <source>Enter a device number or a network stream</source>
         <translation>デバイス番号またはネットワーク映像を入力します</translation>
     </message>
     <message>
-        <source>Take the chosen cameras out</source>
+        <source>Remove the selected cameras</source>
         <translation>選んだカメラを取り除きます</translation>
     </message>
     <message>
-        <source>Make the project and show its first images</source>
-        <translation>プロジェクトを作り、最初の画像を表示します</translation>
+        <source>Create the project and show its first images</source>
+        <translation>プロジェクトを作成し、最初の画像を表示します</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Back without making a project</source>
-        <translation>プロジェクトを作らずに戻ります</translation>
+        <source>Go back without creating a project</source>
+        <translation>プロジェクトを作成せずに戻ります</translation>
     </message>
     <message>
         <source>Name of the project</source>
         <translation>プロジェクトの名前</translation>
     </message>
     <message>
-        <source>Rate of image folders, 0.1 to 10,000 per second</source>
-        <translation>画像フォルダーの速度、毎秒0.1〜10,000枚</translation>
+        <source>Frame rate of image folders, 0.1 to 10,000 per second</source>
+        <translation>画像フォルダーのフレームレート、毎秒0.1〜10,000枚</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -5595,11 +5595,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>このコンピューターにはカメラが接続されていません。ネットワークカメラはアドレスで追加できます。</translation>
     </message>
     <message>
-        <source>Without a calibration the camera positions are a guess: images can be tracked, but positions in space mean nothing yet.</source>
-        <translation>キャリブレーションがないためカメラ位置は推測です。画像での追跡はできますが、空間の位置はまだ意味を持ちません。</translation>
+        <source>Without a calibration, the camera positions are guesses: targets can be tracked in the images, but their 3D positions are meaningless.</source>
+        <translation>キャリブレーションがないためカメラ位置は推測です。画像での追跡はできますが、3D の位置は意味を持ちません。</translation>
     </message>
     <message>
-        <source>The calibration names its cameras differently: they were taken in its order.</source>
+        <source>The calibration uses other camera names. The cameras were matched by order.</source>
         <translation>キャリブレーションのカメラ名が異なるため、順番で対応づけました。</translation>
     </message>
     <message>
@@ -5635,12 +5635,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>1秒あたりの画像数:</translation>
     </message>
     <message>
-        <source>Neither a video, nor images, nor a calibration: %1.</source>
-        <translation>動画でも画像でもキャリブレーションでもありません: %1。</translation>
+        <source>Not a video, image or calibration file: %1.</source>
+        <translation>動画、画像、キャリブレーションのファイルではありません: %1。</translation>
     </message>
     <message>
-        <source>One row per camera. Videos must be synchronized: frame N shows the same moment in all of them.</source>
-        <translation>カメラごとに1行。動画は同期している必要があります: フレーム N はすべての動画で同じ時点を示します。</translation>
+        <source>One row per camera. The videos must be synchronized: frame N must show the same time in all of them.</source>
+        <translation>カメラごとに1行。動画は同期している必要があります: フレーム N はすべての動画で同じ時刻を示さなければなりません。</translation>
     </message>
     <message>
         <source>(folder name)</source>
@@ -5688,12 +5688,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>手法(&amp;M)</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物体をクリックするか、枠で囲んでください。</translation>
     </message>
     <message>
-        <source>This method works in the room: calibrate the cameras first (menu Calibration), their positions are only a guess.</source>
-        <translation>この手法は部屋の中の位置を求めます。カメラの位置は仮のものなので、先に較正してください（メニュー「較正」）。</translation>
+        <source>This method tracks in 3D, but the camera positions are only guesses: calibrate the cameras first (menu Calibration).</source>
+        <translation>この手法は 3D で追跡しますが、カメラの位置は推測にすぎません。先に較正してください（メニュー「較正」）。</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -5708,15 +5708,15 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>「%1」より小さいため、そちらは効果がありません。</translation>
     </message>
     <message>
-        <source>How the targets are tracked. Another method starts again; the rest stays.</source>
-        <translation>ターゲットの追跡方法。別の手法にすると最初からやり直し、ほかはそのままです。</translation>
+        <source>Tracking method. Changing it restarts tracking; other settings are kept.</source>
+        <translation>追跡の手法。変えると追跡を最初からやり直します。ほかの設定はそのままです。</translation>
     </message>
     <message>
         <source>Reset all</source>
         <translation>すべて元に戻す</translation>
     </message>
     <message>
-        <source>Give all parameters of this method their defaults</source>
+        <source>Reset all parameters of this method to their defaults</source>
         <translation>この手法のすべてのパラメーターを既定値にします</translation>
     </message>
     <message>
@@ -5724,11 +5724,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>探索範囲</translation>
     </message>
     <message>
-        <source>Targets are searched for in a box alone.</source>
+        <source>Targets are searched for only inside a box.</source>
         <translation>ターゲットは箱の中だけで探します。</translation>
     </message>
     <message>
-        <source>Something here differs from its default.</source>
+        <source>Some values here differ from their defaults.</source>
         <translation>ここに既定値と異なるものがあります。</translation>
     </message>
 </context>
@@ -5739,15 +5739,15 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>人物</translation>
     </message>
     <message>
-        <source>Click somebody in a camera image, or the floor in the bird&apos;s-eye view. Esc ends it.</source>
-        <translation>カメラ画像の中の人、または鳥瞰図の床をクリックしてください。Esc で終わります。</translation>
+        <source>Click a person in a camera image, or the floor in the bird&apos;s-eye view. Press Esc to cancel.</source>
+        <translation>カメラ画像の中の人物、または鳥瞰図の床をクリックしてください。Esc で中止します。</translation>
     </message>
     <message>
-        <source>Folder for the tables of people</source>
+        <source>Folder for the people tables</source>
         <translation>人物の表を保存するフォルダー</translation>
     </message>
     <message>
-        <source>There are tables of another run in %1. Replace them?</source>
+        <source>%1 contains tables of another run. Replace them?</source>
         <translation>%1 に別の実行の表があります。置き換えますか？</translation>
     </message>
     <message>
@@ -5755,16 +5755,16 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>置き換える</translation>
     </message>
     <message>
-        <source>That run is over; the tables of its people were not written.</source>
-        <translation>その実行は終わっているため、人物の表は書き込みませんでした。</translation>
+        <source>That run has ended. Its people tables were not saved.</source>
+        <translation>その実行は終わっているため、人物の表は保存しませんでした。</translation>
     </message>
     <message>
-        <source>Places, volumes, hulls and densities of people are in %1 (frames: %2).</source>
+        <source>Saved people&apos;s positions, volumes, hulls and densities in %1 (frames: %2).</source>
         <translation>人物の位置、体積、凸包、密度を %1 に保存しました（フレーム数：%2）。</translation>
     </message>
     <message>
-        <source>Writing the tables of people…</source>
-        <translation>人物の表を書き出しています…</translation>
+        <source>Saving the people tables…</source>
+        <translation>人物の表を保存しています…</translation>
     </message>
     <message>
         <source>Add a person</source>
@@ -5778,43 +5778,43 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::PeoplePanel</name>
     <message>
-        <source>People who are there</source>
+        <source>People in view</source>
         <translation>いまいる人物</translation>
     </message>
     <message>
-        <source>How much of the empty room is learned</source>
-        <translation>空の部屋をどれだけ学習したか</translation>
+        <source>Progress of learning the background</source>
+        <translation>背景の学習の進み具合</translation>
     </message>
     <message>
         <source>No.</source>
         <translation>番号</translation>
     </message>
     <message>
-        <source>Number of the person, which nobody else gets in this run</source>
-        <translation>人物の番号。この実行では他の人に使われません</translation>
+        <source>Number of the person; it is not used again in this run</source>
+        <translation>人物の番号。この実行では再び使われません</translation>
     </message>
     <message>
-        <source>Place</source>
+        <source>Position</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>Place in the room, x and y in meters</source>
-        <translation>部屋の中の位置、x と y（m）</translation>
+        <source>Position on the floor, x and y in meters</source>
+        <translation>床の上の位置、x と y（m）</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>身長</translation>
     </message>
     <message>
-        <source>Estimated height, meters; empty: the method does not estimate it</source>
-        <translation>推定した身長（m）。空欄：この手法では推定しません</translation>
+        <source>Estimated height in meters; empty if the method does not estimate it</source>
+        <translation>推定した身長（m）。この手法で推定しない場合は空欄</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>速さ</translation>
     </message>
     <message>
-        <source>Meters per second over the floor</source>
+        <source>Speed over the floor, in meters per second</source>
         <translation>床の上での秒速（m/s）</translation>
     </message>
     <message>
@@ -5822,7 +5822,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>見える</translation>
     </message>
     <message>
-        <source>Cameras that see the person, of all</source>
+        <source>Number of cameras that see the person, out of all cameras</source>
         <translation>その人物が写っているカメラの数 / 全体</translation>
     </message>
     <message>
@@ -5830,35 +5830,35 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>体積</translation>
     </message>
     <message>
-        <source>Volume of the hull that holds 95 % of the person, cubic meters; empty while hulls are not shown</source>
+        <source>Volume in cubic meters of the hull that contains 95 % of the person; empty while hulls are not shown</source>
         <translation>その人物の 95 % を含む凸包の体積（m³）。凸包を表示していない間は空欄</translation>
     </message>
     <message>
-        <source>Since</source>
-        <translation>経過</translation>
+        <source>Time</source>
+        <translation>時間</translation>
     </message>
     <message>
-        <source>How long the person has been there, seconds</source>
-        <translation>その人物がいる時間（秒）</translation>
+        <source>Time since the person entered, in seconds</source>
+        <translation>人物が入ってからの時間（秒）</translation>
     </message>
     <message>
         <source>Near</source>
         <translation>近く</translation>
     </message>
     <message>
-        <source>Somebody else is so near that colors are not learned</source>
+        <source>Another person is so close that colors are not learned</source>
         <translation>ほかの人が近すぎるので、色を学習しません</translation>
     </message>
     <message>
-        <source>Learning the empty room: %1 %. Keep out of view.</source>
-        <translation>空の部屋を学習中：%1 %。画面に入らないでください。</translation>
+        <source>Learning the background: %1 %. Keep the scene empty.</source>
+        <translation>背景を学習中：%1 %。画面に入らないでください。</translation>
     </message>
     <message>
-        <source>Nobody is there. People appear when two cameras see them.</source>
+        <source>Nobody is in view. People appear when two cameras see them.</source>
         <translation>誰もいません。2 台のカメラに写ると人物が現れます。</translation>
     </message>
     <message>
-        <source>People there: %1</source>
+        <source>People in view: %1</source>
         <translation>いまいる人数：%1</translation>
     </message>
     <message>
@@ -5866,15 +5866,15 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>人物用の手法を実行すると、ここに人物が現れます。</translation>
     </message>
     <message>
-        <source>Somebody is near</source>
-        <translation>近くに人がいます</translation>
+        <source>Another person is close</source>
+        <translation>近くに別の人がいます</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::PlanPage</name>
     <message>
-        <source>How well will these cameras measure, and where would one more help? Drag a camera in the bird&apos;s-eye view: the map follows.</source>
-        <translation>これらのカメラはどれだけ正確に測れるか、もう1台はどこで役立つか。鳥瞰図でカメラをドラッグすると、マップが追従します。</translation>
+        <source>See how accurately these cameras will measure, and where another camera would help. Drag a camera in the bird&apos;s-eye view to update the map.</source>
+        <translation>これらのカメラがどれだけ正確に測れるか、もう1台はどこで役立つかが分かります。鳥瞰図でカメラをドラッグするとマップが更新されます。</translation>
     </message>
     <message>
         <source>Map of expected errors</source>
@@ -5885,7 +5885,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>計画中のカメラ</translation>
     </message>
     <message>
-        <source>Planned cameras are neither saved with the project nor part of the run. The map takes nothing in the room into account that hides a place.</source>
+        <source>Planned cameras are not saved with the project and take no part in the run. The map does not account for objects that block the view.</source>
         <translation>計画中のカメラはプロジェクトに保存されず、実行にも含まれません。マップは室内の遮蔽物を考慮しません。</translation>
     </message>
     <message>
@@ -5896,11 +5896,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::PlannerForm</name>
     <message>
-        <source>Add a camera to plan</source>
-        <translation>計画にカメラを追加</translation>
+        <source>Add planned camera</source>
+        <translation>計画用のカメラを追加</translation>
     </message>
     <message>
-        <source>A camera that is not there yet: drag it in the bird&apos;s-eye view, or type where it stands (%1)</source>
+        <source>A camera that does not exist yet: drag it in the bird&apos;s-eye view, or enter its position (%1)</source>
         <translation>まだ存在しないカメラ：鳥瞰図でドラッグするか位置を入力します（%1）</translation>
     </message>
     <message>
@@ -5912,7 +5912,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>計画中のカメラを削除</translation>
     </message>
     <message>
-        <source>Take the chosen planned camera away</source>
+        <source>Remove the selected planned camera</source>
         <translation>選択した計画中のカメラを取り除く</translation>
     </message>
     <message>
@@ -5924,7 +5924,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>下の数値が示す計画中のカメラ</translation>
     </message>
     <message>
-        <source>Stands at x, y, z</source>
+        <source>Position x, y, z</source>
         <translation>位置 x, y, z</translation>
     </message>
     <message>
@@ -5940,7 +5940,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>計画位置 %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, in meters</source>
+        <source>Position of the camera, in meters</source>
         <translation>カメラの位置（メートル）</translation>
     </message>
     <message>
@@ -5956,36 +5956,36 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>画角</translation>
     </message>
     <message>
-        <source>How wide the camera sees, from left to right</source>
-        <translation>カメラが見る広さ（左右）</translation>
+        <source>Horizontal field of view of the camera</source>
+        <translation>カメラの水平画角</translation>
     </message>
     <message>
         <source>Image width</source>
         <translation>画像の幅</translation>
     </message>
     <message>
-        <source>Pixels of its image, from left to right</source>
-        <translation>画像のピクセル数（左右）</translation>
+        <source>Width of its image in pixels</source>
+        <translation>画像の幅（ピクセル）</translation>
     </message>
     <message>
         <source>Image height</source>
         <translation>画像の高さ</translation>
     </message>
     <message>
-        <source>Pixels of its image, from top to bottom</source>
-        <translation>画像のピクセル数（上下）</translation>
+        <source>Height of its image in pixels</source>
+        <translation>画像の高さ（ピクセル）</translation>
     </message>
     <message>
-        <source>Walls and ceiling outside the volume by</source>
-        <translation>壁と天井の空間からの距離</translation>
+        <source>Distance of walls and ceiling</source>
+        <translation>壁と天井までの距離</translation>
     </message>
     <message>
-        <source>Distance of the walls</source>
-        <translation>壁の距離</translation>
+        <source>Distance of the walls and the ceiling</source>
+        <translation>壁と天井の距離</translation>
     </message>
     <message>
-        <source>The search looks on the four walls and the ceiling around the volume, this far outside of it</source>
-        <translation>空間を囲む4つの壁と天井（この距離だけ外側）を探索します</translation>
+        <source>The search places the camera on four walls and a ceiling at this distance from the volume</source>
+        <translation>空間からこの距離にある4つの壁と天井にカメラを置いて探します</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5996,23 +5996,23 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>探索をキャンセル</translation>
     </message>
     <message>
-        <source>End the search; nothing is added</source>
-        <translation>探索を終了します。何も追加されません</translation>
+        <source>Stop the search without adding a camera</source>
+        <translation>カメラを追加せずに探索を終了します</translation>
     </message>
     <message>
         <source>none yet</source>
         <translation>まだありません</translation>
     </message>
     <message>
-        <source>none chosen</source>
+        <source>none selected</source>
         <translation>未選択</translation>
     </message>
     <message>
-        <source>Find the best place for %1</source>
+        <source>Find best position for %1</source>
         <translation>%1 の最適な場所を探す</translation>
     </message>
     <message>
-        <source>Search the walls and the ceiling for the place from which one more camera helps most (%1)</source>
+        <source>Search the walls and the ceiling for the position where another camera would help most (%1)</source>
         <translation>もう1台のカメラが最も役立つ場所を壁と天井で探します（%1）</translation>
     </message>
 </context>
@@ -6112,7 +6112,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>測定点の名前を変更</translation>
     </message>
     <message>
-        <source>Place of %1</source>
+        <source>Position of %1</source>
         <translation>%1 の位置</translation>
     </message>
     <message>
@@ -6120,55 +6120,55 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%2 で %1 をクリック</translation>
     </message>
     <message>
-        <source>Forget %1 in %2</source>
+        <source>Remove %1 in %2</source>
         <translation>%2 の %1 を消す</translation>
     </message>
     <message>
-        <source>Solve cameras from measured points</source>
+        <source>Compute cameras from measured points</source>
         <translation>測定点からカメラを求める</translation>
     </message>
     <message>
-        <source>No point was clicked yet: choose one, then click it in the images</source>
+        <source>No point has been clicked yet: select one, then click it in the images</source>
         <translation>まだ点がクリックされていません。点を選び、画像でクリックしてください</translation>
     </message>
     <message>
-        <source>%1: %2 off on average</source>
-        <translation>%1: 平均 %2 のずれ</translation>
+        <source>%1: average error %2</source>
+        <translation>%1: 平均誤差 %2</translation>
     </message>
     <message>
-        <source>%1: %2 points are too few, click four or more</source>
+        <source>%1: %2 points are not enough, click at least four</source>
         <translation>%1: %2 点では足りません。四点以上クリックしてください</translation>
     </message>
     <message>
-        <source>%1: its points lie on one line, add one beside it</source>
+        <source>%1: its points lie on one line, add a point beside the line</source>
         <translation>%1: 点が一直線上にあります。外れた点を加えてください</translation>
     </message>
     <message>
-        <source>%1: %2, but a second pose fits as well: add a point outside the plane</source>
+        <source>%1: %2, but a second pose fits equally well: add a point outside the plane</source>
         <translation>%1: %2 ですが、別の姿勢も同じくらい合います。平面の外の点を加えてください</translation>
     </message>
     <message>
-        <source>%1: no pose shows the points there</source>
-        <translation>%1: その位置に点が見える姿勢がありません</translation>
+        <source>%1: no pose fits the clicked points</source>
+        <translation>%1: クリックした点に合う姿勢がありません</translation>
     </message>
     <message>
-        <source>%1, unless it was mounted so</source>
-        <translation>%1(わざとそう取り付けた場合を除く)</translation>
+        <source>%1 (ignore this if the camera is mounted that way)</source>
+        <translation>%1（カメラをそのように取り付けている場合は無視してください）</translation>
     </message>
     <message>
-        <source>%1: then its points fit to %2</source>
+        <source>%1: after that, its points fit within %2</source>
         <translation>%1: そうすると点が %2 で合います</translation>
     </message>
     <message>
-        <source>%1 does not fit the rest (%2, %3): measure or click it again</source>
-        <translation>%1 は他と合いません (%2、%3)。測り直すかクリックし直してください</translation>
+        <source>%1 does not fit the other points (%2, %3): measure or click it again</source>
+        <translation>%1 は他の点と合いません (%2、%3)。測り直すかクリックし直してください</translation>
     </message>
     <message>
-        <source>Worst: %1 (%2, %3)</source>
+        <source>Largest error: %1 (%2, %3)</source>
         <translation>最大のずれ: %1 (%2、%3)</translation>
     </message>
     <message>
-        <source>Set how %1 lies</source>
+        <source>Set orientation of %1</source>
         <translation>%1 の画像の向きを設定</translation>
     </message>
 </context>
@@ -6179,8 +6179,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>測定点</translation>
     </message>
     <message>
-        <source>Places measured with a tape, in meters: double click to type. A marked row fits worst.</source>
-        <translation>巻尺で測った位置(メートル)。ダブルクリックで入力。印の付いた行が最も合いません。</translation>
+        <source>Positions measured with a tape, in meters: double-click to edit. The highlighted row has the largest error.</source>
+        <translation>巻尺で測った位置（メートル）。ダブルクリックで編集できます。強調された行の誤差が最も大きいです。</translation>
     </message>
     <message>
         <source>Point</source>
@@ -6215,8 +6215,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>点を追加</translation>
     </message>
     <message>
-        <source>Add a place of the room that you measured</source>
-        <translation>測った場所を追加します</translation>
+        <source>Add a position that you measured in the room</source>
+        <translation>部屋の中で測った位置を追加します</translation>
     </message>
     <message>
         <source>Remove point</source>
@@ -6231,19 +6231,19 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>画像でクリック</translation>
     </message>
     <message>
-        <source>Then click the chosen point in every image that shows it: corners are found to a fraction of a pixel (Alt: exactly where you click). Esc ends it.</source>
+        <source>Click the selected point in every image that shows it. Corners are found to a fraction of a pixel (Alt: exactly where you click). Press Esc to finish.</source>
         <translation>選んだ点を、写っているすべての画像でクリックします。角はピクセル以下の精度で見つかります (Alt: クリックした場所そのまま)。Esc で終了。</translation>
     </message>
     <message>
-        <source>Forget click</source>
+        <source>Remove click</source>
         <translation>クリックを消す</translation>
     </message>
     <message>
-        <source>Forget the click of this point in the chosen camera</source>
+        <source>Remove the click on this point in the selected camera</source>
         <translation>選んだカメラでのこの点のクリックを消します</translation>
     </message>
     <message>
-        <source>Solve focal lengths too</source>
+        <source>Compute focal lengths</source>
         <translation>焦点距離も求める</translation>
     </message>
     <message>
@@ -6251,11 +6251,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>六点以上あるカメラだけ</translation>
     </message>
     <message>
-        <source>Solve cameras</source>
+        <source>Compute cameras</source>
         <translation>カメラを求める</translation>
     </message>
     <message>
-        <source>Find the poses of all cameras in which points were clicked; four points or more each</source>
+        <source>Compute the poses of all cameras in which points were clicked; each needs at least four points</source>
         <translation>点をクリックしたすべてのカメラの姿勢を求めます(各四点以上)</translation>
     </message>
     <message>
@@ -6263,12 +6263,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%1: %2、%3</translation>
     </message>
     <message>
-        <source>Set it: %1</source>
-        <translation>設定: %1</translation>
+        <source>Apply: %1</source>
+        <translation>適用: %1</translation>
     </message>
     <message>
-        <source>Turn or mirror the images of this camera so, and solve again</source>
-        <translation>このカメラの画像をそのように回転・反転し、もう一度求めます</translation>
+        <source>Rotate or mirror the images of this camera and compute its pose again</source>
+        <translation>このカメラの画像を回転または反転し、姿勢をもう一度求めます</translation>
     </message>
 </context>
 <context>
@@ -6290,11 +6290,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>大きさ</translation>
     </message>
     <message>
-        <source>Some of these results are of earlier settings.</source>
+        <source>Some of these results are from earlier settings.</source>
         <translation>この結果の一部は以前の設定によるものです。</translation>
     </message>
     <message>
-        <source>The preview was stopped. The next change begins it anew.</source>
+        <source>The preview was stopped. It starts again at the next change.</source>
         <translation>プレビューを止めました。次に何かを変えると、また始まります。</translation>
     </message>
 </context>
@@ -6305,7 +6305,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>問題を報告 – Dewpoint</translation>
     </message>
     <message>
-        <source>Write to those who gave you Dewpoint: what you did, what you expected, and what happened instead. Add the text below, and, if you can, the project file and a screenshot. Nothing is sent by itself.</source>
+        <source>Write to whoever gave you Dewpoint. Describe what you did, what you expected and what happened. Attach the text below and, if you can, the project file and a screenshot. Nothing is sent automatically.</source>
         <translation>Dewpoint の提供元に、何をしたか、何を期待したか、実際に何が起きたかを知らせてください。下のテキストと、できればプロジェクトファイルとスクリーンショットを添えてください。自動で送信されるものはありません。</translation>
     </message>
     <message>
@@ -6332,12 +6332,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::ProjectController</name>
     <message>
-        <source>Click the thing or drag a box around it in any camera view.</source>
-        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。</translation>
+        <source>Click the object or drag a box around it in any camera view.</source>
+        <translation>どれかのカメラ画像で、物体をクリックするか、枠で囲んでください。</translation>
     </message>
     <message>
-        <source>Click the thing to follow in any image: its color is learned and tracking starts.</source>
-        <translation>どの画像でも追跡したいものをクリックすると、その色を学習して追跡を始めます。</translation>
+        <source>Click the object to track in any image. Its color is learned and tracking starts.</source>
+        <translation>どの画像でも追跡したい物体をクリックすると、その色を学習して追跡を始めます。</translation>
     </message>
     <message>
         <source>Open a project</source>
@@ -6359,16 +6359,16 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>カメラがターゲットの位置を裏付けています。</translation>
     </message>
     <message>
-        <source>Something else fits about as well. Press X and drag the target to where it is.</source>
-        <translation>ほかにも同じくらい合うものがあります。X を押してターゲットを実際の位置へドラッグしてください。</translation>
+        <source>Another object fits about as well. Press X and drag the target to its true position.</source>
+        <translation>別の物体も同じくらい合います。X を押してターゲットを実際の位置へドラッグしてください。</translation>
     </message>
     <message>
         <source>Not found yet, or not seen for less than a second.</source>
         <translation>まだ見つかっていないか、見えなくなって 1 秒未満です。</translation>
     </message>
     <message>
-        <source>Not seen for a second. The line at the bottom says why.</source>
-        <translation>1 秒間見えていません。理由は下端の行に表示されます。</translation>
+        <source>Not seen for more than a second. The status bar shows why.</source>
+        <translation>1 秒以上見えていません。理由はステータスバーに表示されます。</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
@@ -6379,15 +6379,15 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>見えるもの</translation>
     </message>
     <message>
-        <source>Each camera view shows its image, and over it what the program believes. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation>各カメラビューは画像と、その上にプログラムの推定を表示します。鳥瞰図は同じものを部屋の中で表示します。</translation>
+        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the same in the room.</source>
+        <translation>各カメラビューは画像と、その上に推定結果を表示します。鳥瞰図は同じものを部屋の中で表示します。</translation>
     </message>
     <message>
-        <source>How sure it is</source>
-        <translation>どれだけ確かか</translation>
+        <source>State of a target</source>
+        <translation>ターゲットの状態</translation>
     </message>
     <message>
-        <source>How to begin</source>
+        <source>How to start</source>
         <translation>始め方</translation>
     </message>
     <message>
@@ -6395,15 +6395,15 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>1.  カメラごとに動画を1つ開くか、カメラを接続します：ファイル › 新しいプロジェクト（%1）。先にデモを試すこともできます。</translation>
     </message>
     <message>
-        <source>2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by hand). Without it, targets are tracked in the images only.</source>
-        <translation>2.  カメラのキャリブレーションを指定するか、作成します：メニュー「キャリブレーション」（手動で始めるには %1）。なければ、ターゲットは画像の中だけで追跡されます。</translation>
+        <source>2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by hand). Without it, targets are tracked only in the images.</source>
+        <translation>2.  カメラのキャリブレーションを読み込むか、作成します：メニュー「キャリブレーション」（手動で始めるには %1）。なければ、ターゲットは画像の中だけで追跡されます。</translation>
     </message>
     <message>
-        <source>3.  Click the thing to follow in any image. Its color is learned in all cameras, and tracking starts.</source>
-        <translation>3.  どれかの画像で追跡したいものをクリックします。すべてのカメラで色が学習され、追跡が始まります。</translation>
+        <source>3.  Click the object to track in any image. Its color is learned in all cameras, and tracking starts.</source>
+        <translation>3.  どれかの画像で追跡したい物体をクリックします。すべてのカメラで色が学習され、追跡が始まります。</translation>
     </message>
     <message>
-        <source>4.  Press %1 to play and to pause. Drag along the timeline to look back: every view shows that frame as it was.</source>
+        <source>4.  Press %1 to play or pause. Drag along the timeline to look back: all views then show that frame as it was tracked.</source>
         <translation>4.  %1 を押すと再生または一時停止します。タイムラインをドラッグすると過去を表示できます：すべてのビューがそのフレームを当時のまま表示します。</translation>
     </message>
     <message>
@@ -6411,8 +6411,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>5.  軌跡を書き出します：ファイル › 軌跡を書き出す（%1）。</translation>
     </message>
     <message>
-        <source>All signs…</source>
-        <translation>すべての記号…</translation>
+        <source>Show legend…</source>
+        <translation>凡例を表示…</translation>
     </message>
     <message>
         <source>Open the legend of all that is drawn over the images</source>
@@ -6438,75 +6438,75 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::RecentList</name>
     <message>
-        <source>The file is gone</source>
+        <source>The file no longer exists</source>
         <translation>ファイルがなくなっています</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecentMenu</name>
     <message>
-        <source>Nothing yet</source>
-        <translation>まだありません</translation>
+        <source>No recent projects</source>
+        <translation>最近のプロジェクトはありません</translation>
     </message>
     <message>
-        <source>Forget these</source>
+        <source>Clear list</source>
         <translation>履歴を消去</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RecoveryOffer</name>
     <message>
-        <source>Dewpoint did not end properly. Unsaved work on “%1” is from %2.</source>
-        <translation>Dewpoint は正常に終了しませんでした。「%1」の未保存の作業（%2）があります。</translation>
+        <source>Dewpoint closed unexpectedly. Unsaved changes to “%1” from %2 can be recovered.</source>
+        <translation>Dewpoint は予期せず終了しました。「%1」の未保存の変更（%2）を復元できます。</translation>
     </message>
     <message>
-        <source>Recover it</source>
+        <source>Recover</source>
         <translation>復元する</translation>
     </message>
     <message>
-        <source>Throw it away</source>
-        <translation>破棄する</translation>
+        <source>Discard</source>
+        <translation>破棄</translation>
     </message>
     <message>
-        <source>Unsaved work on “%1” was thrown away.</source>
-        <translation>「%1」の未保存の作業を破棄しました。</translation>
+        <source>Unsaved changes to “%1” were discarded.</source>
+        <translation>「%1」の未保存の変更を破棄しました。</translation>
     </message>
     <message>
-        <source>Take it back</source>
+        <source>Undo</source>
         <translation>元に戻す</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>Put %1 here: x %2, y %3, z %4. Then %5 of the volume is within %6, instead of %7.</source>
-        <translation>%1 をここに置く：x %2、y %3、z %4。空間の %5 が %6 以内になります（現在は %7）。</translation>
+        <source>With %1 here (x %2, y %3, z %4), %5 of the volume is within %6, instead of %7.</source>
+        <translation>%1 をここ（x %2、y %3、z %4）に置くと、空間の %5 が %6 以内になります（現在は %7）。</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::RunAlerts</name>
     <message>
-        <source>No camera was bumped.</source>
+        <source>No camera has moved.</source>
         <translation>動いたカメラはありません。</translation>
     </message>
     <message>
-        <source>%1 cannot be solved again now.</source>
-        <translation>%1 は今は解き直せません。</translation>
+        <source>The pose of %1 cannot be recomputed now.</source>
+        <translation>%1 の姿勢は今は計算し直せません。</translation>
     </message>
     <message>
-        <source>Re-solve %1</source>
-        <translation>%1 を解き直す</translation>
+        <source>Recompute %1</source>
+        <translation>%1 を再計算</translation>
     </message>
     <message>
-        <source>%1 is calibrated as it stands now. Undo takes it back.</source>
-        <translation>%1 を現在の姿勢に校正しました。元に戻すで取り消せます。</translation>
+        <source>The pose of %1 was recomputed. Undo restores the previous pose.</source>
+        <translation>%1 の姿勢を計算し直しました。「元に戻す」で以前の姿勢に戻せます。</translation>
     </message>
     <message>
-        <source>The target was %1 beside where the others see it, and is %2 now.</source>
-        <translation>ターゲットは他のカメラが見る位置から %1 ずれていましたが、今は %2 です。</translation>
+        <source>Disagreement with the other cameras: %1 before, %2 now.</source>
+        <translation>他のカメラとのずれ：以前 %1、今 %2。</translation>
     </message>
     <message>
-        <source>Done: %1. Undo takes it back.</source>
+        <source>Done: %1. You can undo this.</source>
         <translation>完了: %1。「元に戻す」で取り消せます。</translation>
     </message>
 </context>
@@ -6517,7 +6517,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>中央値 %1、100 回中 99 回は %2 以内、最長 %3</translation>
     </message>
     <message>
-        <source>none is set</source>
+        <source>not set</source>
         <translation>設定なし</translation>
     </message>
     <message>
@@ -6525,12 +6525,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%1、この実行の反復の %2 % で守られました</translation>
     </message>
     <message>
-        <source>Time per iteration, median</source>
+        <source>Median time per iteration</source>
         <translation>1 反復の時間（中央値）</translation>
     </message>
     <message>
-        <source>From a frame to its estimate</source>
-        <translation>フレームからその推定まで</translation>
+        <source>Time from frame to estimate</source>
+        <translation>フレームから推定までの時間</translation>
     </message>
     <message>
         <source>Time budget per iteration</source>
@@ -6553,8 +6553,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>乱数のシード</translation>
     </message>
     <message>
-        <source>Kept of the past</source>
-        <translation>保持している過去</translation>
+        <source>History memory</source>
+        <translation>履歴のメモリ</translation>
     </message>
     <message>
         <source>%1 of %2 particles</source>
@@ -6568,7 +6568,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
 <context>
     <name>dewpoint::ui::SessionController</name>
     <message>
-        <source>Restart the run? What was tracked so far is lost.</source>
+        <source>Restart the run? The results so far will be lost.</source>
         <translation>実行を最初からやり直しますか？これまでの追跡結果は失われます。</translation>
     </message>
     <message>
@@ -6603,7 +6603,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>ショートカット</translation>
     </message>
     <message>
-        <source>What it does</source>
+        <source>Description</source>
         <translation>説明</translation>
     </message>
     <message>
@@ -6623,7 +6623,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>ショートカットなし</translation>
     </message>
     <message>
-        <source>Take the shortcut of the chosen action away</source>
+        <source>Remove the shortcut of the selected action</source>
         <translation>選んだ操作のショートカットを外します</translation>
     </message>
     <message>
@@ -6631,27 +6631,27 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>すべて元に戻す</translation>
     </message>
     <message>
-        <source>All shortcuts as they were at first</source>
-        <translation>すべてのショートカットを最初の状態にします</translation>
+        <source>Reset all shortcuts to their defaults</source>
+        <translation>すべてのショートカットを既定に戻します</translation>
     </message>
     <message>
         <source>Choose an action, click into the field below and press the new keys.</source>
         <translation>操作を選び、下の欄をクリックして新しいキーを押してください。</translation>
     </message>
     <message>
-        <source>“%1” has no shortcut now.</source>
+        <source>“%1” no longer has a shortcut.</source>
         <translation>「%1」のショートカットはなくなりました。</translation>
     </message>
     <message>
-        <source>All shortcuts are as they were at first.</source>
-        <translation>すべてのショートカットは最初の状態です。</translation>
+        <source>All shortcuts were reset to their defaults.</source>
+        <translation>すべてのショートカットを既定に戻しました。</translation>
     </message>
     <message>
         <source>“%1” is now %2.</source>
         <translation>「%1」は %2 になりました。</translation>
     </message>
     <message>
-        <source>“%1” is now %2; “%3” has lost it.</source>
+        <source>“%1” is now %2; it was removed from “%3”.</source>
         <translation>「%1」は %2 になり、「%3」からは外れました。</translation>
     </message>
     <message>
@@ -6659,7 +6659,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Close; changed shortcuts are kept already</source>
+        <source>Close; changed shortcuts are already saved</source>
         <translation>閉じる（変更したショートカットは保存済み）</translation>
     </message>
 </context>
@@ -6676,8 +6676,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>%1 倍</translation>
     </message>
     <message>
-        <source>How fast the recording is played. Live cameras are always tracked as they come.</source>
-        <translation>録画を再生する速さ。ライブカメラは常に届くままに追跡します。</translation>
+        <source>Playback speed of the recording. Live cameras are always tracked in real time.</source>
+        <translation>録画の再生速度。ライブカメラは常にリアルタイムで追跡します。</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6715,7 +6715,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>1 秒間隠れる</translation>
     </message>
     <message>
-        <source>A box passes in front of the ball. One camera is enough to keep it.</source>
+        <source>A box passes in front of the ball. One camera is enough to keep tracking it.</source>
         <translation>箱がボールの前を横切ります。カメラ 1 台だけで追跡を保てます。</translation>
     </message>
     <message>
@@ -6727,15 +6727,15 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>オフィスの人々</translation>
     </message>
     <message>
-        <source>Four cameras carve everybody out of space, and give each a number.</source>
-        <translation>4 台のカメラが全員を空間から切り出し、それぞれに番号を付けます。</translation>
+        <source>Four cameras find everyone in 3D and give each person a number.</source>
+        <translation>4 台のカメラが全員を 3D で見つけ、それぞれに番号を付けます。</translation>
     </message>
     <message>
         <source>One camera and a box</source>
         <translation>カメラ 1 台と枠</translation>
     </message>
     <message>
-        <source>No calibration: a box in the image is followed by its colors.</source>
+        <source>No calibration: a box in the image is tracked by its colors.</source>
         <translation>キャリブレーションなし：画像の中の枠を色で追跡します。</translation>
     </message>
     <message>
@@ -6743,7 +6743,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>手動で校正</translation>
     </message>
     <message>
-        <source>Drag a grid over the images until it lies on the floor.</source>
+        <source>Drag a grid over the images until it matches the floor.</source>
         <translation>画像の上で格子を床に重なるまでドラッグします。</translation>
     </message>
     <message>
@@ -6755,7 +6755,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>2 台のシミュレーションのカメラがピンクのボールを見ています。パーティクルフィルタがそれを見つけ、空間を追跡します。一時停止しても、過去を表示しても、何を変えても、壊れることはありません。</translation>
     </message>
     <message>
-        <source>Your own</source>
+        <source>Your own data</source>
         <translation>自分のデータ</translation>
     </message>
     <message>
@@ -6771,7 +6771,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>カメラを使う…</translation>
     </message>
     <message>
-        <source>Connected ones, or network streams</source>
+        <source>Connected cameras or network streams</source>
         <translation>接続されたカメラ、またはネットワーク映像</translation>
     </message>
     <message>
@@ -6779,11 +6779,11 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>One that was saved before</source>
-        <translation>以前に保存したもの</translation>
+        <source>A project saved earlier</source>
+        <translation>以前に保存したプロジェクト</translation>
     </message>
     <message>
-        <source>Four balls alike</source>
+        <source>Four identical balls</source>
         <translation>そっくりな 4 つのボール</translation>
     </message>
 </context>
@@ -6838,16 +6838,16 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>過去を表示中</translation>
     </message>
     <message>
-        <source>Playing, paused, at the end, looking back at an earlier moment, or tracking it again</source>
-        <translation>再生中、一時停止、終端、過去の時点を表示中、または再追跡中</translation>
+        <source>Playing, paused, at the end, looking back at an earlier frame, or tracking it again</source>
+        <translation>再生中、一時停止、終端、過去のフレームを表示中、または再追跡中</translation>
     </message>
     <message>
-        <source>held where it is thought to be</source>
-        <translation>あると思われる場所に保っています</translation>
+        <source>held at its estimated position</source>
+        <translation>推定位置に保っています</translation>
     </message>
     <message>
-        <source>click it or drag a box around it</source>
-        <translation>クリックするか、囲むようにドラッグ</translation>
+        <source>click the object or drag a box around it</source>
+        <translation>物体をクリックするか、枠で囲む</translation>
     </message>
     <message>
         <source>x %1  y %2  %3 × %4</source>
@@ -6862,20 +6862,20 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>○ 人物：%1、探索中</translation>
     </message>
     <message>
-        <source>others fit as well: press X, drag the target</source>
-        <translation>ほかも同じくらい合います：X を押してターゲットをドラッグ</translation>
+        <source>other objects fit equally well: press X, drag the target</source>
+        <translation>別の物体も同じくらい合います：X を押してターゲットをドラッグ</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Lost: not held for a second.</source>
-        <translation>追跡中：カメラが推定を裏付けています。あいまい：ほかにも同じくらい合うものがあります。見失い：1 秒間追跡できていません。</translation>
+        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Lost: not held for more than a second.</source>
+        <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。見失い：1 秒以上追跡できていません。</translation>
     </message>
     <message>
         <source>± %1</source>
         <translation>± %1</translation>
     </message>
     <message>
-        <source>How exactly the position is known: the standard deviation in 3D, x, y and z together (the plots show each)</source>
-        <translation>位置がどれだけ正確に分かっているか：x、y、z を合わせた 3D の標準偏差（それぞれはグラフに表示）</translation>
+        <source>Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the plots show each of them)</source>
+        <translation>位置の不確かさ：x、y、z を合わせた 3D の標準偏差（それぞれはグラフに表示）</translation>
     </message>
     <message>
         <source>%1 m/s</source>
@@ -6890,8 +6890,8 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>詳細</translation>
     </message>
     <message>
-        <source>Times, particles, and what is kept of the past</source>
-        <translation>時間、粒子、保持している過去</translation>
+        <source>Times, particles and history memory</source>
+        <translation>時間、粒子、履歴のメモリ</translation>
     </message>
 </context>
 <context>
@@ -6921,7 +6921,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>不明</translation>
     </message>
     <message>
-        <source>Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated.</source>
+        <source>Radius of the ball, 0 to 2,000 mm. If unknown, it is estimated.</source>
         <translation>ボールの半径、0〜2,000 mm。不明の場合は推定します。</translation>
     </message>
     <message>
@@ -6941,15 +6941,15 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>任意</translation>
     </message>
     <message>
-        <source>Ball: its outline is a circle in every image. Any: its extent is learned, and its center is that of its color. Automatic: the images decide. Only method dewpoint uses this.</source>
-        <translation>ボール: どの画像でも輪郭は円です。任意: 広がりを学習し、中心はその色の中心です。自動: 画像から判断します。手法 dewpoint だけが使います。</translation>
+        <source>Ball: the outline is a circle in every image. Any: the size is learned, and the center is the center of the color. Automatic: determined from the images. Only method dewpoint uses this.</source>
+        <translation>ボール: どの画像でも輪郭は円です。任意: 大きさを学習し、中心はその色の中心です。自動: 画像から判断します。手法 dewpoint だけが使います。</translation>
     </message>
     <message>
-        <source>No target yet: click the thing to follow in any camera image.</source>
-        <translation>ターゲットはまだありません。カメラ画像で追跡したいものをクリックしてください。</translation>
+        <source>No target yet: click the object to track in any camera image.</source>
+        <translation>ターゲットはまだありません。カメラ画像で追跡したい物体をクリックしてください。</translation>
     </message>
     <message>
-        <source>The color of a target is learned by clicking it in a camera image.</source>
+        <source>Click a target in a camera image to learn its color.</source>
         <translation>カメラ画像でターゲットをクリックすると色を学習します。</translation>
     </message>
     <message>
@@ -6969,12 +6969,12 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>ターゲットを取り除く</translation>
     </message>
     <message>
-        <source>Click the thing or drag a box around it in any camera view: it is followed from there on.</source>
-        <translation>どれかのカメラ画像で、物をクリックするか、囲むようにドラッグしてください。そこから追跡します。</translation>
+        <source>Click the object or drag a box around it in any camera view. It is tracked from there.</source>
+        <translation>どれかのカメラ画像で、物体をクリックするか、枠で囲んでください。そこから追跡します。</translation>
     </message>
     <message>
-        <source>No box at this moment.</source>
-        <translation>この時点では枠がありません。</translation>
+        <source>No box in this frame.</source>
+        <translation>このフレームには枠がありません。</translation>
     </message>
     <message>
         <source>%1, in %2
@@ -7038,23 +7038,23 @@ Effective sample size %8 of %9</source>
         <translation>スレッド数</translation>
     </message>
     <message>
-        <source>as suits this machine</source>
-        <translation>このコンピューターに合わせる</translation>
+        <source>automatic</source>
+        <translation>自動</translation>
     </message>
     <message>
-        <source>How many threads share the work of the filter; results are the same with any number</source>
-        <translation>フィルターの処理を分担するスレッド数。いくつでも結果は同じです</translation>
+        <source>Number of threads of the filter; it does not change the results</source>
+        <translation>フィルターのスレッド数。結果は変わりません</translation>
     </message>
     <message>
-        <source>Used from the next frame on.</source>
-        <translation>次のフレームから使われます。</translation>
+        <source>The new number is used from the next frame.</source>
+        <translation>新しい数は次のフレームから使われます。</translation>
     </message>
     <message>
         <source>OK</source>
         <translation>OK</translation>
     </message>
     <message>
-        <source>Keep this number</source>
+        <source>Use this number</source>
         <translation>この数にする</translation>
     </message>
     <message>
@@ -7069,11 +7069,11 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::Timeline</name>
     <message>
-        <source>Memory for going back in the run: images, particles and copies of the method. When it is full, older moments keep their estimates only.</source>
-        <translation>実行をさかのぼるためのメモリ: 画像、パーティクル、手法の複製。いっぱいになると、古い時点は推定値だけが残ります。</translation>
+        <source>Memory for looking back: images, particles and copies of the method. When it is full, only the estimates of older frames are kept.</source>
+        <translation>過去を表示するためのメモリ: 画像、パーティクル、手法の複製。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
     </message>
     <message>
-        <source>Nothing tracked yet: play (Space), then drag here through time.</source>
+        <source>Nothing tracked yet: press play (Space), then drag here to move through time.</source>
         <translation>まだ追跡していません: 再生 (スペース) してから、ここをドラッグして時間を移動します。</translation>
     </message>
     <message>
@@ -7081,8 +7081,8 @@ Effective sample size %8 of %9</source>
         <translation>タイムライン</translation>
     </message>
     <message>
-        <source>The change holds from now on. “%1” shows what it makes of this moment.</source>
-        <translation>変更は今後に適用されます。「%1」でこの時点からの結果を確かめられます。</translation>
+        <source>The change applies to new frames. Use “%1” to track again from the current frame.</source>
+        <translation>変更は新しいフレームに適用されます。「%1」で現在のフレームから追跡し直せます。</translation>
     </message>
 </context>
 <context>
@@ -7092,36 +7092,36 @@ Effective sample size %8 of %9</source>
         <translation>ボールが%1</translation>
     </message>
     <message>
-        <source>What the ball does at the moment</source>
-        <translation>その瞬間のボールの状態</translation>
+        <source>What the ball does at this time</source>
+        <translation>この時刻のボールの状態</translation>
     </message>
     <message>
-        <source>Three places of the floor, or a fall, tell where up is</source>
-        <translation>床の3か所、または落下から上の向きが分かります</translation>
+        <source>The upward direction comes from three positions on the floor, or from a fall</source>
+        <translation>上の向きは、床の3か所、または落下から求めます</translation>
     </message>
     <message>
-        <source>Take this moment</source>
-        <translation>この瞬間を取り込む</translation>
+        <source>Add current time</source>
+        <translation>現在の時刻を追加</translation>
     </message>
     <message>
-        <source>The moment that the images show is one at which the ball does this</source>
-        <translation>表示中の瞬間に、ボールはこの状態です</translation>
+        <source>Add the time of the images shown as one at which the ball does this</source>
+        <translation>表示中の画像の時刻を、ボールがこの状態にある時刻として追加します</translation>
     </message>
     <message>
-        <source>Remove moment</source>
-        <translation>瞬間を除く</translation>
+        <source>Remove time</source>
+        <translation>時刻を削除</translation>
     </message>
     <message>
-        <source>Take the chosen moment off the list</source>
-        <translation>選んだ瞬間を一覧から除く</translation>
+        <source>Remove the selected time from the list</source>
+        <translation>選んだ時刻を一覧から削除します</translation>
     </message>
     <message>
-        <source>Moments taken</source>
-        <translation>取り込んだ瞬間</translation>
+        <source>Added times</source>
+        <translation>追加した時刻</translation>
     </message>
     <message>
-        <source>Double click or Enter shows the moment</source>
-        <translation>ダブルクリックまたは Enter でその瞬間を表示</translation>
+        <source>Double-click or press Enter to show the images of this time</source>
+        <translation>ダブルクリックまたは Enter でその時刻の画像を表示</translation>
     </message>
     <message>
         <source>%1 – %2</source>
@@ -7143,7 +7143,7 @@ Effective sample size %8 of %9</source>
         <translation>時間, s</translation>
     </message>
     <message>
-        <source>Seconds, of the frame</source>
+        <source>Time of the frame, in seconds</source>
         <translation>フレームの時刻（秒）</translation>
     </message>
     <message>
@@ -7199,7 +7199,7 @@ Effective sample size %8 of %9</source>
         <translation>存在確率</translation>
     </message>
     <message>
-        <source>Probability that the target is where the estimate says</source>
+        <source>Probability that the target is at the estimated position</source>
         <translation>推定どおりの位置にターゲットがある確率</translation>
     </message>
     <message>
@@ -7215,8 +7215,8 @@ Effective sample size %8 of %9</source>
         <translation>◇ あいまい</translation>
     </message>
     <message>
-        <source>Held: the cameras confirm the estimate. Ambiguous: something else fits about as well. Corrected: you said where the target is</source>
-        <translation>追跡中：カメラが推定を裏付けています。あいまい：ほかにも同じくらい合うものがあります。修正済み：ターゲットの位置をあなたが指定しました</translation>
+        <source>Held: the cameras confirm the estimate. Ambiguous: another object fits about as well. Corrected: you set the position</source>
+        <translation>追跡中：カメラが推定を裏付けています。あいまい：別の物体も同じくらい合います。修正済み：位置をあなたが指定しました</translation>
     </message>
 </context>
 <context>
@@ -7268,11 +7268,11 @@ Effective sample size %8 of %9</source>
         <translation>枠を CSV としてクリップボードにコピーしました。</translation>
     </message>
     <message>
-        <source>Remove the correction</source>
+        <source>Remove correction</source>
         <translation>修正を取り消す</translation>
     </message>
     <message>
-        <source>Speed and height appear when tracking runs.</source>
+        <source>Speed and height appear during tracking.</source>
         <translation>追跡を実行すると、速さと高さが表示されます。</translation>
     </message>
 </context>
@@ -7283,8 +7283,8 @@ Effective sample size %8 of %9</source>
         <translation>鳥瞰図にマップを表示</translation>
     </message>
     <message>
-        <source>How far off a target is expected to be at each place; it follows every move of a camera</source>
-        <translation>各場所でターゲットがどれだけずれると予想されるか。カメラの動きに追従します</translation>
+        <source>Expected position error of a target at each point; updated whenever a camera moves</source>
+        <translation>各点でのターゲットの予想位置誤差。カメラの動きに追従します</translation>
     </message>
     <message>
         <source>Colors show</source>
@@ -7299,28 +7299,28 @@ Effective sample size %8 of %9</source>
         <translation>カメラの数</translation>
     </message>
     <message>
-        <source>What the colors show</source>
+        <source>Meaning of the colors</source>
         <translation>色が示すもの</translation>
     </message>
     <message>
-        <source>The expected error (standard deviation along the worst direction), or how many cameras see a place</source>
-        <translation>予想誤差（最も悪い方向の標準偏差）、またはその場所が見えるカメラの数</translation>
+        <source>The expected error (standard deviation in the worst direction), or the number of cameras that see a point</source>
+        <translation>予想誤差（最も悪い方向の標準偏差）、またはその点が見えるカメラの数</translation>
     </message>
     <message>
-        <source>Good enough</source>
-        <translation>十分な精度</translation>
+        <source>Acceptable error</source>
+        <translation>許容誤差</translation>
     </message>
     <message>
-        <source>The error that is good enough: up to it the map is blue, and it is what the sentence and the search for a place go by</source>
-        <translation>十分とみなす誤差：ここまでマップは青く、文と場所の探索もこれに従います</translation>
+        <source>Errors up to this value are blue in the map. The summary and the search for a camera position use it, too</source>
+        <translation>この値までの誤差はマップで青になります。要約とカメラ位置の探索にも使われます</translation>
     </message>
     <message>
-        <source>Error of a sighting</source>
-        <translation>観測の誤差</translation>
+        <source>Detection error</source>
+        <translation>検出誤差</translation>
     </message>
     <message>
-        <source>How far off a target is found in an image, in pixels (one standard deviation)</source>
-        <translation>画像内で見つかるターゲットのずれ（ピクセル、標準偏差）</translation>
+        <source>Error of a target&apos;s position in an image, in pixels (one standard deviation)</source>
+        <translation>画像内のターゲットの位置の誤差（ピクセル、標準偏差）</translation>
     </message>
     <message>
         <source>Layer at</source>
@@ -7343,12 +7343,12 @@ Effective sample size %8 of %9</source>
         <translation>層の高さ（メートル）</translation>
     </message>
     <message>
-        <source>Volume: surfaces around what is good and what is fair</source>
-        <translation>空間：良い範囲とまずまずの範囲を囲む面</translation>
+        <source>Surfaces around good and fair regions</source>
+        <translation>良い範囲とまずまずの範囲を囲む面</translation>
     </message>
     <message>
-        <source>Show through the room where the error is at most 0.4, 1 and 2 times what is good enough, or where two, three and four cameras see</source>
-        <translation>誤差が十分な値の0.4倍、1倍、2倍以下の範囲、または2台、3台、4台のカメラから見える範囲を空間全体で表示</translation>
+        <source>Show surfaces in the room where the error is at most 0.4, 1 and 2 times the acceptable error, or where two, three and four cameras see</source>
+        <translation>誤差が許容誤差の 0.4 倍、1 倍、2 倍以下の範囲、または 2 台、3 台、4 台のカメラから見える範囲の面を部屋に表示</translation>
     </message>
     <message>
         <source>Volume from x, y, z</source>
@@ -7363,7 +7363,7 @@ Effective sample size %8 of %9</source>
         <translation>空間の始まり %1</translation>
     </message>
     <message>
-        <source>Where the volume begins, in meters</source>
+        <source>Lower corner of the volume, in meters</source>
         <translation>空間の始まり（メートル）</translation>
     </message>
     <message>
@@ -7371,11 +7371,11 @@ Effective sample size %8 of %9</source>
         <translation>空間の終わり %1</translation>
     </message>
     <message>
-        <source>Where the volume ends, in meters</source>
+        <source>Upper corner of the volume, in meters</source>
         <translation>空間の終わり（メートル）</translation>
     </message>
     <message>
-        <source>Like the reference grid</source>
+        <source>Use reference grid</source>
         <translation>基準グリッドに合わせる</translation>
     </message>
     <message>
@@ -7394,11 +7394,11 @@ Effective sample size %8 of %9</source>
         <translation>正面</translation>
     </message>
     <message>
-        <source>Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <source>View from above: X to the right, Y up. Drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>上から見る：X は右、Y は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
     </message>
     <message>
-        <source>Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to see everything.</source>
+        <source>View from the front: X to the right, Z up. Drag to move, scroll to zoom, double-click to show everything.</source>
         <translation>正面から見る：X は右、Z は上。ドラッグで移動、ホイールで拡大縮小、ダブルクリックで全体を表示。</translation>
     </message>
     <message>
@@ -7414,7 +7414,7 @@ Effective sample size %8 of %9</source>
         <translation>全体</translation>
     </message>
     <message>
-        <source>See everything again, in the same view. Double click does it too.</source>
+        <source>Fit everything in the view, in the same direction (or double-click)</source>
         <translation>同じ視点でもう一度全体を表示。ダブルクリックでも可。</translation>
     </message>
     <message>
@@ -7464,11 +7464,11 @@ Effective sample size %8 of %9</source>
         <translation>探索範囲の終点 %1</translation>
     </message>
     <message>
-        <source>Where the volume of interest begins, in meters; targets are searched for in it alone</source>
+        <source>Lower corner of the volume of interest, in meters; targets are searched for only inside it</source>
         <translation>探索範囲の始点（メートル）。ターゲットはこの中だけで探します</translation>
     </message>
     <message>
-        <source>Where the volume of interest ends, in meters; targets are searched for in it alone</source>
+        <source>Upper corner of the volume of interest, in meters; targets are searched for only inside it</source>
         <translation>探索範囲の終点（メートル）。ターゲットはこの中だけで探します</translation>
     </message>
     <message>
@@ -7476,7 +7476,7 @@ Effective sample size %8 of %9</source>
         <translation>カメラから</translation>
     </message>
     <message>
-        <source>Search for targets in the box around what at least two cameras see</source>
+        <source>Search for targets in the box around the region that at least two cameras see</source>
         <translation>少なくとも二台のカメラに写る範囲を囲む箱の中でターゲットを探します</translation>
     </message>
     <message>
@@ -7496,11 +7496,11 @@ Effective sample size %8 of %9</source>
         <translation>探索範囲を解除</translation>
     </message>
     <message>
-        <source>Targets are searched for in this box alone.</source>
+        <source>Targets are searched for only inside this box.</source>
         <translation>ターゲットはこの箱の中だけで探します。</translation>
     </message>
     <message>
-        <source>None: targets are searched for anywhere. The numbers are what the cameras see; change one to search in a box.</source>
+        <source>None: targets are searched for everywhere. The numbers show the region that the cameras see; change one of them to search in a box.</source>
         <translation>なし：ターゲットはあらゆる場所で探します。数値はカメラに写る範囲です。変更すると箱の中で探します。</translation>
     </message>
     <message>
@@ -7515,28 +7515,24 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WandCalibrationPage</name>
     <message>
-        <source>Nudge the cameras by hand until they are roughly right. Then wave the ball, or a stick with two balls, through the whole volume, and refine.</source>
-        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いた棒を空間全体で振り、精密化します。</translation>
+        <source>Align the cameras by hand until they are roughly right. Then wave the ball, or a wand with two balls, through the whole volume, and refine.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。次にボール、または2つのボールの付いたワンドを空間全体で振り、精密化します。</translation>
     </message>
     <message>
-        <source>Nudge the cameras by hand until they are roughly right. A recording of a ball, or a stick with two balls, waved through the whole volume then makes them exact.</source>
-        <translation>まず手作業でカメラをおおよそ合わせます。ボール、または2つのボールの付いた棒を空間全体で振った録画から、正確に求められます。</translation>
+        <source>Align the cameras by hand until they are roughly right. A recording in which you wave a ball, or a wand with two balls, through the whole volume then refines them.</source>
+        <translation>まず手作業でカメラをおおよそ合わせます。ボール、または2つのボールの付いたワンドを空間全体で振った録画から、カメラを精密化します。</translation>
     </message>
     <message>
-        <source>Where the floor is</source>
-        <translation>床の位置</translation>
+        <source>Floor</source>
+        <translation>床</translation>
     </message>
     <message>
-        <source>Waving</source>
-        <translation>振る</translation>
+        <source>Wand</source>
+        <translation>ワンド</translation>
     </message>
     <message>
         <source>Refine</source>
         <translation>精密化</translation>
-    </message>
-    <message>
-        <source>Wave</source>
-        <translation>振る</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -7546,16 +7542,16 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::WandCalibrator</name>
     <message>
-        <source>Press Start waving, and wave for half a minute where things are to be tracked.</source>
-        <translation>「振り始める」を押し、追跡する場所で30秒ほど振ってください。</translation>
+        <source>Press Start waving, then wave for half a minute in the volume in which you want to track.</source>
+        <translation>「振り始める」を押し、追跡したい空間で30秒ほど振ってください。</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved stick</source>
-        <translation>振った棒でカメラを精密化</translation>
+        <source>Refine cameras with a wand</source>
+        <translation>ワンドでカメラを精密化</translation>
     </message>
     <message>
-        <source>Refine cameras with a waved ball</source>
-        <translation>振ったボールでカメラを精密化</translation>
+        <source>Refine cameras with a ball</source>
+        <translation>ボールでカメラを精密化</translation>
     </message>
 </context>
 <context>
@@ -7569,59 +7565,59 @@ Effective sample size %8 of %9</source>
         <translation>ボールの直径 %1</translation>
     </message>
     <message>
-        <source>the cameras as they are</source>
-        <translation>今のカメラのまま</translation>
+        <source>the current cameras</source>
+        <translation>現在のカメラ</translation>
     </message>
     <message>
-        <source>a distance touched</source>
-        <translation>触れた2点の距離</translation>
+        <source>a known distance</source>
+        <translation>既知の距離</translation>
     </message>
     <message>
-        <source>Waved</source>
-        <translation>振るもの</translation>
+        <source>Wand</source>
+        <translation>ワンド</translation>
     </message>
     <message>
         <source>one ball</source>
         <translation>1つのボール</translation>
     </message>
     <message>
-        <source>a stick with two balls</source>
-        <translation>2つのボールの付いた棒</translation>
+        <source>wand with two balls</source>
+        <translation>2つのボールの付いたワンド</translation>
     </message>
     <message>
-        <source>What is waved</source>
-        <translation>何を振るか</translation>
+        <source>Kind of wand</source>
+        <translation>ワンドの種類</translation>
     </message>
     <message>
-        <source>A stick also gives the size, better than anything else</source>
-        <translation>棒は大きさも与え、ほかの何よりも正確です</translation>
+        <source>A wand with two balls also gives the size, more accurately than the other ways</source>
+        <translation>2つのボールの付いたワンドからは大きさも求まり、ほかの方法より正確です</translation>
     </message>
     <message>
         <source>Ball</source>
         <translation>ボール</translation>
     </message>
     <message>
-        <source>The target that is waved: its color is looked for</source>
-        <translation>振るターゲット。その色を探します</translation>
+        <source>The target that you wave; it is detected by its color</source>
+        <translation>振るターゲット。色で検出します</translation>
     </message>
     <message>
         <source>Second ball</source>
         <translation>2つ目のボール</translation>
     </message>
     <message>
-        <source>The target at the other end of the stick</source>
-        <translation>棒のもう一方の端のターゲット</translation>
+        <source>The target at the other end of the wand</source>
+        <translation>ワンドのもう一方の端のターゲット</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>長さ</translation>
     </message>
     <message>
-        <source>Length of the stick</source>
-        <translation>棒の長さ</translation>
+        <source>Length of the wand</source>
+        <translation>ワンドの長さ</translation>
     </message>
     <message>
-        <source>From the middle of one ball to that of the other</source>
+        <source>From the center of one ball to the center of the other</source>
         <translation>一方のボールの中心からもう一方の中心まで</translation>
     </message>
     <message>
@@ -7633,44 +7629,44 @@ Effective sample size %8 of %9</source>
         <translation>大きさの基準</translation>
     </message>
     <message>
-        <source>What gives the size</source>
-        <translation>大きさを与えるもの</translation>
+        <source>Source of the size</source>
+        <translation>大きさの求め方</translation>
     </message>
     <message>
-        <source>Images alone do not tell a large room from a small one: a diameter is good to about one percent, a distance to what you measure</source>
-        <translation>画像だけでは大きな部屋と小さな部屋を区別できません。直径なら約1パーセント、距離なら測定の精度です</translation>
+        <source>Images alone cannot show whether a room is large or small. A diameter is accurate to about one percent, a distance as accurately as you measure it</source>
+        <translation>画像だけでは部屋が大きいか小さいか分かりません。直径なら約1パーセント、距離なら測定の精度です</translation>
     </message>
     <message>
         <source>Distance</source>
         <translation>距離</translation>
     </message>
     <message>
-        <source>Distance touched</source>
-        <translation>触れた距離</translation>
+        <source>Known distance</source>
+        <translation>既知の距離</translation>
     </message>
     <message>
-        <source>Between the two places that the middle of the ball was held at</source>
-        <translation>ボールの中心を置いた2か所の間</translation>
+        <source>Distance between the two positions at which you held the center of the ball</source>
+        <translation>ボールの中心を置いた2か所の間の距離</translation>
     </message>
     <message>
-        <source>Off by up to</source>
-        <translation>ずれの上限</translation>
+        <source>Initial error</source>
+        <translation>初期誤差</translation>
     </message>
     <message>
-        <source>How far cameras may be off</source>
-        <translation>カメラの位置のずれ</translation>
+        <source>Initial position error</source>
+        <translation>位置の初期誤差</translation>
     </message>
     <message>
-        <source>How well the cameras are nudged: about how far each may be from its true place</source>
-        <translation>カメラがどれだけ合わせてあるか。真の位置からのおおよその距離</translation>
+        <source>Roughly how far each camera may be from its true position</source>
+        <translation>各カメラの真の位置からのおおよその距離</translation>
     </message>
     <message>
-        <source>How much cameras may be turned</source>
-        <translation>カメラの向きのずれ</translation>
+        <source>Initial rotation error</source>
+        <translation>回転の初期誤差</translation>
     </message>
     <message>
-        <source>About how far each may be turned from where it truly looks</source>
-        <translation>真の向きからのおおよその角度</translation>
+        <source>Roughly how far each camera may be rotated from its true orientation</source>
+        <translation>各カメラの真の向きからのおおよその角度</translation>
     </message>
     <message>
         <source>Find time offsets</source>
@@ -7685,7 +7681,7 @@ Effective sample size %8 of %9</source>
         <translation>焦点距離を求める</translation>
     </message>
     <message>
-        <source>For lenses that were never calibrated, or zoomed</source>
+        <source>For lenses that were never calibrated, or whose zoom has changed</source>
         <translation>較正していない、またはズームしたレンズのために</translation>
     </message>
     <message>
@@ -7693,7 +7689,7 @@ Effective sample size %8 of %9</source>
         <translation>歪み k1 を求める</translation>
     </message>
     <message>
-        <source>The first coefficient of each lens; needs a ball seen up to the edges of the images</source>
+        <source>The first distortion coefficient of each lens; the ball must be seen up to the edges of the images</source>
         <translation>各レンズの第1係数。画像の端までボールが見えている必要があります</translation>
     </message>
     <message>
@@ -7701,8 +7697,8 @@ Effective sample size %8 of %9</source>
         <translation>選択した区間だけ</translation>
     </message>
     <message>
-        <source>Look through the stretch selected in the timeline, not the whole recording</source>
-        <translation>録画全体ではなく、タイムラインで選択した区間を調べる</translation>
+        <source>Use only the part of the recording that is selected in the timeline</source>
+        <translation>録画のうち、タイムラインで選択した部分だけを使います</translation>
     </message>
 </context>
 <context>
@@ -7712,16 +7708,16 @@ Effective sample size %8 of %9</source>
         <translation>カメラを精密化</translation>
     </message>
     <message>
-        <source>Find the ball in all images, and the cameras that explain them best</source>
-        <translation>すべての画像でボールを見つけ、それを最もよく説明するカメラを求める</translation>
+        <source>Detect the ball in all images and compute the cameras that fit best</source>
+        <translation>すべての画像でボールを検出し、最もよく合うカメラを計算します</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Stop; the cameras stay as they are</source>
-        <translation>中止。カメラはそのままです</translation>
+        <source>Stop and keep the cameras unchanged</source>
+        <translation>中止し、カメラをそのままにします</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -7732,28 +7728,28 @@ Effective sample size %8 of %9</source>
         <translation>前の状態</translation>
     </message>
     <message>
-        <source>While it is pressed, the grid is drawn with the cameras as they were</source>
-        <translation>押している間、以前のカメラで格子を描く</translation>
+        <source>Hold down to draw the grid with the previous cameras</source>
+        <translation>押している間、以前のカメラで格子を描きます</translation>
     </message>
     <message>
         <source>Use it anyway</source>
         <translation>それでも使う</translation>
     </message>
     <message>
-        <source>Take these cameras although something seems to be wrong; it can be undone</source>
-        <translation>問題がありそうでもこのカメラを使う。元に戻せます</translation>
+        <source>Use these cameras although the result looks wrong; you can undo this</source>
+        <translation>結果に問題がありそうでもこのカメラを使います。元に戻せます</translation>
     </message>
     <message>
         <source>Save report…</source>
         <translation>レポートを保存…</translation>
     </message>
     <message>
-        <source>A page with all figures, residuals as arrows, coverage and a drawing in space</source>
-        <translation>すべての数値、残差の矢印、網羅範囲、空間の図を含むページ</translation>
+        <source>A page with all numbers, residuals as arrows, coverage and a 3D drawing</source>
+        <translation>すべての数値、残差の矢印、網羅範囲、3D の図を含むページ</translation>
     </message>
     <message>
-        <source>Cameras found</source>
-        <translation>求めたカメラ</translation>
+        <source>Refined cameras</source>
+        <translation>精密化したカメラ</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -7768,36 +7764,36 @@ Effective sample size %8 of %9</source>
         <translation>移動 cm</translation>
     </message>
     <message>
-        <source>turned °</source>
+        <source>rotated °</source>
         <translation>回転 °</translation>
     </message>
     <message>
-        <source>late ms</source>
+        <source>delay ms</source>
         <translation>遅れ ms</translation>
     </message>
     <message>
-        <source>Root mean square distance between seen and projected balls</source>
-        <translation>検出と投影のボールの距離の二乗平均平方根</translation>
+        <source>Reprojection error: root mean square distance between detected and projected balls</source>
+        <translation>再投影誤差：検出と投影のボールの距離の二乗平均平方根</translation>
     </message>
     <message>
-        <source>How far the camera is from where it was</source>
-        <translation>元の位置からのカメラの距離</translation>
+        <source>Distance between the old and the new position of the camera</source>
+        <translation>カメラの元の位置と新しい位置の距離</translation>
     </message>
     <message>
-        <source>How far it is turned from where it looked</source>
-        <translation>元の向きからの回転</translation>
+        <source>Angle between the old and the new orientation of the camera</source>
+        <translation>カメラの元の向きと新しい向きの角度</translation>
     </message>
     <message>
-        <source>The cameras are as they were.</source>
-        <translation>カメラは元のままです。</translation>
+        <source>The cameras are unchanged.</source>
+        <translation>カメラは変わっていません。</translation>
     </message>
     <message>
-        <source>Solutions without a part of the recording differ %1 times more than noise explains; the verdict includes that.</source>
-        <translation>録画の一部を除いた解の違いは、雑音で説明できる大きさの %1 倍です。判定にはそれが含まれています。</translation>
+        <source>Solutions from parts of the recording vary %1 times more than noise predicts. The stated accuracy includes this.</source>
+        <translation>録画の一部による解のばらつきは、雑音から予想される大きさの %1 倍です。示された精度にはそれが含まれています。</translation>
     </message>
     <message>
-        <source>The fall says %1 m/s² (9.81 is expected).</source>
-        <translation>落下からは %1 m/s²（期待値は 9.81）。</translation>
+        <source>The fall gives a gravity of %1 m/s² (9.81 is expected).</source>
+        <translation>落下から求めた重力は %1 m/s² です（期待値は 9.81）。</translation>
     </message>
     <message>
         <source>Save the report</source>
@@ -7808,31 +7804,31 @@ Effective sample size %8 of %9</source>
         <translation>ウェブページ (*.html)</translation>
     </message>
     <message>
-        <source>What was found of each camera; point at a heading to see what it means</source>
-        <translation>各カメラについて分かったこと。見出しを指すと意味が表示されます</translation>
+        <source>Results for each camera; hover over a heading to see its meaning</source>
+        <translation>各カメラの結果。見出しを指すと意味が表示されます</translation>
     </message>
     <message>
-        <source>The cameras were changed since; this is about how they were refined.</source>
-        <translation>カメラはその後変更されています。これは調整直後の状態についてのものです。</translation>
+        <source>The cameras have changed since this refinement.</source>
+        <translation>この精密化の後にカメラが変更されています。</translation>
     </message>
     <message>
-        <source>By how much its images are later than the first camera&apos;s, beyond what was known</source>
-        <translation>既知の値に加えて、最初のカメラより画像がどれだけ遅れているか</translation>
+        <source>Additional delay of this camera&apos;s images relative to the first camera</source>
+        <translation>最初のカメラに対する、このカメラの画像の追加の遅れ</translation>
     </message>
     <message>
-        <source>That is less sure than the cameras were (off by up to %1): wave through more of the volume.</source>
-        <translation>以前のカメラ（ずれは最大 %1）より不確かです。もっと広い範囲で振ってください。</translation>
+        <source>This is less accurate than the initial cameras (error up to %1): wave through more of the volume.</source>
+        <translation>最初のカメラ（誤差は最大 %1）より不正確です。もっと広い範囲で振ってください。</translation>
     </message>
     <message>
-        <source>How late cameras are is kept in the project: images are put together by it from now on.</source>
-        <translation>カメラの遅れはプロジェクトに記録され、以後の画像はそれに従って組み合わされます。</translation>
+        <source>Camera delays are saved in the project and used to synchronize images from now on.</source>
+        <translation>カメラの遅れはプロジェクトに保存され、以後の画像の同期に使われます。</translation>
     </message>
 </context>
 <context>
     <name>dewpoint::ui::WandWaving</name>
     <message>
-        <source>Collect where every camera sees the ball; beginning again forgets what was collected before</source>
-        <translation>各カメラがボールを見る位置を集める。始め直すと前のものは消えます</translation>
+        <source>Collect the positions of the ball in every camera; starting again discards what was collected before</source>
+        <translation>各カメラでのボールの位置を集めます。始め直すと前のものは破棄されます</translation>
     </message>
     <message>
         <source>■ Stop waving</source>
@@ -7863,12 +7859,12 @@ Effective sample size %8 of %9</source>
         <translation>どのカメラも十分に見ました。終えるか、精密化してください。</translation>
     </message>
     <message>
-        <source>Go on: each camera should see the ball 150 times, in half of its image.</source>
+        <source>Continue: each camera should see the ball 150 times, in half of its image.</source>
         <translation>続けてください。各カメラが画像の半分でボールを150回見る必要があります。</translation>
     </message>
     <message>
-        <source>Image sets left out because they came too fast: %1.</source>
-        <translation>速すぎて省かれた画像の組: %1。</translation>
+        <source>Frames skipped because they arrived too fast: %1.</source>
+        <translation>速すぎたため飛ばしたフレーム: %1。</translation>
     </message>
 </context>
 <context>
@@ -7922,8 +7918,8 @@ Effective sample size %8 of %9</source>
         <translation>このビューを表示します</translation>
     </message>
     <message>
-        <source>Speak this language</source>
-        <translation>この言語で表示します</translation>
+        <source>Switch to this language</source>
+        <translation>この言語に切り替えます</translation>
     </message>
     <message>
         <source>&amp;Help</source>

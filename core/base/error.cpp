@@ -34,7 +34,7 @@ const char* phrase(ErrorCode code) {
   case ErrorCode::NotFound:
     return "there is nothing of this name";
   case ErrorCode::Undetermined:
-    return "the observations do not settle it";
+    return "the observations do not determine it";
   case ErrorCode::Canceled:
     return "stopped on request";
   }

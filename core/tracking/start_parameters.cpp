@@ -24,7 +24,7 @@ ParameterDeclaration startCoordinate(const std::string& axis, double defaultValu
           100.0,
           0.01,
           defaultValue,
-          "World " + axis + " of the place where all particles start.",
+          "World " + axis + " coordinate of the point at which all particles start.",
           false,
           true,
           ParameterGroup::Start};

@@ -197,7 +197,7 @@ void CommandPalette::filter(const QString& search) {
     item->setData(Qt::UserRole, static_cast<int>(row));
   }
   if (rows.empty()) {
-    auto* nothing = new QListWidgetItem(tr("Nothing here is called “%1”.").arg(search), list_);
+    auto* nothing = new QListWidgetItem(tr("No action is called “%1”.").arg(search), list_);
     nothing->setSizeHint({0, kRowHeight});
     nothing->setFlags(Qt::NoItemFlags);
     return;

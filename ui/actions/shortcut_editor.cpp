@@ -69,16 +69,16 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
     setWindowTitle(tr("Shortcuts"));
     search_->setPlaceholderText(tr("Search"));
     search_->setAccessibleName(tr("Search actions"));
-    tree_->setHeaderLabels({tr("Action"), tr("Shortcut"), tr("What it does")});
+    tree_->setHeaderLabels({tr("Action"), tr("Shortcut"), tr("Description")});
     tree_->setAccessibleName(tr("Actions and their shortcuts"));
     keys_->setToolTip(tr("Click here and press the new keys of the chosen action"));
     keys_->setAccessibleName(tr("New shortcut"));
     clear_->setText(tr("No shortcut"));
-    clear_->setToolTip(tr("Take the shortcut of the chosen action away"));
+    clear_->setToolTip(tr("Remove the shortcut of the selected action"));
     resetAll_->setText(tr("Reset all"));
-    resetAll_->setToolTip(tr("All shortcuts as they were at first"));
+    resetAll_->setToolTip(tr("Reset all shortcuts to their defaults"));
     close_->setText(tr("Close"));
-    close_->setToolTip(tr("Close; changed shortcuts are kept already"));
+    close_->setToolTip(tr("Close; changed shortcuts are already saved"));
     fill();
     if (noteText_) {
       note_->setText(noteText_());
@@ -92,12 +92,12 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
   connect(clear_, &QPushButton::clicked, this, [this] {
     if (QAction* action = current()) {
       registry_.setShortcut(action, {});
-      showHint([action] { return tr("“%1” has no shortcut now.").arg(action->text()); });
+      showHint([action] { return tr("“%1” no longer has a shortcut.").arg(action->text()); });
     }
   });
   connect(resetAll_, &QPushButton::clicked, this, [this] {
     registry_.resetShortcuts();
-    showHint([] { return tr("All shortcuts are as they were at first."); });
+    showHint([] { return tr("All shortcuts were reset to their defaults."); });
   });
   connect(&registry_, &ActionRegistry::shortcutsChanged, this, &ShortcutEditor::fill);
   resize(680, 560);
@@ -163,9 +163,9 @@ void ShortcutEditor::assign() {
   const QString shown = keys.toString(QKeySequence::NativeText);
   registry_.setShortcut(action, keys);
   showHint([action, holder, shown] {
-    return holder == nullptr
-               ? tr("“%1” is now %2.").arg(action->text(), shown)
-               : tr("“%1” is now %2; “%3” has lost it.").arg(action->text(), shown, holder->text());
+    return holder == nullptr ? tr("“%1” is now %2.").arg(action->text(), shown)
+                             : tr("“%1” is now %2; it was removed from “%3”.")
+                                   .arg(action->text(), shown, holder->text());
   });
 }
 

@@ -145,7 +145,7 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
   if (there != pins.end()) {
     pins.erase(there);
   } else if (pins.size() >= static_cast<std::size_t>(kMostHeld)) {
-    Q_EMIT remark(tr("Three points are held already: click one of them to let go of it"));
+    Q_EMIT remark(tr("Three points are already held. Click one of them to release it"));
   } else if (const auto point = gridPointAt(seen, grid(), pixel, reach)) {
     pins.push_back(*point);
   }
@@ -195,16 +195,17 @@ void ManualCalibration::reportLimit(const Drag& result) {
   case DragLimit::None:
     break;
   case DragLimit::OutOfSight:
-    sentence = tr("No further: a point would leave what the camera can see");
+    sentence = tr("Limit reached: a point would leave the camera's field of view");
     break;
   case DragLimit::OneRay:
-    sentence = tr("No further: the held points and this one lie on one ray or line");
+    sentence = tr("Limit reached: the held points and this point lie on one ray or line");
     break;
   case DragLimit::OutOfReach:
-    sentence = tr("No further: no pose near this one shows the held points where they are");
+    sentence = tr("Limit reached: no nearby pose keeps the held points in place");
     break;
   case DragLimit::Fixed:
-    sentence = tr("Three held points fix the pose: let go of one, or let the focal length change");
+    sentence =
+        tr("Three held points fix the pose. Release one of them, or let the focal length change");
     break;
   }
   if (sentence != drag_->limit) {

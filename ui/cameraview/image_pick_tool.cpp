@@ -13,7 +13,7 @@ ImagePickTool::ImagePickTool(const CameraListModel& cameras, QObject* parent)
 void ImagePickTool::attach(int camera, CameraView* view) {
   auto* layer = new ImagePickOverlay(view);
   const auto name = [this, layer, camera] {
-    layer->setAccessibleName(tr("Image of %1: arrow keys move a cross, Enter points there")
+    layer->setAccessibleName(tr("Image of %1: arrow keys move a cross, Enter clicks there")
                                  .arg(cameras_.nameOf(camera)));
   };
   onRetranslate(layer, name);

@@ -19,7 +19,7 @@ void BoxPicker::point(const TrackSnapshotPtr& snapshot, int camera, const QRectF
   const bool there = snapshot && snapshot->frames && !snapshot->preview &&
                      index < snapshot->frames->frames.size() && snapshot->frames->frames[index];
   if (!there) {
-    Q_EMIT failed(tr("This camera shows no image to take a box from."));
+    Q_EMIT failed(tr("This camera shows no image in which a box could be set."));
     return;
   }
   const bool isBox = region.width() > 0.0 && region.height() > 0.0;

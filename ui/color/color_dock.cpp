@@ -53,7 +53,7 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
     return [&pick, camera, pixel, modifiers] { pick.pickAt(camera, pixel, modifiers); };
   };
   if (panel_->takesBoxes()) {
-    return {{QStringLiteral("imageTakeBox"), tr("Take a box here"),
+    return {{QStringLiteral("imageTakeBox"), tr("Set box here"),
              tr("Track this object, starting from a box around it"), true, point(Qt::NoModifier)}};
   }
   return {{QStringLiteral("imageLearnColor"), tr("Learn the color here"),
@@ -61,8 +61,8 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
           {QStringLiteral("imageAddSample"), tr("Add a sample here"),
            tr("Add this color to the target's (Shift-click does the same)"), panel_->hasTarget(),
            point(Qt::ShiftModifier)},
-          {QStringLiteral("imageExclude"), tr("This is not the target"),
-           tr("Exclude this color (Alt-click does the same)"), panel_->hasTarget(),
+          {QStringLiteral("imageExclude"), tr("Exclude this color"),
+           tr("Learn that this color is not the target (or Alt-click)"), panel_->hasTarget(),
            point(Qt::AltModifier)}};
 }
 
@@ -85,7 +85,7 @@ void ColorDock::connectActions() {
 
 void ColorDock::nameLearning() {
   bench_.actions.rename(bench_.action("actionLearnColor"),
-                        panel_->takesBoxes() ? QT_TRANSLATE_NOOP("Actions", "Take a box")
+                        panel_->takesBoxes() ? QT_TRANSLATE_NOOP("Actions", "Set box")
                                              : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
                         "learn");
 }

@@ -66,7 +66,7 @@ void ColorLearner::point(int camera, const QRectF& region, SampleAction action) 
     samples = project.targets[static_cast<std::size_t>(target_)].samples;
   }
   if (action == SampleAction::Exclude && samples.empty()) {
-    Q_EMIT failed(tr("Click the target first; then exclude what is not it."));
+    Q_EMIT failed(tr("Click the target first. Then exclude colors that are not the target."));
     return;
   }
   const int target = isNew ? -1 : target_;

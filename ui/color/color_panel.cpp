@@ -115,7 +115,7 @@ void ColorPanel::connectLearner() {
   connect(learner_, &ColorLearner::failed, this, &ColorPanel::failed);
   connect(learner_, &ColorLearner::busyChanged, this, [this](bool busy) {
     if (busy && !assessed_) {
-      assessmentText_->setText(tr("Looking at the images…"));
+      assessmentText_->setText(tr("Analyzing images…"));
     }
   });
 }
@@ -170,9 +170,9 @@ void ColorPanel::setPicking(bool picking) {
 
 QString ColorPanel::hint() const {
   if (takesBoxes()) {
-    return tr("Click the thing or drag a box around it");
+    return tr("Click the object or drag a box around it");
   }
-  return picking_ && !mustPoint() ? LearnModes::hintOf(mode_) : tr("Click the thing to follow");
+  return picking_ && !mustPoint() ? LearnModes::hintOf(mode_) : tr("Click the object to track");
 }
 
 void ColorPanel::setTarget(int target) {
@@ -218,8 +218,9 @@ void ColorPanel::refresh() {
   if (assessed_) {
     updateAssessment();
   } else {
-    assessmentText_->setText(any ? tr("Drag ring and bars, or press Learn and click the target.")
-                                 : tr("Click the thing to follow in any camera image."));
+    assessmentText_->setText(
+        any ? tr("Drag the ring and the bars, or press Learn and click the target.")
+            : tr("Click the object to track in any camera image."));
     clearRegions();
     if (any) {
       assessSoon_->start();
@@ -356,8 +357,8 @@ void ColorPanel::showBox() {
     const TargetBox& box = *project.targets[index].box;
     const auto camera = static_cast<std::size_t>(box.camera);
     assessmentText_->setText(
-        tr("Followed from its box in %1, frame %2: %3 × %4. This method needs no color; press "
-           "Box and click the thing for another box.")
+        tr("Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set "
+           "another box, press Box and click the object.")
             .arg(cameraName(camera < project.cameras.size() ? project.cameras[camera].camera.name
                                                             : std::string(),
                             camera))
@@ -365,7 +366,7 @@ void ColorPanel::showBox() {
             .arg(numberText(box.box.width, 0))
             .arg(pixelText(box.box.height, 0)));
   } else {
-    assessmentText_->setText(tr("Click the thing or drag a box around it in any camera view."));
+    assessmentText_->setText(tr("Click the object or drag a box around it in any camera view."));
   }
   setPicking(picking_);
 }

@@ -117,8 +117,8 @@ void ColorPicker::retranslateUi() {
     boxes_[i]->setToolTip(hints[i]);
     boxes_[i]->setAccessibleName(hints[i]);
   }
-  const QString how = tr("Drag the ends or the middle; with the keyboard, Tab chooses and the "
-                         "arrows move (with Shift ten times as far)");
+  const QString how = tr("Drag the ends or the center. Keyboard: Tab selects a handle, arrow keys "
+                         "move it (ten times as far with Shift)");
   for (QWidget* hand : std::initializer_list<QWidget*>{ring_, saturation_, intensity_}) {
     hand->setToolTip(how);
   }

@@ -43,12 +43,11 @@ ColorSampleList::ColorSampleList(QWidget* parent)
 void ColorSampleList::retranslateUi() {
   title_->setText(tr("Learned from"));
   list_->setAccessibleName(tr("Samples the color was learned from"));
-  list_->setToolTip(
-      tr("Shift-click in an image adds one, Alt-click or Ctrl+Shift-click excludes one. Samples "
-         "marked “found” were not clicked, but found in other cameras."));
+  list_->setToolTip(tr("Shift-click in an image to add a sample, Alt-click or Ctrl+Shift-click to "
+                       "exclude one. Samples marked “found” were detected in other cameras."));
   remove_->setText(tr("Remove"));
-  remove_->setToolTip(tr("Forget the chosen sample and learn from the rest (Del). A found sample "
-                         "becomes an excluded one."));
+  remove_->setToolTip(tr("Remove the selected sample and learn from the others (Del). A found "
+                         "sample becomes an excluded one."));
 }
 
 void ColorSampleList::setSamples(const Project& project, int target) {
@@ -61,7 +60,7 @@ void ColorSampleList::setSamples(const Project& project, int target) {
       const QString name = cameraName(
           camera < project.cameras.size() ? project.cameras[camera].camera.name : std::string(),
           camera);
-      const QString text = sample.excluded ? tr("not this: %1, frame %2, at %3, %4")
+      const QString text = sample.excluded ? tr("excluded: %1, frame %2, at %3, %4")
                            : sample.found  ? tr("found: %1, frame %2, at %3, %4")
                                            : tr("%1, frame %2, at %3, %4");
       list_->addItem(text.arg(name)

@@ -64,7 +64,7 @@ void LearnModes::retranslateUi() {
   setAccessibleName(tr("What a click in an image does"));
   buttons_[0]->setText(takesBoxes_ ? tr("Box") : tr("Learn"));
   buttons_[1]->setText(tr("Add sample"));
-  buttons_[2]->setText(tr("Not this"));
+  buttons_[2]->setText(tr("Exclude"));
   buttons_[1]->setVisible(!takesBoxes_);
   buttons_[2]->setVisible(!takesBoxes_);
   showHints();
@@ -92,11 +92,11 @@ QString LearnModes::hintOf(ColorLearner::SampleAction mode) {
   case SampleAction::Replace:
     break;
   case SampleAction::Add:
-    return tr("Click: add a sample · Alt: not this · Esc");
+    return tr("Click: add a sample · Alt: exclude · Esc");
   case SampleAction::Exclude:
-    return tr("Click what is not the target · Esc");
+    return tr("Click a color to exclude · Esc");
   }
-  return tr("Click: learn · Shift: add · Alt: not this · Esc");
+  return tr("Click: learn · Shift: add · Alt: exclude · Esc");
 }
 
 } // namespace dewpoint::ui

@@ -88,7 +88,7 @@ void BackwardTracker::keep(const PositionCorrection& from,
   }
   clearProgress();
   bench_.messages.showNotice(
-      tr("The target was followed back to frame %1; from there on it is tracked again.")
+      tr("The target was tracked back to frame %1. From there, it is tracked again.")
           .arg(QLocale().toString(found.front().frame + 1)));
 }
 
@@ -99,7 +99,7 @@ void BackwardTracker::showProgress(double part) {
   }
   sinceShown_.start();
   const auto reached = static_cast<qint64>((1.0 - part) * static_cast<double>(frame_));
-  shown_ = tr("Following the target back in time: frame %1.").arg(QLocale().toString(reached + 1));
+  shown_ = tr("Tracking the target backward: frame %1.").arg(QLocale().toString(reached + 1));
   bench_.messages.ask(shown_, {{tr("Stop"), [this] { cancel(); }}});
 }
 

@@ -49,9 +49,10 @@ std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPoint
   if (!bench_.session.isRunning() || !bench_.document.presentation().searchesRoom) {
     return {};
   }
-  return {{QStringLiteral("imageCorrect"), bench_.action("actionCorrectPosition")->text(),
-           tr("Say that the target is here in the frame shown: tracking goes on from there"),
-           tool_->canCorrect(), [this, camera, pixel] { tool_->correctAt(camera, pixel); }}};
+  return {
+      {QStringLiteral("imageCorrect"), bench_.action("actionCorrectPosition")->text(),
+       tr("Set the target's position in this frame to this point; tracking continues from there"),
+       tool_->canCorrect(), [this, camera, pixel] { tool_->correctAt(camera, pixel); }}};
 }
 
 void CorrectionMode::connectActions() {
@@ -90,9 +91,8 @@ void CorrectionMode::setActive(bool active) {
     bench_.action("actionCalibrateByHand")->setChecked(false);
   }
   tool_->setActive(can);
-  const QString hint =
-      tr("Drag the target in an image to where it is; the same in another image fixes its depth. "
-         "Esc ends it.");
+  const QString hint = tr("Drag the target to its true position in an image; do the same in "
+                          "another image to fix its depth. Press Esc to finish.");
   if (can) {
     bench_.messages.showNotice(hint);
   } else if (bench_.messages.text() == hint) {

@@ -50,9 +50,9 @@ void CorrectionTool::attach(int camera, CameraView* view) {
   const Layer layer{camera, view, overlay};
   layers_.push_back(layer);
   const auto name = [this, overlay, camera] {
-    overlay->setHint(tr("Drag the target to where it is"));
+    overlay->setHint(tr("Drag the target to its true position"));
     overlay->setAccessibleName(
-        tr("Image of %1: arrow keys move a cross, Enter says that the target is there")
+        tr("Image of %1: arrow keys move a cross, Enter sets the target's position there")
             .arg(bench_.cameras.nameOf(camera)));
   };
   onRetranslate(overlay, name);

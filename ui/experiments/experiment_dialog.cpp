@@ -168,7 +168,7 @@ void ExperimentDialog::retranslateUi() {
   runsLabel_->setText(tr("Runs per case"));
   runs_->setToolTip(tr("Number of seeds. More seeds take longer and give more certain results."));
   clothesLabel_->setText(tr("Clothes"));
-  clothes_->setToolTip(tr("Whether the clothes of the simulated people tell them apart"));
+  clothes_->setToolTip(tr("Whether the simulated people wear different clothes"));
   clothes_->setItemText(0, tr("both kinds"));
   clothes_->setItemText(1, tr("different"));
   clothes_->setItemText(2, tr("similar"));
@@ -179,14 +179,14 @@ void ExperimentDialog::retranslateUi() {
   browseRecordings_->setText(tr("Choose…"));
   browseRecordings_->setToolTip(tr("Choose the folder of the recordings"));
   folderLabel_->setText(tr("Folder"));
-  folder_->setToolTip(tr("The report, its pictures and its numbers go there"));
+  folder_->setToolTip(tr("Folder for the report, its pictures and its numbers"));
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the folder of the report"));
-  progress_->setAccessibleName(tr("How far the experiment is"));
-  run_->setText(tr("Run it"));
+  progress_->setAccessibleName(tr("Experiment progress"));
+  run_->setText(tr("Run"));
   run_->setToolTip(tr("Run the chosen experiment (Enter)"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the experiment; nothing is written"));
+  cancel_->setToolTip(tr("Stop the experiment without writing anything"));
   open_->setText(tr("Open the report"));
   open_->setToolTip(tr("Show the last report in the web browser"));
   close_->setText(tr("Close"));
@@ -236,7 +236,7 @@ void ExperimentDialog::run() {
     options.recordings = recordings_->text().trimmed().toStdString();
   }
   if (options.folder.empty()) {
-    state_->setText(tr("Name the folder of the report first."));
+    state_->setText(tr("Choose the folder for the report first."));
     return;
   }
   const FigureExperiment& experiment = chosen();

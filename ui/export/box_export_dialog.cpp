@@ -76,9 +76,10 @@ void BoxExportDialog::retranslateUi() {
   sentence_->setText(
       tr("Two files are written: boxes.csv (a row per target and frame: box, center, similarity, "
          "seen or hidden) and boxes_mot.txt (the format of the MOT challenge). All in pixels."));
-  preview_->setAccessibleName(tr("How boxes.csv begins"));
+  preview_->setAccessibleName(tr("First lines of boxes.csv"));
   folderLabel_->setText(tr("Folder"));
-  folder_->setToolTip(tr("Both files go there; it is made if need be"));
+  folder_->setToolTip(
+      tr("Both files are saved in this folder; it is created if it does not exist"));
   browse_->setText(tr("Choose…"));
   browse_->setToolTip(tr("Choose the folder of the files"));
   close_->setText(tr("Close"));
@@ -93,7 +94,7 @@ void BoxExportDialog::proposeIn(const QString& folder) {
 void BoxExportDialog::askToReplace(bool ask) {
   mayReplace_ = ask;
   question_->setVisible(ask);
-  question_->setText(tr("The boxes of another export are there already. Replace them?"));
+  question_->setText(tr("The folder already contains exported boxes. Replace them?"));
   export_->setText(ask ? tr("Replace") : tr("Export"));
 }
 
@@ -136,7 +137,7 @@ void BoxExportDialog::start() {
         return std::function<void()>([this, folder, written] {
           const QString place = QString::fromStdString(folder.string());
           if (written) {
-            Q_EMIT done(tr("boxes.csv and boxes_mot.txt are in %1.").arg(place));
+            Q_EMIT done(tr("Saved boxes.csv and boxes_mot.txt in %1.").arg(place));
           } else {
             Q_EMIT failed(errorSentence(written.error()));
           }

@@ -108,13 +108,14 @@ void ExportDialog::retranslateUi() {
   browse_->setToolTip(tr("Choose the file to write"));
   progress_->setAccessibleName(tr("Progress"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the work under way; what is there already stays as it was"));
+  cancel_->setToolTip(tr("Stop the current work; files that already exist stay unchanged"));
   figure_->setText(tr("Figure…"));
-  figure_->setToolTip(tr("Write a figure of it as SVG or PDF: x, y, z over time and from above"));
+  figure_->setToolTip(tr(
+      "Save a figure of the trajectory as SVG or PDF: x, y, z over time, and the view from above"));
   forgetQuestion(); // in the new language
   export_->setToolTip(tr("Write the file in the background"));
   close_->setText(tr("Close"));
-  close_->setToolTip(tr("Close; an export that is under way goes on"));
+  close_->setToolTip(tr("Close; a running export continues"));
   changed();
 }
 
@@ -287,8 +288,8 @@ void ExportDialog::start() {
 
 void ExportDialog::startFigure() {
   const QString proposed = QFileInfo(file_->text()).path() + QStringLiteral("/trajectory.svg");
-  const QString chosen = QFileDialog::getSaveFileName(this, tr("Write a figure"), proposed,
-                                                      tr("Figures (*.svg *.pdf)"));
+  const QString chosen =
+      QFileDialog::getSaveFileName(this, tr("Save figure"), proposed, tr("Figures (*.svg *.pdf)"));
   if (chosen.isEmpty()) {
     return;
   }

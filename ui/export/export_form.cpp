@@ -90,16 +90,17 @@ void ExportForm::retranslateUi() {
     field->setAccessibleName(label);
     field->setToolTip(hint);
   };
-  setTexts(format_, tr("Format"), tr("Which program is to read it"));
-  setTexts(targets_, tr("Targets"), tr("Those with a mark are exported; all, if none has one"));
+  setTexts(format_, tr("Format"), tr("The program that will read the file"));
+  setTexts(targets_, tr("Targets"),
+           tr("Only checked targets are exported; if none is checked, all are exported"));
   setTexts(estimates_, tr("Estimates"),
-           tr("As they were known live, or as all frames before and after tell"));
+           tr("Live: as estimated during the run. Smoothed: from all frames, before and after"));
   setTexts(from_, tr("From"), tr("First time, 0 to 1,000,000 s"));
   setTexts(to_, tr("To"), tr("Last time, 0 to 1,000,000 s"));
   setTexts(rate_, tr("Rate"), tr("Rows per second, 0.001 to 10,000; interpolated"));
-  setTexts(gaps_, tr("Gaps"), tr("What to write where the target is not known"));
-  setTexts(longestGap_, tr("Longest gap"), tr("A longer gap is left, 0.01 to 60 s"));
-  setTexts(axes_, tr("World axes"), tr("Which axis points up in the file"));
+  setTexts(gaps_, tr("Gaps"), tr("What to write while the position is unknown"));
+  setTexts(longestGap_, tr("Longest gap"), tr("Longer gaps are not filled, 0.01 to 60 s"));
+  setTexts(axes_, tr("World axes"), tr("Axis that points up in the file"));
   setTexts(unit_, tr("Lengths"), tr("Unit of positions in the file"));
   from_->setSpecialValueText(tr("the beginning"));
   to_->setSpecialValueText(tr("the end"));
@@ -120,8 +121,8 @@ void ExportForm::fillChoices() {
   setChoices(*format_, formats);
   setChoices(*estimates_, {tr("live"), tr("smoothed after the run")});
   setChoices(*gaps_, {tr("leave"), tr("fill")});
-  setChoices(*axes_, {tr("as usual in the format"), tr("Z up"), tr("Y up")});
-  setChoices(*unit_, {tr("as usual in the format"), tr("meters"), tr("millimeters")});
+  setChoices(*axes_, {tr("format default"), tr("Z up"), tr("Y up")});
+  setChoices(*unit_, {tr("format default"), tr("meters"), tr("millimeters")});
 }
 
 void ExportForm::setTargetsOf(const Trajectory& trajectory) {

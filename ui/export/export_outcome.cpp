@@ -48,7 +48,7 @@ void ExportOutcome::retranslateUi() {
 void ExportOutcome::openFolder() {
   const QString folder = QFileInfo(file_).absolutePath();
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-    sentence_->setText(tr("No file manager was found. The file is %1.").arg(file_));
+    sentence_->setText(tr("No file manager was found. The path of the file is %1.").arg(file_));
   }
 }
 

@@ -63,7 +63,7 @@ QString exportSizeText(const ExportPreview& preview) {
   const QLocale locale;
   const QString gaps = preview.gaps == 0
                            ? translated(QT_TRANSLATE_NOOP("Export", "no gaps"))
-                           : translated(QT_TRANSLATE_NOOP("Export", "%1 places unknown"))
+                           : translated(QT_TRANSLATE_NOOP("Export", "%1 positions unknown"))
                                  .arg(locale.toString(static_cast<qulonglong>(preview.gaps)));
   return translated(QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
       .arg(locale.toString(static_cast<qulonglong>(preview.targets)),

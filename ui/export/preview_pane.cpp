@@ -75,7 +75,7 @@ void PreviewPane::retranslateUi() {
   lines_->setToolTip(tr("First lines of the file"));
   units_->setAccessibleName(tr("Units and axes"));
   size_->setAccessibleName(tr("Size"));
-  old_->setText(tr("Some of these results are of earlier settings."));
+  old_->setText(tr("Some of these results are from earlier settings."));
 }
 
 void PreviewPane::setHasOldResults(bool has) {
@@ -111,7 +111,7 @@ void PreviewPane::stop() {
   end();
   units_->clear();
   lines_->clear();
-  size_->setText(tr("The preview was stopped. The next change begins it anew."));
+  size_->setText(tr("The preview was stopped. It starts again at the next change."));
 }
 
 void PreviewPane::setExporting(bool exporting) {

@@ -112,9 +112,9 @@ void AboutDialog::retranslateUi() {
                        "(GPL-3.0-or-later), without any warranty."));
   citeHeading_->setText(tr("How to cite"));
   showLicense_->setText(licenseText_->isHidden() ? tr("Show license") : tr("Hide license"));
-  showLicense_->setToolTip(tr("Show the whole text of the license, or hide it"));
+  showLicense_->setToolTip(tr("Show or hide the full text of the license"));
   copy_->setText(tr("Copy citation"));
-  copy_->setToolTip(tr("Copy the line for your list of references"));
+  copy_->setToolTip(tr("Copy the entry for your reference list"));
   close_->setText(tr("Close"));
   close_->setToolTip(tr("Close this window"));
 }

@@ -89,26 +89,25 @@ LegendPicture::LegendPicture(LegendSign sign, QWidget* parent) : QWidget(parent)
 QString LegendPicture::meaningOf(LegendSign sign) {
   switch (sign) {
   case LegendSign::Particles:
-    return tr("Dots: particles. Each is one guess of where the target is; the brighter, the "
-              "better it fits the images.");
+    return tr("Dots: particles. Each one is a guess of where the target is. Brighter particles fit "
+              "the images better.");
   case LegendSign::Estimate:
     return tr("Cross: the estimate, the weighted mean of the particles.");
   case LegendSign::Belief:
-    return tr("Unbroken ellipse: with 95 % probability the target is inside. The smaller, the "
-              "surer.");
+    return tr("Solid ellipse: the target is inside with a probability of 95 %. A smaller ellipse "
+              "is more certain.");
   case LegendSign::Outline:
     return tr("Dashed ellipse: the size of the target itself, where it is not a ball.");
   case LegendSign::Truth:
-    return tr("White diamond: where the target really is. Only simulated scenes, such as the "
-              "demo, know it.");
+    return tr("White diamond: the true position of the target, known only in simulated scenes such "
+              "as the demo.");
   case LegendSign::Best:
     return tr("Triangle: the particle of highest weight (View › Show best particle).");
   case LegendSign::Ray:
-    return tr("Line through the image: the ray of another camera along which the target must be, "
-              "while you drag it to where it is.");
+    return tr("Line across the image: the line of sight of another camera, shown while you drag "
+              "the target. The target must lie on it.");
   case LegendSign::Mask:
-    return tr("Tinted and outlined: where the image has the color of the target "
-              "(View › Show mask).");
+    return tr("Tinted and outlined: regions with the color of the target (View › Show mask).");
   }
   return {};
 }

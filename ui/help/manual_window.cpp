@@ -99,8 +99,8 @@ ManualWindow::ManualWindow(const QString& folder, const QString& expected, QWidg
 void ManualWindow::retranslateUi() {
   setWindowTitle(tr("Manual – Dewpoint"));
   list_->setAccessibleName(tr("Pages of the manual"));
-  back_->setToolTip(tr("Back to the page before"));
-  forward_->setToolTip(tr("Forward again"));
+  back_->setToolTip(tr("Back to the previous page"));
+  forward_->setToolTip(tr("Forward to the next page"));
   missing_->setText(
       tr("The manual was not found. It is expected in the folder %1.").arg(expected_));
 }

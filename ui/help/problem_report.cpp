@@ -93,9 +93,9 @@ QString ProblemReport::text() const {
 
 void ProblemReport::retranslateUi() {
   setWindowTitle(tr("Report a problem – Dewpoint"));
-  lead_->setText(tr("Write to those who gave you Dewpoint: what you did, what you expected, and "
-                    "what happened instead. Add the text below, and, if you can, the project file "
-                    "and a screenshot. Nothing is sent by itself."));
+  lead_->setText(tr("Write to whoever gave you Dewpoint. Describe what you did, what you expected "
+                    "and what happened. Attach the text below and, if you can, the project file "
+                    "and a screenshot. Nothing is sent automatically."));
   text_->setAccessibleName(tr("Text for the report"));
   copy_->setText(tr("Copy"));
   copy_->setToolTip(tr("Copy the text, to be pasted into a mail or a form"));

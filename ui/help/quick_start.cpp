@@ -32,12 +32,12 @@ QString stateMeaning(HoldState state) {
   case HoldState::Held:
     return QuickStart::tr("The cameras confirm where the target is.");
   case HoldState::Ambiguous:
-    return QuickStart::tr("Something else fits about as well. Press X and drag the target to where "
-                          "it is.");
+    return QuickStart::tr(
+        "Another object fits about as well. Press X and drag the target to its true position.");
   case HoldState::Searching:
     return QuickStart::tr("Not found yet, or not seen for less than a second.");
   default:
-    return QuickStart::tr("Not seen for a second. The line at the bottom says why.");
+    return QuickStart::tr("Not seen for more than a second. The status bar shows why.");
   }
 }
 
@@ -140,28 +140,28 @@ void QuickStart::addStates(QVBoxLayout* column) {
 void QuickStart::retranslateUi() {
   setWindowTitle(tr("Quick start – Dewpoint"));
   seenHeading_->setText(tr("What you see"));
-  seenText_->setText(tr("Each camera view shows its image, and over it what the program believes. "
-                        "The bird's-eye view shows the same in the room."));
-  stateHeading_->setText(tr("How sure it is"));
-  beginHeading_->setText(tr("How to begin"));
+  seenText_->setText(tr("Each camera view shows its image with the estimates drawn over it. The "
+                        "bird's-eye view shows the same in the room."));
+  stateHeading_->setText(tr("State of a target"));
+  beginHeading_->setText(tr("How to start"));
   const std::array<QString, kSteps> steps{
       tr("1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the "
          "demo first.")
           .arg(keyOf(actions_.openProject)),
-      tr("2.  Give the calibration of the cameras, or make one: menu Calibration (%1 to begin by "
-         "hand). Without it, targets are tracked in the images only.")
+      tr("2.  Load a calibration of the cameras, or create one: menu Calibration (%1 to start by "
+         "hand). Without it, targets are tracked only in the images.")
           .arg(keyOf(actions_.calibrate)),
-      tr("3.  Click the thing to follow in any image. Its color is learned in all cameras, and "
+      tr("3.  Click the object to track in any image. Its color is learned in all cameras, and "
          "tracking starts."),
-      tr("4.  Press %1 to play and to pause. Drag along the timeline to look back: every view "
-         "shows that frame as it was.")
+      tr("4.  Press %1 to play or pause. Drag along the timeline to look back: all views then show "
+         "that frame as it was tracked.")
           .arg(keyOf(actions_.play)),
       tr("5.  Export the trajectory: File › Export trajectory (%1).")
           .arg(keyOf(actions_.exportTrajectory))};
   for (std::size_t step = 0; step < kSteps; ++step) {
     steps_[step]->setText(steps[step]);
   }
-  legend_->setText(tr("All signs…"));
+  legend_->setText(tr("Show legend…"));
   legend_->setToolTip(tr("Open the legend of all that is drawn over the images"));
   manual_->setText(tr("Manual…"));
   manual_->setToolTip(tr("Open the manual"));

@@ -50,17 +50,17 @@ void CameraMotionAlerts::showAlert(const CameraMotionReport& report, CameraMotio
     bar_.showNotice(what + QLatin1Char(' ') + tr("Its new pose is being worked out."));
     break;
   case CameraMotionStage::Solved:
-    bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be solved again from what it sees."),
-             {{tr("Re-solve %1").arg(name), [this, camera] { Q_EMIT newPoseWanted(camera); }}});
+    bar_.ask(what + QLatin1Char(' ') + tr("Its pose can be recomputed from what it sees."),
+             {{tr("Recompute %1").arg(name), [this, camera] { Q_EMIT newPoseWanted(camera); }}});
     break;
   case CameraMotionStage::Unsolvable:
     bar_.ask(what + QLatin1Char(' ') +
-                 tr("It cannot be solved again from what it sees: calibrate it anew, or put it "
-                    "back."),
+                 tr("Its pose cannot be recomputed from what it sees: calibrate the camera again, "
+                    "or put it back."),
              {{tr("Calibrate %1…").arg(name), [this, camera] { Q_EMIT calibrateWanted(camera); }}});
     break;
   case CameraMotionStage::Back:
-    bar_.showNotice(tr("%1 stands again as it was calibrated.").arg(name));
+    bar_.showNotice(tr("%1 is back in its calibrated pose.").arg(name));
     break;
   }
   text_ = bar_.text();

@@ -18,7 +18,7 @@ HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench
   view->setObjectName(QStringLiteral("historyList"));
   view->setFrameShape(QFrame::NoFrame);
   onRetranslate(view, [view] {
-    view->setEmptyLabel(tr("As it was opened"));
+    view->setEmptyLabel(tr("Initial state"));
     view->setAccessibleName(tr("History of changes"));
   });
   bench_.docks.make({.name = QStringLiteral("historyDock"),

@@ -76,7 +76,7 @@ void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& m
     again.what.moved.insert(moved.begin(), moved.end());
   }
   again.unsaved = true;
-  again.note = tr("Opened with the located files. Save the project to keep where they are.");
+  again.note = tr("Opened with the located files. Save the project to keep their new paths.");
   bench_.session.open(std::move(again));
 }
 

@@ -175,11 +175,11 @@ void ProjectController::beginNew(const QStringList& files) {
 
 void ProjectController::openMade(const Project& project, const QString& note) {
   const bool boxes = presentationOf(project).takesBoxes;
-  const QString hint = boxes ? tr("Click the thing or drag a box around it in any camera view.")
-                       : note.isEmpty()
-                           ? tr("Click the thing to follow in any image: its color is learned and "
-                                "tracking starts.")
-                           : note;
+  const QString hint =
+      boxes ? tr("Click the object or drag a box around it in any camera view.")
+      : note.isEmpty()
+          ? tr("Click the object to track in any image. Its color is learned and tracking starts.")
+          : note;
   bench_.session.open({.what = project, .unsaved = true, .note = hint});
 }
 

@@ -36,11 +36,11 @@ void RecentMenu::list() {
     connect(entry, &QAction::triggered, this, [this, file] { Q_EMIT wanted(file); });
   }
   if (menu_->isEmpty()) {
-    menu_->addAction(tr("Nothing yet"))->setEnabled(false);
+    menu_->addAction(tr("No recent projects"))->setEnabled(false);
     return;
   }
   menu_->addSeparator();
-  connect(menu_->addAction(tr("Forget these")), &QAction::triggered, &recent_,
+  connect(menu_->addAction(tr("Clear list")), &QAction::triggered, &recent_,
           &RecentProjects::clear);
 }
 

@@ -51,18 +51,18 @@ void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
   const RecoverableWork& work = left.front();
   // Meanwhile a project may be opened, and much be said: the question comes back after that.
   bench_.messages.askUntilAnswered(
-      tr("Dewpoint did not end properly. Unsaved work on “%1” is from %2.")
+      tr("Dewpoint closed unexpectedly. Unsaved changes to “%1” from %2 can be recovered.")
           .arg(work.name, work.time),
-      {{tr("Recover it"), [this, work] { Q_EMIT wanted(work); }},
-       {tr("Throw it away"), [this, work] { throwAway(work); }}});
+      {{tr("Recover"), [this, work] { Q_EMIT wanted(work); }},
+       {tr("Discard"), [this, work] { throwAway(work); }}});
 }
 
 void RecoveryOffer::throwAway(const RecoverableWork& work) {
   recovery_->discard(work);
   recovery_->look([this, work](const std::vector<RecoverableWork>& left) {
     ask(left); // of other work, once this is read
-    bench_.messages.ask(tr("Unsaved work on “%1” was thrown away.").arg(work.name),
-                        {{tr("Take it back"), [this, work] {
+    bench_.messages.ask(tr("Unsaved changes to “%1” were discarded.").arg(work.name),
+                        {{tr("Undo"), [this, work] {
                             recovery_->restore(work);
                             offer();
                           }}});

@@ -25,7 +25,7 @@ bool askToRestart(const Workbench& bench, bool newSeed) {
   }
   SessionController* run = &bench.session;
   bench.messages.ask(
-      SessionController::tr("Restart the run? What was tracked so far is lost."),
+      SessionController::tr("Restart the run? The results so far will be lost."),
       {{SessionController::tr("Restart"), [run, newSeed] { run->restart(newSeed); }}});
   return true;
 }

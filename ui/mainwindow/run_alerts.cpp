@@ -57,7 +57,7 @@ void RunAlerts::mend(const CameraDisagreement& found, std::size_t choice) {
   const auto mended =
       bench_.document.edit(step, [&](Project& project) { mendCameras(project, found, choice); });
   if (mended) {
-    bench_.messages.showNotice(tr("Done: %1. Undo takes it back.").arg(step));
+    bench_.messages.showNotice(tr("Done: %1. You can undo this.").arg(step));
   } else {
     bench_.messages.showError(errorSentence(mended.error()));
   }
@@ -85,7 +85,7 @@ void RunAlerts::applyFirstNewPose() {
       return;
     }
   }
-  bench_.messages.showNotice(tr("No camera was bumped."));
+  bench_.messages.showNotice(tr("No camera has moved."));
 }
 
 void RunAlerts::applyNewPose(int camera) {
@@ -93,17 +93,18 @@ void RunAlerts::applyNewPose(int camera) {
   const CameraMotionReport* report = shown ? cameraMotionOf(*shown, camera) : nullptr;
   const QString name = manual_.nameOf(camera);
   if (report == nullptr || !report->newPose) {
-    bench_.messages.showNotice(tr("%1 cannot be solved again now.").arg(name));
+    bench_.messages.showNotice(tr("The pose of %1 cannot be recomputed now.").arg(name));
     return;
   }
   const MovedCameraPose solved = *report->newPose; // the report goes with the next snapshot
   Camera now = manual_.cameraAt(camera);
   now.cameraFromWorld = solved.camera.cameraFromWorld;
-  manual_.change(camera, tr("Re-solve %1").arg(name), now);
-  QString sentence = tr("%1 is calibrated as it stands now. Undo takes it back.").arg(name);
+  manual_.change(camera, tr("Recompute %1").arg(name), now);
+  QString sentence =
+      tr("The pose of %1 was recomputed. Undo restores the previous pose.").arg(name);
   if (solved.used > 0) {
     sentence +=
-        QLatin1Char(' ') + tr("The target was %1 beside where the others see it, and is %2 now.")
+        QLatin1Char(' ') + tr("Disagreement with the other cameras: %1 before, %2 now.")
                                .arg(pixelText(solved.pixelsBefore), pixelText(solved.pixelsAfter));
   }
   bench_.messages.showNotice(sentence);

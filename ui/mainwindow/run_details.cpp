@@ -29,7 +29,7 @@ QString latencyText(const Latency& latency) {
 
 QString budgetText(const BudgetFigures& budget) {
   if (budget.milliseconds <= 0.0 || budget.iterations == 0) {
-    return RunDetails::tr("none is set");
+    return RunDetails::tr("not set");
   }
   const double kept =
       1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
@@ -74,14 +74,14 @@ QLabel* RunDetails::row(const char* name) {
 }
 
 void RunDetails::retranslateUi() {
-  names_[time_]->setText(tr("Time per iteration, median"));
-  names_[latency_]->setText(tr("From a frame to its estimate"));
+  names_[time_]->setText(tr("Median time per iteration"));
+  names_[latency_]->setText(tr("Time from frame to estimate"));
   names_[budget_]->setText(tr("Time budget per iteration"));
   names_[sampleSize_]->setText(tr("Effective sample size"));
   names_[iterations_]->setText(tr("Iterations since the start"));
   names_[dropped_]->setText(tr("Frames skipped"));
   names_[seed_]->setText(tr("Random seed"));
-  names_[history_]->setText(tr("Kept of the past"));
+  names_[history_]->setText(tr("History memory"));
 }
 
 void RunDetails::setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target) {

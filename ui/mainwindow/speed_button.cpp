@@ -60,7 +60,7 @@ SpeedButton::SpeedButton(const Workbench& bench, QWidget* parent)
   connect(&bench_.session, &SessionController::paceChanged, this, &SpeedButton::showPace);
   onRetranslate(this, [this] {
     setToolTip(
-        tr("How fast the recording is played. Live cameras are always tracked as they come."));
+        tr("Playback speed of the recording. Live cameras are always tracked in real time."));
     setAccessibleName(tr("Speed"));
     for (QAction* one : speeds_->actions()) {
       one->setText(speedText(one->data().toDouble()));

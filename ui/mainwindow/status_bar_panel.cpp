@@ -60,14 +60,14 @@ QString playWord(const TrackSnapshot& snapshot) {
 QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   const auto ofCameras = [&] {
     return target.status == TargetStatus::Ambiguous
-               ? StatusBarPanel::tr("others fit as well: press X, drag the target")
+               ? StatusBarPanel::tr("other objects fit equally well: press X, drag the target")
            : snapshot.family.isDefined(target.target)
                ? reasonText(target.reasons, cameraNames(snapshot))
-               : StatusBarPanel::tr("click it or drag a box around it");
+               : StatusBarPanel::tr("click the object or drag a box around it");
   };
   return std::visit(Overloaded{[&](const SphereEstimate&) { return ofCameras(); },
                                [](const BoxEstimate&) {
-                                 return StatusBarPanel::tr("held where it is thought to be");
+                                 return StatusBarPanel::tr("held at its estimated position");
                                },
                                [&](const PersonEstimate&) { return ofCameras(); },
                                [&](const AbsentEstimate&) { return ofCameras(); }},
@@ -115,20 +115,20 @@ void StatusBarPanel::retranslateUi() {
   };
   explain(
       playing_, tr("tracking again"),
-      tr("Playing, paused, at the end, looking back at an earlier moment, or tracking it again"));
+      tr("Playing, paused, at the end, looking back at an earlier frame, or tracking it again"));
   explain(frame_, tr("frame %1 / %2").arg("0000", "0000"), tr("Frame shown, of all frames"));
   explain(rate_, tr("%1 /s").arg("0000.0"), tr("Frames tracked per second"));
   explain(spread_, tr("± %1").arg("0000 mm"),
-          tr("How exactly the position is known: the standard deviation in 3D, x, y and z "
-             "together (the plots show each)"));
+          tr("Uncertainty of the position: the standard deviation in 3D, x, y and z combined (the "
+             "plots show each of them)"));
   explain(speed_, tr("%1 m/s").arg("00.00"), tr("Speed of the target in the room"));
   explain(position_, tr("x %1  y %2  z %3").arg("−00.000", "−00.000", "−00.000 m"),
           tr("Estimated position of the target in the room"));
   explain(held_, holdText(HoldState::Searching),
-          tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about as "
-             "well. Lost: not held for a second."));
+          tr("Held: the cameras confirm the estimate. Ambiguous: another object fits about as "
+             "well. Lost: not held for more than a second."));
   more_->setText(tr("Details"));
-  more_->setToolTip(tr("Times, particles, and what is kept of the past"));
+  more_->setToolTip(tr("Times, particles and history memory"));
   refresh();
   fit();
 }

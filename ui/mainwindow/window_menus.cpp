@@ -199,7 +199,7 @@ std::vector<CommandPalette::Entry> WindowMenus::moreForPalette() {
   }
   for (QAction* language : languages_) {
     entries.push_back(
-        {tr("Language"), language->text(), tr("Speak this language"), {}, {}, [language] {
+        {tr("Language"), language->text(), tr("Switch to this language"), {}, {}, [language] {
            language->trigger();
          }});
   }

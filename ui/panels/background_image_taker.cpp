@@ -59,10 +59,10 @@ void BackgroundImageTaker::take(int camera) {
   }
   if (const QString target = targetSeenBy(camera); !target.isEmpty()) {
     Q_EMIT confirmationRequested(
-        tr("“%1” is in this image: where it is now it would be taken for the room. Better "
-           "show a moment without it.")
+        tr("“%1” is visible in this image and would become part of the background. Choose a frame "
+           "without it.")
             .arg(target),
-        tr("Use it all the same"), [this, camera, image, asked = QPointer(keeping_.get())] {
+        tr("Use it anyway"), [this, camera, image, asked = QPointer(keeping_.get())] {
           if (asked && !isKeeping_) { // else another project was opened meanwhile
             keep(camera, image);
           }
@@ -105,18 +105,20 @@ void BackgroundImageTaker::useKept(const Project& then, int camera,
   const auto& cameras = document_.project().cameras;
   if (row >= cameras.size() || !isStillAs(cameras[row], then.cameras[row])) {
     Q_EMIT messageRequested(
-        tr("The camera was changed meanwhile: the image is kept as %1, but not used.").arg(file));
+        tr("The camera has changed in the meantime. The image was saved as %1, but is not used.")
+            .arg(file));
     return;
   }
-  const auto edited = document_.edit(tr("Change empty room"), [&](Project& project) {
+  const auto edited = document_.edit(tr("Change background image"), [&](Project& project) {
     project.cameras[row].backgroundImage = kept->string();
   });
   if (!edited) {
     Q_EMIT failed(errorSentence(edited.error()));
     return;
   }
-  Q_EMIT messageRequested(tr("The image shown is now the empty room of %1; it is kept as %2.")
-                              .arg(cameras_.nameOf(camera), file));
+  Q_EMIT messageRequested(
+      tr("The current image is now the background image of %1. It was saved as %2.")
+          .arg(cameras_.nameOf(camera), file));
 }
 
 void BackgroundImageTaker::forgetKept() {

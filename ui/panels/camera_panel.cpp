@@ -132,7 +132,7 @@ void CameraPanel::connectFields() {
     edit(tr("Mirror images"), [&](ProjectCamera& camera) { camera.mirrored = mirrored; });
   });
   connect(late_, &QDoubleSpinBox::editingFinished, this, [this] {
-    edit(tr("Change how late the images are"), [this](ProjectCamera& camera) {
+    edit(tr("Change delay"), [this](ProjectCamera& camera) {
       const double shown = std::round(inMilliseconds(camera.delay) * kLateSteps) / kLateSteps;
       if (late_->value() != shown) { // what is not shown of it must not be lost
         camera.delay = fromMilliseconds(late_->value());
@@ -160,29 +160,29 @@ void CameraPanel::retranslateUi() {
   nameLabel_->setText(tr("Name"));
   name_->setToolTip(tr("Name of the camera, in views and files"));
   sourceLabel_->setText(tr("Images"));
-  source_->setToolTip(tr("Video file, folder of images, device or address of a stream"));
+  source_->setToolTip(tr("Video file, image folder, device, or stream address"));
   browse_->setText(tr("Choose…"));
-  browse_->setToolTip(tr("Find the recording of this camera in another place"));
-  turnLabel_->setText(tr("Turned"));
-  turn_->setToolTip(tr("Images are turned clockwise by so much before use"));
+  browse_->setToolTip(tr("Choose the file, folder or device of this camera"));
+  turnLabel_->setText(tr("Rotated"));
+  turn_->setToolTip(tr("Clockwise rotation of the images before use"));
   mirror_->setText(tr("Mirrored"));
-  mirror_->setToolTip(tr("Images are mirrored left to right, after they were turned"));
-  lateLabel_->setText(tr("Late by"));
+  mirror_->setToolTip(tr("Mirror the images left to right, after rotation"));
+  lateLabel_->setText(tr("Delay"));
   late_->setSuffix(tr(" ms"));
-  late_->setToolTip(tr("Milliseconds by which its images are late: they are put together with "
-                       "those of the other cameras by it. Calibrate by waving finds it"));
-  late_->setAccessibleName(tr("Milliseconds by which the images are late"));
-  emptyRoomLabel_->setText(tr("Empty room"));
-  emptyRoom_->setToolTip(tr("Image, video or folder of images in which this camera shows the scene "
-                            "without any target: what has its color there is not taken for it"));
+  late_->setToolTip(tr("Delay of this camera's images in ms, used to synchronize it with the other "
+                       "cameras. Calibration with a wand can measure it"));
+  late_->setAccessibleName(tr("Delay of the images in milliseconds"));
+  emptyRoomLabel_->setText(tr("Background image"));
+  emptyRoom_->setToolTip(
+      tr("Image, video or image folder that shows the scene without any target. Regions that have "
+         "the target's color there are not taken for the target"));
   emptyRoomBrowse_->setText(tr("Choose…"));
-  emptyRoomBrowse_->setAccessibleName(tr("Choose the empty room"));
+  emptyRoomBrowse_->setAccessibleName(tr("Choose background image"));
   emptyRoomBrowse_->setToolTip(tr("Find an image or a video of the scene without any target"));
-  emptyRoomTake_->setText(tr("Use the image shown"));
-  emptyRoomTake_->setToolTip(
-      tr("Keep the image this camera shows now as the one of the empty room"));
+  emptyRoomTake_->setText(tr("Use current image"));
+  emptyRoomTake_->setToolTip(tr("Save the current image of this camera as its background image"));
   load_->setText(tr("Load calibration…"));
-  load_->setToolTip(tr("Take the calibration of all cameras from a file"));
+  load_->setToolTip(tr("Load the calibration of all cameras from a file"));
   refresh();
 }
 
@@ -272,13 +272,13 @@ void CameraPanel::enableTake() {
 }
 
 void CameraPanel::setEmptyRoom(const QString& file) {
-  edit(tr("Change empty room"),
+  edit(tr("Change background image"),
        [&](ProjectCamera& camera) { camera.backgroundImage = file.toStdString(); });
 }
 
 void CameraPanel::chooseEmptyRoom() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Choose an image or a video of the empty room"), emptyRoom_->text());
+  const QString file = QFileDialog::getOpenFileName(this, tr("Choose a background image or video"),
+                                                    emptyRoom_->text());
   if (!file.isEmpty()) {
     setEmptyRoom(file);
   }

@@ -27,13 +27,13 @@ void showMethodRequirements(const Workbench& bench) {
   const MethodFamily family = bench.document.methodFamily();
   if (family.needsCalibration) {
     if (isGuessed(project)) {
-      bench.messages.showNotice(ParameterPanel::tr(
-          "This method works in the room: calibrate the cameras first (menu Calibration), their "
-          "positions are only a guess."));
+      bench.messages.showNotice(
+          ParameterPanel::tr("This method tracks in 3D, but the camera positions are only guesses: "
+                             "calibrate the cameras first (menu Calibration)."));
     }
   } else if (family.lacksTargets(project.targets)) {
     bench.messages.showNotice(
-        ParameterPanel::tr("Click the thing or drag a box around it in any camera view."));
+        ParameterPanel::tr("Click the object or drag a box around it in any camera view."));
   }
 }
 
@@ -47,9 +47,9 @@ void takeCameras(const Workbench& bench, const MadeProject& made, const QString&
   }
   bench.messages.showNotice(
       made.matchedByOrder
-          ? CameraPanel::tr("The calibration names its cameras differently: they were "
-                            "taken in its order.")
-          : CameraPanel::tr("The cameras have the calibration of %1 now.").arg(file));
+          ? CameraPanel::tr(
+                "The calibration uses other camera names. The cameras were matched by order.")
+          : CameraPanel::tr("The cameras now use the calibration from %1.").arg(file));
 }
 
 void loadCalibration(const Workbench& bench, LatestJob* job, const QString& file) {

@@ -126,7 +126,7 @@ void ParameterPanel::addMethodChoice() {
   methods_ = new MethodChoice(form_);
   label->setBuddy(methods_);
   methods_->setToolTip(
-      tr("How the targets are tracked. Another method starts again; the rest stays."));
+      tr("Tracking method. Changing it restarts tracking; other settings are kept."));
   methods_->showMethods(document_.project());
   connect(methods_, &QComboBox::activated, this, [this, choice = methods_](int index) {
     document_.setMethod(choice->itemData(index).toString().toStdString());
@@ -155,7 +155,7 @@ void ParameterPanel::addEssential() {
   title->setFont(headingFont(title->font()));
   resetAll_ = makeButton("parametersReset", form_);
   resetAll_->setText(tr("Reset all"));
-  resetAll_->setToolTip(tr("Give all parameters of this method their defaults"));
+  resetAll_->setToolTip(tr("Reset all parameters of this method to their defaults"));
   resetAll_->setFlat(true);
   connect(resetAll_, &QPushButton::clicked, &document_, &Document::resetParameters);
   head->addWidget(title, 1);
@@ -195,7 +195,7 @@ void ParameterPanel::addVolume() {
   section->addWidget(new VolumeForm(document_, section));
   const auto show = [this, section] {
     const bool isSet = document_.project().volumeOfInterest.has_value();
-    section->setMark(isSet ? tr("Targets are searched for in a box alone.") : QString());
+    section->setMark(isSet ? tr("Targets are searched for only inside a box.") : QString());
     if (isSet) {
       section->setOpen(true);
     }
@@ -255,7 +255,7 @@ void ParameterPanel::showMarks() {
     }
   }
   for (const auto& [group, section] : sections_) {
-    section->setMark(marked.contains(group) ? tr("Something here differs from its default.")
+    section->setMark(marked.contains(group) ? tr("Some values here differ from their defaults.")
                                             : QString());
   }
   if (resetAll_ != nullptr) {

@@ -159,14 +159,14 @@ void TargetPanel::retranslateUi() {
   radiusLabel_->setText(tr("Radius"));
   radius_->setSuffix(tr(" mm"));
   radius_->setSpecialValueText(tr("unknown"));
-  radius_->setToolTip(tr("Radius of the ball, 0 to 2,000 mm. Unknown: it is estimated."));
+  radius_->setToolTip(tr("Radius of the ball, 0 to 2,000 mm. If unknown, it is estimated."));
   shapeLabel_->setText(tr("Shape"));
   shape_->setItemText(0, tr("automatic"));
   shape_->setItemText(1, tr("ball"));
   shape_->setItemText(2, tr("any"));
-  shape_->setToolTip(tr("Ball: its outline is a circle in every image. Any: its extent is "
-                        "learned, and its center is that of its color. Automatic: the images "
-                        "decide. Only method dewpoint uses this."));
+  shape_->setToolTip(tr("Ball: the outline is a circle in every image. Any: the size is learned, "
+                        "and the center is the center of the color. Automatic: determined from the "
+                        "images. Only method dewpoint uses this."));
   refresh();
 }
 
@@ -199,11 +199,11 @@ void TargetPanel::refresh() {
     remove_->setText(tr("Remove"));
     learn_->setText(boxes ? tr("Box") : tr("Learn"));
   }
-  hint_->setText(boxes ? tr("Click the thing or drag a box around it in any camera view: it is "
-                            "followed from there on.")
+  hint_->setText(boxes ? tr("Click the object or drag a box around it in any camera view. It is "
+                            "tracked from there.")
                  : targets.empty()
-                     ? tr("No target yet: click the thing to follow in any camera image.")
-                     : tr("The color of a target is learned by clicking it in a camera image."));
+                     ? tr("No target yet: click the object to track in any camera image.")
+                     : tr("Click a target in a camera image to learn its color."));
   showChosen();
   showRows();
   if (before > chosen()) { // the chosen one is gone: all others are to show its neighbor, too
@@ -263,7 +263,7 @@ void TargetPanel::showBox() {
   }
   const TargetSnapshot& target = snapshot_->targets[index];
   histograms_->setHistograms(target.histograms);
-  const auto noBox = [] { return tr("No box at this moment."); };
+  const auto noBox = [] { return tr("No box in this frame."); };
   box_->setText(std::visit(
       Overloaded{[&](const SphereEstimate&) { return noBox(); },
                  [&](const BoxEstimate& box) { return boxText(*snapshot_, target, box); },

@@ -55,10 +55,10 @@ void VolumeForm::build() {
       field->setSuffix(QStringLiteral(" m"));
       field->setAccessibleName(corner == 0 ? tr("Volume of interest from %1").arg(name)
                                            : tr("Volume of interest to %1").arg(name));
-      field->setToolTip(corner == 0 ? tr("Where the volume of interest begins, in meters; targets "
-                                         "are searched for in it alone")
-                                    : tr("Where the volume of interest ends, in meters; targets "
-                                         "are searched for in it alone"));
+      field->setToolTip(corner == 0 ? tr("Lower corner of the volume of interest, in meters; "
+                                         "targets are searched for only inside it")
+                                    : tr("Upper corner of the volume of interest, in meters; "
+                                         "targets are searched for only inside it"));
       grid->addWidget(field, row + 1, static_cast<int>(axis));
       grid->setColumnStretch(static_cast<int>(axis), 1);
       fields_[corner][axis] = field;
@@ -67,7 +67,7 @@ void VolumeForm::build() {
   }
   fromCameras_->setText(tr("From the cameras"));
   fromCameras_->setToolTip(
-      tr("Search for targets in the box around what at least two cameras see"));
+      tr("Search for targets in the box around the region that at least two cameras see"));
   none_->setText(tr("None"));
   none_->setToolTip(tr("Search for targets anywhere"));
   grid->addWidget(fromCameras_, 5, 0, 1, 2);
@@ -108,10 +108,10 @@ void VolumeForm::refresh() {
     showValue(*fields_[0][axis], box.min[static_cast<Eigen::Index>(axis)]);
     showValue(*fields_[1][axis], box.max[static_cast<Eigen::Index>(axis)]);
   }
-  state_->setText(isSet ? tr("Targets are searched for in this box alone.")
+  state_->setText(isSet ? tr("Targets are searched for only inside this box.")
                   : volume
-                      ? tr("None: targets are searched for anywhere. The numbers are what the "
-                           "cameras see; change one to search in a box.")
+                      ? tr("None: targets are searched for everywhere. The numbers show the region "
+                           "that the cameras see; change one of them to search in a box.")
                       : tr("None: targets are searched for anywhere. Change a number to search in "
                            "a box."));
   fromCameras_->setEnabled(isSet || volume);

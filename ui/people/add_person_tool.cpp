@@ -23,9 +23,8 @@ void AddPersonTool::attach(int camera, CameraView* view) {
   layers_.push_back(layer);
   const auto name = [this, layer, camera] {
     layer->setHint(tr("Click the person"));
-    layer->setAccessibleName(
-        tr("Image of %1: arrow keys move a cross, Enter says that a person is there")
-            .arg(cameras_.nameOf(camera)));
+    layer->setAccessibleName(tr("Image of %1: arrow keys move a cross, Enter adds a person there")
+                                 .arg(cameras_.nameOf(camera)));
   };
   onRetranslate(layer, name);
   connect(&cameras_, &CameraListModel::dataChanged, layer, name);

@@ -153,8 +153,8 @@ void PeopleDock::updateForMethod() {
 void PeopleDock::placePeople(bool placing) {
   const bool can = placing && bench_.session.isRunning() && isOfPeople();
   placer_->setPlacing(can, can ? bench_.document.project().parameters.at("floor_z") : 0.0);
-  const QString hint =
-      tr("Click somebody in a camera image, or the floor in the bird's-eye view. Esc ends it.");
+  const QString hint = tr("Click a person in a camera image, or the floor in the bird's-eye view. "
+                          "Press Esc to cancel.");
   if (can) {
     bench_.messages.showNotice(hint);
   } else if (bench_.messages.text() == hint) {
@@ -168,7 +168,7 @@ void PeopleDock::askExport() {
   }
   const int run = run_; // another one may be open by the time it is answered
   const QString folder = QFileDialog::getExistingDirectory(
-      &bench_.window, tr("Folder for the tables of people"),
+      &bench_.window, tr("Folder for the people tables"),
       QString::fromStdString(bench_.document.project().file.parent_path().string()));
   if (folder.isEmpty()) {
     return;
@@ -178,7 +178,7 @@ void PeopleDock::askExport() {
                           QDir(folder).exists(QStringLiteral("trajectory.csv"));
     return [this, folder, run, occupied] {
       if (occupied && run == run_) {
-        bench_.messages.ask(tr("There are tables of another run in %1. Replace them?").arg(folder),
+        bench_.messages.ask(tr("%1 contains tables of another run. Replace them?").arg(folder),
                             {{tr("Replace"), [this, folder, run] { write(folder, run); }}});
       } else {
         write(folder, run);
@@ -190,16 +190,16 @@ void PeopleDock::askExport() {
 void PeopleDock::write(const QString& folder, int run) {
   const Session* session = bench_.session.session();
   if (session == nullptr || run != run_) {
-    bench_.messages.showError(tr("That run is over; the tables of its people were not written."));
+    bench_.messages.showError(tr("That run has ended. Its people tables were not saved."));
     return;
   }
   const auto record = std::make_shared<const PeopleRecord>(session->peopleRecord());
-  bench_.messages.showNotice(tr("Writing the tables of people…"));
+  bench_.messages.showNotice(tr("Saving the people tables…"));
   writing_->start([this, folder, record](const auto& progress) {
     auto saved = savePeople(*record, folder.toStdString(), progress);
     return std::function<void()>([this, folder, saved = std::move(saved)] {
       saved ? bench_.messages.showNotice(
-                  tr("Places, volumes, hulls and densities of people are in %1 (frames: %2).")
+                  tr("Saved people's positions, volumes, hulls and densities in %1 (frames: %2).")
                       .arg(folder)
                       .arg(*saved))
             : bench_.messages.showError(errorSentence(saved.error()));

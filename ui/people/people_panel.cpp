@@ -105,18 +105,18 @@ void PeoplePanel::makeTable() {
 }
 
 void PeoplePanel::retranslateUi() {
-  table_->setAccessibleName(tr("People who are there"));
-  learning_->setAccessibleName(tr("How much of the empty room is learned"));
+  table_->setAccessibleName(tr("People in view"));
+  learning_->setAccessibleName(tr("Progress of learning the background"));
   const std::pair<QString, QString> headers[kColumns] = {
-      {tr("No."), tr("Number of the person, which nobody else gets in this run")},
-      {tr("Place"), tr("Place in the room, x and y in meters")},
-      {tr("Height"), tr("Estimated height, meters; empty: the method does not estimate it")},
-      {tr("Speed"), tr("Meters per second over the floor")},
-      {tr("Seen"), tr("Cameras that see the person, of all")},
-      {tr("Volume"), tr("Volume of the hull that holds 95 % of the person, cubic meters; empty "
-                        "while hulls are not shown")},
-      {tr("Since"), tr("How long the person has been there, seconds")},
-      {tr("Near"), tr("Somebody else is so near that colors are not learned")},
+      {tr("No."), tr("Number of the person; it is not used again in this run")},
+      {tr("Position"), tr("Position on the floor, x and y in meters")},
+      {tr("Height"), tr("Estimated height in meters; empty if the method does not estimate it")},
+      {tr("Speed"), tr("Speed over the floor, in meters per second")},
+      {tr("Seen"), tr("Number of cameras that see the person, out of all cameras")},
+      {tr("Volume"), tr("Volume in cubic meters of the hull that contains 95 % of the person; "
+                        "empty while hulls are not shown")},
+      {tr("Time"), tr("Time since the person entered, in seconds")},
+      {tr("Near"), tr("Another person is so close that colors are not learned")},
   };
   for (int column = 0; column < kColumns; ++column) {
     auto* item = new QTableWidgetItem(headers[column].first);
@@ -150,9 +150,9 @@ void PeoplePanel::showLearning() {
   learning_->setValue(static_cast<int>(std::lround(100.0 * least)));
   const int count = peopleThere(*snapshot_);
   summary_->setText(
-      learns       ? tr("Learning the empty room: %1 %. Keep out of view.").arg(percentText(least))
-      : count == 0 ? tr("Nobody is there. People appear when two cameras see them.")
-                   : tr("People there: %1").arg(QLocale().toString(count)));
+      learns ? tr("Learning the background: %1 %. Keep the scene empty.").arg(percentText(least))
+      : count == 0 ? tr("Nobody is in view. People appear when two cameras see them.")
+                   : tr("People in view: %1").arg(QLocale().toString(count)));
 }
 
 void PeoplePanel::refresh() {
@@ -214,7 +214,7 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
       target.shape ? numberText(target.shape->volume, 2, NumberForm::Rounded) : QString());
   put(row, kSince, numberText(person.age, 0, NumberForm::Rounded));
   put(row, kNear, person.interacting ? QStringLiteral("●") : QString(),
-      person.interacting ? tr("Somebody is near") : QString());
+      person.interacting ? tr("Another person is close") : QString());
 }
 
 void PeoplePanel::follow(int target) {

@@ -51,11 +51,10 @@ QWidget* CalibrationChoice::lastButton() const {
 void CalibrationChoice::retranslateUi() {
   label_->setText(tr("Calibration:"));
   choose_->setText(tr("Choose calibration…"));
-  choose_->setToolTip(
-      tr("A calibration file of Dewpoint or another program; cameras are found by their names, or "
-         "else taken in its order"));
+  choose_->setToolTip(tr("A calibration file of Dewpoint or another program. Cameras are matched "
+                         "by name, or by order if the names differ"));
   drop_->setText(tr("None"));
-  drop_->setToolTip(tr("Go without a calibration file"));
+  drop_->setToolTip(tr("Continue without a calibration file"));
   showResult();
 }
 
@@ -98,8 +97,8 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
     problem.file.clear(); // it stands above
     const QString reason = errorSentence(problem);
     if (checked.asks) {
-      return tr("Recognized: %1. It leaves something open: %2. Create the project without it; then "
-                "Import calibration asks for what is missing.")
+      return tr("Recognized: %1. Some information is missing: %2. Create the project without this "
+                "file, then use Import calibration and enter what is missing.")
           .arg(title, reason);
     }
     if (!title.isEmpty()) {
@@ -116,7 +115,7 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
     for (const std::string& camera : checked.cameras) {
       names << QString::fromStdString(camera);
     }
-    return tr("Recognized: %1. Its cameras do not fit those above: %2.")
+    return tr("Recognized: %1. Its cameras do not match the cameras above: %2.")
         .arg(title, names.join(QStringLiteral(", ")));
   }
   good = true;

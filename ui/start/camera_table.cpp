@@ -249,7 +249,7 @@ void CameraTable::showKnown(int row) {
     text = tr("✗ %1").arg(errorSentence(*known->second.problem));
     color = holdColor(HoldState::Lost, palette());
   } else {
-    text = tr("Live: tried when the project is made");
+    text = tr("Live: tested when the project is created");
   }
   found->setText(text);
   found->setToolTip(text);
@@ -267,8 +267,8 @@ QString CameraTable::differenceText() const {
   const FootageDifferences differences = footageDifferences(recordings);
   QStringList sentences;
   if (differences.rates) {
-    sentences << tr("Videos differ in frame rate: frame N of one is not the same moment as frame N "
-                    "of the other.");
+    sentences << tr("The videos have different frame rates: frame N does not show the same time in "
+                    "each of them.");
   }
   if (differences.shortest) {
     sentences << tr("Videos differ in length: using the first %n frames.", nullptr,

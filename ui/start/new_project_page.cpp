@@ -135,21 +135,20 @@ void NewProjectPage::retranslateUi() {
     which->setToolTip(hint);
   };
   title_->setText(tr("New project"));
-  lead_->setText(
-      tr("One row per camera. Videos must be synchronized: frame N shows the same moment "
-         "in all of them."));
+  lead_->setText(tr("One row per camera. The videos must be synchronized: frame N must show the "
+                    "same time in all of them."));
   button(addVideos_, tr("Add videos…"), tr("Video files, one per camera"));
   button(addFolder_, tr("Add image folder…"), tr("A folder of images, one per frame"));
   button(addDevices_, tr("Add connected cameras"), tr("All cameras connected to this computer"));
-  button(addAddress_, tr("Add address"), tr("A device number or a network stream; type it in"));
-  button(remove_, tr("Remove"), tr("Take the chosen cameras out"));
-  button(create_, tr("Create"), tr("Make the project and show its first images"));
-  button(cancel_, tr("Cancel"), tr("Back without making a project"));
+  button(addAddress_, tr("Add address"), tr("Enter a device number or a network stream"));
+  button(remove_, tr("Remove"), tr("Remove the selected cameras"));
+  button(create_, tr("Create"), tr("Create the project and show its first images"));
+  button(cancel_, tr("Cancel"), tr("Go back without creating a project"));
   nameLabel_->setText(tr("Name:"));
   name_->setPlaceholderText(tr("(folder name)"));
   name_->setToolTip(tr("Name of the project"));
   rateLabel_->setText(tr("Images per second:"));
-  rate_->setToolTip(tr("Rate of image folders, 0.1 to 10,000 per second"));
+  rate_->setToolTip(tr("Frame rate of image folders, 0.1 to 10,000 per second"));
   cameras_->setHorizontalHeaderLabels({tr("Camera"), tr("Images from"), tr("Found")});
   cameras_->setAccessibleName(tr("Cameras of the new project"));
   refresh();
@@ -228,8 +227,8 @@ void NewProjectPage::addFootage(const std::vector<FootagePlace>& places) {
     }
   }
   if (!refused.isEmpty()) {
-    Q_EMIT failed(tr("Neither a video, nor images, nor a calibration: %1.")
-                      .arg(refused.join(QStringLiteral(", "))));
+    Q_EMIT failed(
+        tr("Not a video, image or calibration file: %1.").arg(refused.join(QStringLiteral(", "))));
   }
 }
 
@@ -313,10 +312,10 @@ void NewProjectPage::finish(const Result<MadeProject>& result) {
   }
   QString note;
   if (result->lacksCalibration) {
-    note = tr("Without a calibration the camera positions are a guess: images can be tracked, but "
-              "positions in space mean nothing yet.");
+    note = tr("Without a calibration, the camera positions are guesses: targets can be tracked in "
+              "the images, but their 3D positions are meaningless.");
   } else if (result->matchedByOrder) {
-    note = tr("The calibration names its cameras differently: they were taken in its order.");
+    note = tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   Q_EMIT made(result->project, note);
 }

@@ -145,7 +145,7 @@ void RecentList::fill() {
     item->setData(kRecentFile, project.file);
     item->setData(kRecentFolder, folderText(project.file));
     const QString date = QLocale().toString(project.changed.date(), QLocale::ShortFormat);
-    item->setData(kRecentState, project.isMissing ? tr("The file is gone") : date);
+    item->setData(kRecentState, project.isMissing ? tr("The file no longer exists") : date);
     item->setData(kRecentImage, project.thumbnail);
     item->setIcon(symbol);
     item->setToolTip(project.file);

@@ -42,24 +42,25 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
                        "A cloud of guesses slides along a line of sight and snaps onto the ball.")},
     {"startOccluder", "occluder", "occluder", false,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Hidden for a second"),
-     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
-                       "A box passes in front of the ball. One camera is enough to keep it.")},
+     QT_TRANSLATE_NOOP(
+         "dewpoint::ui::StartPage",
+         "A box passes in front of the ball. One camera is enough to keep tracking it.")},
     {"startLookAlikes", "look-alikes", "look-alikes", false,
-     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Four balls alike"),
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Four identical balls"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
                        "Three more balls of the same color lie around. Only one moves.")},
     {"startOffice", "office", "office", false,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "People in an office"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
-                       "Four cameras carve everybody out of space, and give each a number.")},
+                       "Four cameras find everyone in 3D and give each person a number.")},
     {"startOneCamera", "one-camera", "one-camera", false,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "One camera and a box"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
-                       "No calibration: a box in the image is followed by its colors.")},
+                       "No calibration: a box in the image is tracked by its colors.")},
     {"startCalibrate", "", "calibrate", true,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Calibrate by hand"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
-                       "Drag a grid over the images until it lies on the floor.")},
+                       "Drag a grid over the images until it matches the floor.")},
 });
 
 } // namespace
@@ -177,10 +178,10 @@ void StartPage::retranslateUi() {
   for (std::size_t k = 0; k < scenes_.size(); ++k) {
     scenes_[k]->setTexts(tr(kGallery[k].title), tr(kGallery[k].line));
   }
-  ownTitle_->setText(tr("Your own"));
+  ownTitle_->setText(tr("Your own data"));
   videos_->setTexts(tr("Open videos…"), tr("One recording per camera"));
-  cameras_->setTexts(tr("Use cameras…"), tr("Connected ones, or network streams"));
-  open_->setTexts(tr("Open a project…"), tr("One that was saved before"));
+  cameras_->setTexts(tr("Use cameras…"), tr("Connected cameras or network streams"));
+  open_->setTexts(tr("Open a project…"), tr("A project saved earlier"));
   hint_->setText(tr("You can also drop a project or videos onto this window."));
   recentTitle_->setText(tr("Recent projects"));
   recent_->setAccessibleName(tr("Recent projects"));

@@ -34,19 +34,16 @@ QString cameraFault(const NamedFault& fault, const QString& first, const QString
                       "frames early. Synchronize the videos, or let time offsets be found."))
         .arg(first, numberText(std::abs(fault.value), 0));
   case CalibrationFault::CameraMoved:
-    return CalibrationText::tr(
-               "%1 fits one place before %2 and another after: it was likely moved or "
-               "bumped then. Calibrate with the part after it.")
+    return CalibrationText::tr("%1 fits one pose before %2 and another after it: the camera was "
+                               "probably moved. Calibrate with the part after that time.")
         .arg(first, secondsText(fault.value, 1));
   case CalibrationFault::VideoFlipped:
-    return CalibrationText::tr(
-               "%1 fits only with flipped images: its video is likely mirrored or upside "
-               "down. Set how its images are turned and mirrored.")
+    return CalibrationText::tr("%1 fits only with flipped images: its video is probably mirrored "
+                               "or upside down. Set the rotation and mirroring of its images.")
         .arg(first);
   case CalibrationFault::ZoomChanged:
-    return CalibrationText::tr(
-               "%1 fits with a focal length %2 times the given one: its zoom (or a crop) "
-               "was likely changed. Calibrate its lens again.")
+    return CalibrationText::tr("%1 fits with %2 times the given focal length: its zoom or crop was "
+                               "probably changed. Calibrate its intrinsics again.")
         .arg(first, ratioText(fault.value));
   default:
     return CalibrationText::tr(
@@ -91,14 +88,12 @@ QString faultText(const NamedFault& fault, const QStringList& cameraNames) {
                "(1 inch = 2.54 cm).")
         .arg(ratioText(fault.value));
   case CalibrationFault::WrongSquareCount:
-    return CalibrationText::tr(
-               "The corners form a board with %1 in a row: the number of squares is likely "
-               "wrong. Count them and correct the board.")
+    return CalibrationText::tr("The corners form a board with %1 squares in a row: the number of "
+                               "squares is probably wrong. Count them and correct the board.")
         .arg(numberText(fault.value, 0));
   case CalibrationFault::WrongSquareSize:
-    return CalibrationText::tr(
-               "The board's squares are given %1 times as large as the cameras see them: "
-               "measure a row with a ruler (prints are often rescaled).")
+    return CalibrationText::tr("The given size of the squares is %1 times what the cameras see: "
+                               "measure a row with a ruler (prints are often rescaled).")
         .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
     return CalibrationText::tr(

@@ -21,7 +21,7 @@ QString cameraMotionText(const CameraMotionReport* report) {
   if (report == nullptr) {
     return {};
   }
-  return QCoreApplication::translate("CameraMotion", "turned by %1")
+  return QCoreApplication::translate("CameraMotion", "rotated by %1")
       .arg(angleText(report->event.turn.turn.norm(), 2));
 }
 

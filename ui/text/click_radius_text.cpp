@@ -40,8 +40,8 @@ QString clickRadiusText(double given, const std::optional<double>& shown) {
 }
 
 QString markedPartText(double radius) {
-  return ClickRadiusText::tr("This is a part of something larger of its color: it is followed as a "
-                             "ball with a radius of %1, from where it was marked.")
+  return ClickRadiusText::tr("This is part of a larger object of the same color. It is tracked as "
+                             "a ball with radius %1, starting at the marked spot.")
       .arg(lengthText(radius, LengthForm::TwoDigits));
 }
 

@@ -21,7 +21,7 @@ QString placeName(HorizontalThird horizontal, VerticalThird vertical) {
        QT_TRANSLATE_NOOP("ColorText", "at the top"),
        QT_TRANSLATE_NOOP("ColorText", "at the top right")},
       {QT_TRANSLATE_NOOP("ColorText", "at the left"),
-       QT_TRANSLATE_NOOP("ColorText", "in the middle"),
+       QT_TRANSLATE_NOOP("ColorText", "in the center"),
        QT_TRANSLATE_NOOP("ColorText", "at the right")},
       {QT_TRANSLATE_NOOP("ColorText", "at the bottom left"),
        QT_TRANSLATE_NOOP("ColorText", "at the bottom"),
@@ -44,9 +44,9 @@ QString suggestionSentence(const ColorAssessment& assessment) {
     return ColorText::tr(
         "Much of the target does not match: Shift-click its light and its dark side.");
   case Suggestion::ExcludeDistractor:
-    return ColorText::tr("Alt-click what matches too: it can be told apart.");
+    return ColorText::tr("Alt-click what also matches to exclude it.");
   case Suggestion::RemoveDistractor:
-    return ColorText::tr("Cover what has the same color, or take it out of view.");
+    return ColorText::tr("Cover objects of the same color, or take them out of view.");
   case Suggestion::MoreLight:
     return ColorText::tr("The target is nearly black here: more light would help.");
   case Suggestion::LessExposure:
@@ -54,16 +54,16 @@ QString suggestionSentence(const ColorAssessment& assessment) {
   case Suggestion::UseStrongerColor:
     return ColorText::tr("The target is nearly gray: a stronger color would help.");
   case Suggestion::UseAnotherColor:
-    return ColorText::tr("Several things have this color: another one would help.");
+    return ColorText::tr("Several objects have this color: another color would help.");
   case Suggestion::FollowAll:
-    return ColorText::tr("%n things have this color and size: follow all of them, or cover the "
-                         "others.",
-                         nullptr, assessment.alike);
+    return ColorText::tr(
+        "%n objects have this color and size: follow all of them, or cover the others.", nullptr,
+        assessment.alike);
   case Suggestion::ClickObjectItself:
     return ColorText::tr(
-        "This fills much of the image: click the thing itself, or drag a box on it.");
+        "This fills much of the image: click only the target, or drag a box on it.");
   case Suggestion::ClickMore:
-    return ColorText::tr("Only a speck was clicked: drag a box on the whole thing.");
+    return ColorText::tr("You clicked only a speck: drag a box on the whole target.");
   case Suggestion::None:
     break;
   }
@@ -82,7 +82,7 @@ QString sharesSentence(const ColorAssessment& assessment) {
   return whole > assessment.backgroundShare
              ? few + QLatin1Char(' ') +
                    ColorText::tr(
-                       "A range for all of the target would match %1 % of the background.")
+                       "A range that covers the whole target would match %1 % of the background.")
                        .arg(percentText(whole, 2))
              : few;
 }
@@ -109,13 +109,13 @@ QString colorAssessmentText(const ColorAssessment& assessment,
   }
   QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
   if (assessment.sampleLeftOut) {
-    sentences << ColorText::tr("One sample hardly matches the learned color: much around it looks "
-                               "the same, or it shows something else.");
+    sentences << ColorText::tr("One sample hardly matches the learned color: its surroundings look "
+                               "the same, or it shows another object.");
   }
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
-    sentences << ColorText::tr("Something %1 %2 of %3 matches too.")
+    sentences << ColorText::tr("A %1 region %2 of %3 also matches.")
                      .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
                           camera < cameras.size() ? cameras[camera] : QString());
   }

@@ -26,9 +26,9 @@ QString holdText(HoldState state) {
   case HoldState::NoTarget:
     return QCoreApplication::translate("HoldState", "No target yet");
   case HoldState::Learning:
-    return QCoreApplication::translate("HoldState", "◔ learning the room");
+    return QCoreApplication::translate("HoldState", "◔ learning background");
   case HoldState::Nobody:
-    return QCoreApplication::translate("HoldState", "◌ nobody there");
+    return QCoreApplication::translate("HoldState", "◌ nobody in view");
   case HoldState::Gone:
     return QCoreApplication::translate("HoldState", "– not there");
   case HoldState::NoImages:

@@ -27,7 +27,7 @@ std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera) {
 }
 
 QString learningText(double share) {
-  return QCoreApplication::translate("People", "learning the empty room: %1 % · keep out of view")
+  return QCoreApplication::translate("People", "learning background: %1 % · keep the scene empty")
       .arg(percentText(share));
 }
 
@@ -43,7 +43,7 @@ QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
   if (state == nullptr || state->usable || state->foregroundShare <= 0.0) {
     return {};
   }
-  return QCoreApplication::translate("People", "%1 % of the image moves: not looked at")
+  return QCoreApplication::translate("People", "%1 % of the image moves: ignored")
       .arg(percentText(state->foregroundShare));
 }
 

@@ -37,14 +37,14 @@ QString cameraReasonText(const CameraReport& report) {
   case CameraStatus::Hidden:
     return Reason::tr("hidden");
   case CameraStatus::Distractor:
-    return report.pixels < 1.0 ? Reason::tr("at a look-alike")
-                               : Reason::tr("%1 beside a look-alike").arg(distance);
+    return report.pixels < 1.0 ? Reason::tr("at a distractor")
+                               : Reason::tr("%1 from a distractor").arg(distance);
   case CameraStatus::NoColor:
     return Reason::tr("no color matches");
   case CameraStatus::Elsewhere:
     return Reason::tr("its color is %1 away").arg(distance);
   case CameraStatus::Unclear:
-    return Reason::tr("its color, but not its shape");
+    return Reason::tr("right color, wrong shape");
   }
   return {};
 }
@@ -54,7 +54,7 @@ QString cameraReasonHereText(const CameraReport& report) {
   case CameraStatus::Hidden:
     return Reason::tr("hidden here");
   case CameraStatus::OutOfView:
-    return Reason::tr("not in this picture");
+    return Reason::tr("not in this image");
   case CameraStatus::None:
   case CameraStatus::NoImage:
   case CameraStatus::Covered:

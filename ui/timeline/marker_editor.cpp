@@ -18,7 +18,7 @@ MarkerEditor::MarkerEditor(QWidget& timeline, Document& document)
 }
 
 void MarkerEditor::retranslateUi() {
-  name_->setAccessibleName(tr("Name of the mark"));
+  name_->setAccessibleName(tr("Name of the marker"));
 }
 
 void MarkerEditor::add(qint64 frame) {
@@ -28,8 +28,8 @@ void MarkerEditor::add(qint64 frame) {
   const auto& markers = document_.project().markers;
   const auto there = place(document_.project());
   if (there == markers.end() || there->frame != frame) {
-    const std::string name = tr("Mark %1").arg(markers.size() + 1).toStdString();
-    (void)document_.edit(tr("Add a mark"), [&](Project& project) {
+    const std::string name = tr("Marker %1").arg(markers.size() + 1).toStdString();
+    (void)document_.edit(tr("Add a marker"), [&](Project& project) {
       project.markers.insert(project.markers.begin() + (place(project) - project.markers.begin()),
                              {frame, name});
     });
@@ -41,7 +41,7 @@ bool MarkerEditor::remove(qint64 frame) {
   if (std::ranges::find(markers, frame, &ProjectMarker::frame) == markers.end()) {
     return false;
   }
-  (void)document_.edit(tr("Remove a mark"), [frame](Project& project) {
+  (void)document_.edit(tr("Remove a marker"), [frame](Project& project) {
     std::erase_if(project.markers,
                   [frame](const ProjectMarker& marker) { return marker.frame == frame; });
   });
@@ -71,7 +71,7 @@ void MarkerEditor::rename(qint64 frame, const QString& from, const QString& name
   if (name.isEmpty() || name == from) {
     return;
   }
-  (void)document_.edit(tr("Rename a mark"), [&](Project& project) {
+  (void)document_.edit(tr("Rename a marker"), [&](Project& project) {
     const auto marker = std::ranges::find(project.markers, frame, &ProjectMarker::frame);
     if (marker != project.markers.end()) {
       marker->name = name.toStdString();

@@ -173,8 +173,8 @@ bool Timeline::event(QEvent* event) {
     const auto* help = static_cast<QHelpEvent*>(event);
     if (rows().footer.contains(help->pos())) {
       QToolTip::showText(help->globalPos(),
-                         tr("Memory for going back in the run: images, particles and copies of the "
-                            "method. When it is full, older moments keep their estimates only."),
+                         tr("Memory for looking back: images, particles and copies of the method. "
+                            "When it is full, only the estimates of older frames are kept."),
                          this);
     } else if (help->pos().x() >= gutter_ && !model_.targets.isEmpty()) {
       QToolTip::showText(help->globalPos(), model_.describe(scale_.frameAt(help->pos().x())), this);
@@ -189,8 +189,9 @@ void Timeline::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().color(QPalette::Window));
   if (model_.history.last < 0) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect().adjusted(16, 0, -16, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Nothing tracked yet: play (Space), then drag here through time."));
+    painter.drawText(
+        rect().adjusted(16, 0, -16, 0), Qt::AlignCenter | Qt::TextWordWrap,
+        tr("Nothing tracked yet: press play (Space), then drag here to move through time."));
     return;
   }
   paintTimeline(painter, model_, scale_, rows(), selection_, hovered_, palette());

@@ -55,7 +55,8 @@ void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool isLive = bench.session.shown() && !bench.session.shown()->frameCount;
   if (isLive && bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(
-        Timeline::tr("The change holds from now on. “%1” shows what it makes of this moment.")
+        Timeline::tr(
+            "The change applies to new frames. Use “%1” to track again from the current frame.")
             .arg(bench.action("actionRerun")->text()));
   }
 }

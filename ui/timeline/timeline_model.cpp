@@ -101,7 +101,7 @@ QString TimelineModel::describe(qint64 frame) const {
     return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");
   }
   if (isOld(frame)) {
-    text += QLatin1Char('\n') + QCoreApplication::translate("Timeline", "of earlier settings");
+    text += QLatin1Char('\n') + QCoreApplication::translate("Timeline", "from earlier settings");
   }
   for (std::size_t k = 0; k < record->targets.size(); ++k) {
     const FrameRecord::Entry& entry = record->targets[k];

@@ -120,10 +120,9 @@ void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineSc
 
 void paintNothingTracked(QPainter& painter, const QRectF& rows, const QPalette& palette) {
   painter.setPen(palette.color(QPalette::PlaceholderText));
-  painter.drawText(
-      rows, Qt::AlignCenter,
-      QCoreApplication::translate("Timeline",
-                                  "How well each target is held appears here when tracking runs."));
+  painter.drawText(rows, Qt::AlignCenter,
+                   QCoreApplication::translate(
+                       "Timeline", "The state of each target appears here during tracking."));
 }
 
 } // namespace dewpoint::ui

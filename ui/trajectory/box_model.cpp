@@ -91,7 +91,7 @@ QVariant BoxModel::headerData(int section, Qt::Orientation orientation, int role
   const bool name = role == Qt::DisplayRole;
   switch (section) {
   case Time:
-    return name ? tr("time, s") : tr("Seconds, of the frame");
+    return name ? tr("time, s") : tr("Time of the frame, in seconds");
   case Frame:
     return name ? tr("frame") : tr("Frame, counted from 1");
   case Target:
@@ -106,11 +106,11 @@ QVariant BoxModel::headerData(int section, Qt::Orientation orientation, int role
     return name ? tr("height, px") : tr("Height of the box, pixels");
   case Similarity:
     return name ? tr("similarity")
-                : tr("How alike the colors in the box are to those it was given with, 0 to 1");
+                : tr("Similarity of the colors in the box to the initial colors, 0 to 1");
   case Spread:
     return name ? tr("spread, px") : tr("Root mean square distance of the particles to their mean");
   case Seen:
-    return name ? tr("state") : tr("Hidden: it is held where it is thought to be");
+    return name ? tr("state") : tr("Hidden: held at its estimated position");
   default:
     return {};
   }

@@ -115,8 +115,8 @@ QByteArray BoxPanel::csv() {
 void BoxPanel::updateSummary() {
   const int rows = model_->rowCount();
   summary_->setText(
-      rows == 0 ? tr("This method follows boxes in images: click the thing or drag a box around "
-                     "it in any camera view. Its box in every frame appears here, in pixels.")
+      rows == 0 ? tr("This method tracks boxes in images. Click the object or drag a box around it "
+                     "in any camera view. Its box in each frame appears here, in pixels.")
                 : tr("%n boxes, in pixels of the image", nullptr, rows));
 }
 

@@ -104,7 +104,7 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
   const bool name = role == Qt::DisplayRole;
   switch (section) {
   case Time:
-    return name ? tr("time, s") : tr("Seconds, of the frame");
+    return name ? tr("time, s") : tr("Time of the frame, in seconds");
   case Frame:
     return name ? tr("frame") : tr("Frame, counted from 1");
   case Target:
@@ -126,11 +126,11 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
   case Cameras:
     return name ? tr("cameras") : tr("Cameras that see the target");
   case Existence:
-    return name ? tr("existence") : tr("Probability that the target is where the estimate says");
+    return name ? tr("existence") : tr("Probability that the target is at the estimated position");
   case Held:
     return name ? tr("state")
-                : tr("Held: the cameras confirm the estimate. Ambiguous: something else fits about "
-                     "as well. Corrected: you said where the target is");
+                : tr("Held: the cameras confirm the estimate. Ambiguous: another object fits about "
+                     "as well. Corrected: you set the position");
   default:
     return {};
   }

@@ -110,7 +110,7 @@ void TrajectoryPanel::makePlots() {
   plots_->setShown({QStringLiteral("speed"), QStringLiteral("height")});
   onRetranslate(plots_, [this] {
     plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
-    plots_->setEmptyText(tr("Speed and height appear when tracking runs."));
+    plots_->setEmptyText(tr("Speed and height appear during tracking."));
     plots_->setPlots({{QStringLiteral("speed"),
                        tr("Speed"),
                        PlotQuantity::Speed,
@@ -158,7 +158,7 @@ void TrajectoryPanel::showMenu(const QPoint& place, int row) {
   if (row >= 0 && model_->log().rows()[static_cast<std::size_t>(row)].sample.corrected) {
     const TrajectorySample& sample = model_->log().rows()[static_cast<std::size_t>(row)].sample;
     const auto target = std::ranges::find(names_, sample.target) - names_.begin();
-    connect(menu.addAction(tr("Remove the correction")), &QAction::triggered, this,
+    connect(menu.addAction(tr("Remove correction")), &QAction::triggered, this,
             [this, frame = qint64(sample.frame), target] {
               Q_EMIT correctionRemovalWanted(frame, static_cast<int>(target));
             });

@@ -67,17 +67,17 @@ void ViewButtons::retranslateUi() {
       tr("Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to "
          "show "
          "everything."),
-      tr("Look from above: X to the right, Y up. Drag to move, wheel to zoom, double click to see "
-         "everything."),
-      tr("Look from the front: X to the right, Z up. Drag to move, wheel to zoom, double click to "
-         "see everything.")};
+      tr("View from above: X to the right, Y up. Drag to move, scroll to zoom, double-click to "
+         "show everything."),
+      tr("View from the front: X to the right, Z up. Drag to move, scroll to zoom, double-click to "
+         "show everything.")};
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     buttons_[i]->setText(texts[i]);
     buttons_[i]->setToolTip(tips[i]);
     buttons_[i]->setAccessibleDescription(tips[i]);
   }
   fit_->setText(tr("Fit"));
-  fit_->setToolTip(tr("See everything again, in the same view. Double click does it too."));
+  fit_->setToolTip(tr("Fit everything in the view, in the same direction (or double-click)"));
   fit_->setAccessibleDescription(fit_->toolTip());
   place();
 }

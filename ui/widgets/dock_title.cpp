@@ -39,10 +39,9 @@ DockTitle::DockTitle(QDockWidget* dock)
   restore_->setFocusPolicy(Qt::NoFocus);
   restore_->hide();
   onRetranslate(this, [this] {
-    float_->setToolTip(
-        tr("Float this view, or put it back (double click the title: whole window)"));
+    float_->setToolTip(tr("Float or dock this view (double-click the title to maximize it)"));
     restore_->setText(tr("Show all views"));
-    restore_->setToolTip(tr("Give the other views their places back (Esc, or double click here)"));
+    restore_->setToolTip(tr("Restore the other views (Esc, or double-click here)"));
     applyPalette();
   });
   QFont bold = name_->font();

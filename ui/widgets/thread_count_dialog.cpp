@@ -46,12 +46,11 @@ ThreadCountDialog::ThreadCountDialog(int most, QWidget* parent)
 void ThreadCountDialog::retranslateUi() {
   setWindowTitle(tr("Filter threads"));
   label_->setText(tr("Threads"));
-  threads_->setSpecialValueText(tr("as suits this machine"));
-  threads_->setToolTip(tr("How many threads share the work of the filter; results are the same "
-                          "with any number"));
-  note_->setText(tr("Used from the next frame on."));
+  threads_->setSpecialValueText(tr("automatic"));
+  threads_->setToolTip(tr("Number of threads of the filter; it does not change the results"));
+  note_->setText(tr("The new number is used from the next frame."));
   accept_->setText(tr("OK"));
-  accept_->setToolTip(tr("Keep this number"));
+  accept_->setToolTip(tr("Use this number"));
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Change nothing"));
 }

@@ -46,16 +46,16 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, figure 4: the same cloud from above.", 1,
                        &intoFolder<&barreraFigure4>},
       FigureExperiment{"barrera-fig5", "The cone of one camera",
-                       "Barrera et al. 2005, figure 5: where one camera alone finds the color, and "
-                       "why the cloud moves away from it.",
+                       "Barrera et al. 2005, figure 5: where a single camera finds the color, and "
+                       "why the cloud moves away from the camera.",
                        1, &intoFolder<&barreraFigure5>},
       FigureExperiment{"drift", "Drift along the optical axis",
-                       "Barrera et al. 2005, section III-B: with one camera the cloud moves away "
-                       "from it.",
+                       "Barrera et al. 2005, section III-B: with one camera, the cloud moves away "
+                       "from the camera.",
                        50, &intoFolder<&barreraDrift>},
       FigureExperiment{"starts", "Where the cloud may start",
-                       "Barrera et al. 2005, section III-B: start volume against the share of runs "
-                       "that converge, and starts beyond the ball.",
+                       "Barrera et al. 2005, section III-B: the share of runs that converge for "
+                       "each start volume, and starts behind the ball.",
                        100, &intoFolder<&barreraStarts>},
       FigureExperiment{"dynamics-fig6", "Error after a jump",
                        "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,
@@ -65,16 +65,15 @@ std::span<const FigureExperiment> figureExperiments() {
           "Barrera et al. 2005, figure 7: the same for motion sigmas from 0.001 to 0.3 "
           "m, as an image.",
           20, &intoFolder<&dynamicsFigure7>},
-      FigureExperiment{"dynamics-fig8", "The cloud on its way",
+      FigureExperiment{"dynamics-fig8", "The cloud over time",
                        "Barrera et al. 2005, figure 8: the cloud at six instants, with a small and "
                        "a large motion sigma.",
                        1, &intoFolder<&dynamicsFigure8>},
       FigureExperiment{.name = "mohedano-fig1",
                        .title = "Motion masks and motion likelihood",
                        .sentence =
-                           "Mohedano et al. 2009, figures 1 and 3: what moves in the images "
-                           "of a camera, in pieces, and how likely that makes a person at "
-                           "each pixel.",
+                           "Mohedano et al. 2009, figures 1 and 3: the regions that move in a "
+                           "camera's images, and the likelihood of a person at each pixel.",
                        .runs = 1,
                        .run = &intoFolder<&mohedanoMotionFigures>,
                        .group = ExperimentGroup::Mohedano},

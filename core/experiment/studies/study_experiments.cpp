@@ -114,8 +114,8 @@ std::span<const FigureExperiment> studyExperiments() {
           [](const ExperimentOptions& options) { return studyScenario("crossing", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
-          "people-meet-and-turn", "People who meet and turn",
-          "Mohedano et al. 2009: two people meet, stay and go back where they came from.",
+          "people-meet-and-turn", "People who meet and turn back",
+          "Mohedano et al. 2009: two people meet, stop and walk back.",
           [](const ExperimentOptions& options) { return studyScenario("meet-and-turn", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -125,14 +125,14 @@ std::span<const FigureExperiment> studyExperiments() {
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-enter-leave", "People who enter and leave",
-          "Mohedano et al. 2009: people come and go; how long an estimate belongs to nobody, and "
-          "how long a person has no estimate.",
+          "Mohedano et al. 2009: people enter and leave; how long an estimate stays without a "
+          "person, and a person without an estimate.",
           [](const ExperimentOptions& options) { return studyScenario("enter-leave", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
           "people-apart", "People who stay apart",
-          "Mohedano et al. 2009: two people far from each other, the easy case, in which "
-          "no method may mix them up.",
+          "Mohedano et al. 2009: two people far apart. This is the easy case: no method may "
+          "confuse them.",
           [](const ExperimentOptions& options) { return studyScenario("apart", options); },
           ExperimentGroup::Mohedano),
       sceneOfPeople(
@@ -144,8 +144,8 @@ std::span<const FigureExperiment> studyExperiments() {
           "One person sits down on a stool and rises, one crouches and rises, and one walks by.",
           [](const ExperimentOptions& options) { return studyScenario("sitting", options); }),
       sceneOfPeople(
-          "people-carrying", "People who carry things",
-          "Two people walk past each other, one with a box before the chest, one with a bag.",
+          "people-carrying", "People who carry objects",
+          "Two people walk past each other, one with a box in front of the chest, one with a bag.",
           [](const ExperimentOptions& options) { return studyScenario("carrying", options); }),
       sceneOfPeople(
           "people-crowd", "A crowd",
@@ -166,7 +166,7 @@ std::span<const FigureExperiment> studyExperiments() {
             return studyScenario("furniture-moved", options);
           }),
       sceneOfPeople(
-          "people-room-clothes", "Clothes like the room",
+          "people-room-clothes", "Clothes in the room's colors",
           "Two people in clothes of the colors of walls, furniture and floor walk past each other.",
           [](const ExperimentOptions& options) { return studyScenario("room-clothes", options); }),
       sceneOfPeople("people-patterned-clothes", "Patterned clothes",

@@ -11,10 +11,11 @@ namespace {
 std::vector<ParameterDeclaration> declare() {
   std::vector<ParameterDeclaration> all{
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 1000000.0, 10.0, 200.0,
-       "How many particles the filter uses: more follow more surely and cost more time.", true},
+       "Number of particles of the filter: more particles track more reliably, but take more time.",
+       true},
       {"motion_sigma", ParameterKind::Real, "Motion sigma", "m", 0.001, 0.5, 0.001, 0.03,
-       "How far particles move at random along each axis in one iteration: larger follows faster "
-       "objects and spreads wider.",
+       "How far particles move at random along each axis in one iteration: larger values follow "
+       "faster objects, but spread the particles wider.",
        true},
       {"iterations_per_frame", ParameterKind::Integer, "Iterations per frame", "", 1.0, 500.0, 1.0,
        1.0, "How many filter iterations run on each frame.", false},

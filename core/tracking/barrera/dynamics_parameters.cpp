@@ -11,12 +11,11 @@ namespace {
 std::vector<ParameterDeclaration> declare() {
   const auto walk = barreraParameters();
   std::vector<ParameterDeclaration> all(walk.begin(), walk.end());
-  all.insert(all.begin() + 2,
-             {"observation_sigma", ParameterKind::Real, "Observation sigma", "m", 0.001, 5.0, 0.001,
-              0.1,
-              "How far off a measured position is taken to be along each axis: larger trusts the "
-              "particles more, smaller the measurement.",
-              true});
+  all.insert(all.begin() + 2, {"observation_sigma", ParameterKind::Real, "Observation sigma", "m",
+                               0.001, 5.0, 0.001, 0.1,
+                               "Assumed error of a measured position along each axis: larger "
+                               "values trust the particles more, smaller values the measurement.",
+                               true});
   putInGroup(ParameterGroup::Expert, {"iterations_per_frame"}, all);
   return all;
 }

@@ -9,14 +9,15 @@ namespace {
 std::vector<ParameterDeclaration> declare() {
   return {
       {"particles", ParameterKind::Integer, "Particles", "", 10.0, 100000.0, 10.0, 300.0,
-       "How many particles the filter uses: more follow more surely and cost more time.", true},
+       "Number of particles of the filter: more particles track more reliably, but take more time.",
+       true},
       {"position_sigma", ParameterKind::Real, "Position sigma", "px", 0.1, 200.0, 0.1, 10.0,
-       "How far particles move at random along each axis from image to image, beside going on as "
-       "before: larger follows sudden motion and spreads wider.",
+       "How far particles move at random along each axis between images, in addition to their "
+       "constant velocity: larger values follow sudden motion, but spread the particles wider.",
        true},
       {"likelihood_sigma", ParameterKind::Real, "Likelihood sigma", "", 0.01, 1.0, 0.01, 0.1,
        "How different from the reference the colors may be (Bhattacharyya distance): smaller "
-       "trusts the best particles more.",
+       "values trust the best particles more.",
        true},
   };
 }

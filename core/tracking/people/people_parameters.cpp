@@ -26,12 +26,13 @@ Declarations background(const Defaults& defaults) {
        "KNN.",
        false},
       {"learning_time", kReal, "Learning time", "s", 0.0, 600.0, 0.1, 1.0,
-       "How long the cameras only learn what they usually show, at first; nobody should be there.",
+       "How long the cameras only learn the background at the start; nobody should be in view.",
        false},
       {"background_memory", kReal, "Background memory", "s", 0.5, 3600.0, 0.5, 40.0,
-       "After how long something new that stays counts as background.", true},
+       "Time after which a new object that stays in place counts as background.", true},
       {"darkest_shadow", kReal, "Darkest shadow", "", 0.0, 1.0, 0.01, 0.5,
-       "What is darker than usual by no more than this factor, in the same tint, is a shadow.",
+       "Lowest brightness of a shadow, as a share of the background's brightness, at the same hue. "
+       "Anything darker is foreground.",
        false},
       {"image_width", kInteger, "Image width", "px", 0.0, 10000.0, 10.0, defaults.imageWidth,
        "Images are reduced to at most this width before anything else; 0 keeps them as they are.",
@@ -46,22 +47,25 @@ Declarations background(const Defaults& defaults) {
 Declarations place() {
   Declarations all{
       {"area_x", kReal, "Area x", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Middle of the floor that is watched.", false},
+       "Center of the tracked floor area.", false},
       {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
-       "Middle of the floor that is watched.", false},
+       "Center of the tracked floor area.", false},
       {"area_half_x", kReal, "Area half size x", "m", 0.2, 1000.0, 0.1, 3.4,
-       "Half the size of the floor that is watched; who crosses its border has left.", false},
+       "Half the size of the tracked floor area; a person who crosses its border has left.", false},
       {"area_half_y", kReal, "Area half size y", "m", 0.2, 1000.0, 0.1, 3.4,
-       "Half the size of the floor that is watched; who crosses its border has left.", false},
+       "Half the size of the tracked floor area; a person who crosses its border has left.", false},
       {"floor_z", kReal, "Floor z", "m", -1000.0, 1000.0, 0.01, 0.0,
-       "Height of the floor in the world frame.", false},
-      {"births", kInteger, "Births", "", 0.0, 1.0, 1.0, 1.0,
-       "1: who is seen by several cameras becomes a person; 0: only people put there by hand.",
+       "Height of the floor in world coordinates.", false},
+      {"births", kInteger, "Create tracks", "", 0.0, 1.0, 1.0, 1.0,
+       "1: tracks everyone that several cameras see; 0: tracks only people that you add by hand.",
        false},
-      {"birth_time", kReal, "Birth time", "s", 0.0, 10.0, 0.05, 0.2,
-       "How long foreground that nobody explains must stay together to become a person.", false},
+      {"birth_time", kReal, "Creation time", "s", 0.0, 10.0, 0.05, 0.2,
+       "How long foreground that belongs to no tracked person must last before a new track is "
+       "created.",
+       false},
       {"survival_time", kReal, "Survival time", "s", 0.05, 60.0, 0.05, 0.6,
-       "How long a person whom no two cameras see is believed to be still there.", true},
+       "How long a person still counts as present when fewer than two cameras see the person.",
+       true},
   };
   for (ParameterDeclaration& one : all) {
     one.group = ParameterGroup::Area;
@@ -73,7 +77,7 @@ Declarations place() {
 Declarations mohedano(bool color) {
   Declarations all{
       {"particles", kInteger, "Particles", "", 10.0, 100000.0, 10.0, 500.0,
-       "How many particles each person has.", true},
+       "Number of particles of each person.", true},
       {"position_sigma", kReal, "Position noise", "m", 0.0, 1.0, 0.005, 0.03,
        "Standard deviation of the noise on each coordinate, per frame.", false},
       {"velocity_sigma", kReal, "Velocity noise", "m/s", 0.0, 10.0, 0.01, 0.25,
@@ -81,19 +85,21 @@ Declarations mohedano(bool color) {
       {"mask_sigma", kReal, "Mask smoothing", "px", 0.0, 50.0, 0.5, 4.0,
        "Sigma of the Gaussian that smooths the motion masks (the paper: 4 px).", false},
       {"motion_floor", kReal, "Motion floor", "", 0.001, 1.0, 0.01, 0.2,
-       "Least likelihood where a camera sees no motion (the paper's p_B: 0.2).", false},
+       "Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).", false},
   };
   if (color) {
-    add(all, {{"hue_sigma", kReal, "Hue sigma", "", 0.001, 1.0, 0.005, 0.03,
-               "Standard deviation of a measured hue, in [0, 1].", true},
-              {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
-               "Standard deviation of a measured saturation, in [0, 1].", true},
-              {"hue_floor", kReal, "Hue floor", "", 0.001, 1.0, 0.01, 0.3,
-               "Least likelihood of a hue (the paper's h_B): something else may be seen.", false},
-              {"saturation_floor", kReal, "Saturation floor", "", 0.001, 1.0, 0.01, 0.3,
-               "Least likelihood of a saturation (the paper's s_B).", false},
-              {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
-               "Standard deviation of the noise on hue and saturation, per frame.", false}});
+    add(all,
+        {{"hue_sigma", kReal, "Hue sigma", "", 0.001, 1.0, 0.005, 0.03,
+          "Standard deviation of a measured hue, in [0, 1].", true},
+         {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
+          "Standard deviation of a measured saturation, in [0, 1].", true},
+         {"hue_floor", kReal, "Hue floor", "", 0.001, 1.0, 0.01, 0.3,
+          "Smallest likelihood of a hue (h_B in the paper), because another object may be seen.",
+          false},
+         {"saturation_floor", kReal, "Saturation floor", "", 0.001, 1.0, 0.01, 0.3,
+          "Smallest likelihood of a saturation (s_B in the paper).", false},
+         {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
+          "Standard deviation of the noise on hue and saturation, per frame.", false}});
     putInGroup(ParameterGroup::Measurement,
                {"hue_sigma", "saturation_sigma", "hue_floor", "saturation_floor"}, all);
     putInGroup(ParameterGroup::Motion, {"color_noise"}, all);
@@ -107,22 +113,24 @@ Declarations mohedano(bool color) {
 Declarations ours() {
   Declarations all{
       {"particles", kInteger, "Particles", "", 10.0, 100000.0, 10.0, 120.0,
-       "How many particles each person has.", true},
+       "Number of particles of each person.", true},
       {"body_points", kInteger, "Body points", "", 10.0, 100000.0, 10.0, 400.0,
-       "How many points stand for the volume of each person.", true},
+       "Number of points that represent the volume of each person.", true},
       // Method dewpoint has a parameter of this name, with another range and default: people change
       // their speed less abruptly than a ball or a hand.
       {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
-       "How strongly people speed up, slow down and turn.", true},
-      {"evidence", kReal, "Evidence per camera", "", 0.1, 100.0, 0.1, 8.0,
-       "How much a camera that sees a whole person says: larger trusts the masks more.", true},
+       "How strongly people accelerate, brake and turn.", true},
+      {"evidence", kReal, "Weight per camera", "", 0.1, 100.0, 0.1, 8.0,
+       "How much a camera that sees a whole person counts: larger values trust the masks more.",
+       true},
       {"color_weight", kReal, "Color weight", "", 0.0, 10.0, 0.05, 1.0,
-       "How much the colors of clothes count beside the masks when people are near each other.",
+       "How much the colors of clothes count compared with the masks when people are close to each "
+       "other.",
        false},
-      {"least_distance", kReal, "Least distance", "m", 0.0, 2.0, 0.01, 0.3,
-       "How near the middles of two people can come.", false},
+      {"least_distance", kReal, "Minimum distance", "m", 0.0, 2.0, 0.01, 0.3,
+       "Smallest distance between the centers of two people.", false},
       {"usual_height", kReal, "Usual height", "m", 0.3, 3.0, 0.01, 1.72,
-       "Height of a person whose own is not known yet.", false},
+       "Assumed height of a person whose height is not known yet.", false},
   };
   putInGroup(ParameterGroup::Measurement, {"color_weight"}, all);
   putInGroup(ParameterGroup::Area, {"least_distance", "usual_height"}, all);

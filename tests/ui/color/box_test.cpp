@@ -166,7 +166,7 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   Q_EMIT choice->activated(row);
   QCOMPARE(window_->document().project().method, std::string("histogram"));
   QCOMPARE(messageText(),
-           QStringLiteral("Click the thing or drag a box around it in any camera view."));
+           QStringLiteral("Click the object or drag a box around it in any camera view."));
   QVERIFY(waitFor([this] { return window_->shown()->family.targets == TargetsFrom::Box; }));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isHidden());
   action("actionUndo")->trigger();

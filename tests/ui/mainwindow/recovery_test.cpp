@@ -201,8 +201,10 @@ void RecoveryTest::thrownAwayItIsGoneButForASlip() {
   leaveBehind("0123", demoFile("one"));
   leaveBehind("4567", demoFile("two"));
   window_->useRecovery(place("left"));
-  const auto isAsked = [this] { return messageText().contains(QStringLiteral("did not end")); };
-  const auto isThrown = [this] { return messageText().contains(QStringLiteral("thrown away")); };
+  const auto isAsked = [this] {
+    return messageText().contains(QStringLiteral("closed unexpectedly"));
+  };
+  const auto isThrown = [this] { return messageText().contains(QStringLiteral("were discarded")); };
   QVERIFY(waitFor(isAsked));
   answer("messageAnswer1");
   QVERIFY(waitFor(isThrown));
@@ -228,7 +230,8 @@ void RecoveryTest::whatCannotBeOpenedStays() {
                                 "rotation = [0, 0, 0]\ntranslation = [0, 0, 0]\n"));
   leaveBehind("0123", broken);
   window_->useRecovery(place("left"));
-  QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("did not end")); }));
+  QVERIFY(
+      waitFor([this] { return messageText().contains(QStringLiteral("closed unexpectedly")); }));
   answer("messageAnswer0");
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("gone.mkv")); }));
   // What is opened next is not taken for it: neither unsaved, nor is the copy thrown away for its.

@@ -258,7 +258,7 @@ void PeopleTest::tablesAreWrittenOneAfterTheOther() {
   const QString other = folder_.filePath(QStringLiteral("other"));
   exportTo(one);
   QVERIFY(waitFor([&] {
-    return messageText().startsWith(QStringLiteral("Writing")) || messageText().contains(one);
+    return messageText().startsWith(QStringLiteral("Saving")) || messageText().contains(one);
   }));
   exportTo(other); // perhaps while the first ones are still written
   QVERIFY(waitFor([&] { return messageText().contains(other); }));
@@ -272,7 +272,7 @@ void PeopleTest::tablesOfARunThatIsOverAreNotWritten() {
   const QString folder = folder_.filePath(QStringLiteral("late"));
   exportTo(folder);
   action("actionCloseProject")->trigger(); // before it is known whether there are tables already
-  QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("were not written")); }));
+  QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("were not saved")); }));
   QVERIFY(QDir(folder).isEmpty());
 }
 

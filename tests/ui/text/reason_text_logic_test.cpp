@@ -26,15 +26,15 @@ TEST(ReasonText, EveryTroubleHasItsText) {
 }
 
 TEST(ReasonText, PixelsAreRoundedAndNeverZero) {
-  EXPECT_EQ(text(CameraStatus::Distractor, 2.6), "3 px beside a look-alike");
-  EXPECT_EQ(text(CameraStatus::Distractor, 0.9), "at a look-alike");
+  EXPECT_EQ(text(CameraStatus::Distractor, 2.6), "3 px from a distractor");
+  EXPECT_EQ(text(CameraStatus::Distractor, 0.9), "at a distractor");
   EXPECT_EQ(text(CameraStatus::Elsewhere, 0.2), "its color is 1 px away");
 }
 
 TEST(ReasonText, AnImageSaysThatTheTargetIsHiddenInIt) {
   EXPECT_EQ(cameraReasonHereText({CameraStatus::Hidden, 0.0}).toStdString(), "hidden here");
   EXPECT_EQ(cameraReasonHereText({CameraStatus::OutOfView, 0.0}).toStdString(),
-            "not in this picture");
+            "not in this image");
   EXPECT_EQ(cameraReasonHereText({CameraStatus::Dark, 0.0}).toStdString(), "too dark");
   EXPECT_EQ(cameraBlindText({CameraStatus::Hidden, 0.0}).toStdString(), "◌ hidden here");
   EXPECT_TRUE(isBlind({CameraStatus::OutOfView, 0.0}));

@@ -98,18 +98,18 @@ void BoardCalibrationPage::print() {
 
 void BoardCalibrationPage::retranslateUi() {
   boardTitle_->setText(tr("Board"));
-  goalTitle_->setText(tr("What to find"));
+  goalTitle_->setText(tr("Values to calibrate"));
   calibrate_->setText(tr("Calibrate"));
-  calibrate_->setToolTip(tr("Look for the board in the recording, and calibrate the cameras with "
-                            "it; one step that can be undone"));
+  calibrate_->setToolTip(
+      tr("Find the board in the recording and calibrate the cameras with it (one undo step)"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop; the former calibration is kept"));
+  cancel_->setToolTip(tr("Stop and keep the previous calibration"));
   apply_->setText(tr("Apply"));
-  apply_->setToolTip(tr("Take the calibration into the project; one step that can be undone"));
+  apply_->setToolTip(tr("Use the calibration in the project (one undo step)"));
   report_->setText(tr("Report…"));
-  report_->setToolTip(tr("Save a page with residuals, coverage and errors of all pictures, and "
-                         "open it"));
-  progress_->setAccessibleName(tr("How far the calibration is"));
+  report_->setToolTip(
+      tr("Save a page with the residuals, coverage and errors of all images, and open it"));
+  progress_->setAccessibleName(tr("Calibration progress"));
   refresh();
 }
 
@@ -117,10 +117,10 @@ void BoardCalibrationPage::refresh() {
   const bool live = calibrator_.isLive();
   const bool computing = calibrator_.isComputing();
   const auto outcome = calibrator_.outcome();
-  guide_->setText(live ? tr("Show a printed board to the cameras: you are told what to show next, "
-                            "and it is taken when you hold it still.")
-                       : tr("A recording in which a printed board is shown to the cameras, held "
-                            "still in many places, near and tilted, calibrates them."));
+  guide_->setText(live ? tr("Show a printed board to the cameras. This page says what to show "
+                            "next. A view is captured when you hold the board still.")
+                       : tr("To calibrate from a recording, record a printed board that you hold "
+                            "still in many positions, also close and tilted."));
   runTitle_->setText(live ? tr("Live cameras") : tr("This recording"));
   live_->setVisible(live);
   calibrate_->setVisible(!live && !computing);
@@ -136,7 +136,7 @@ void BoardCalibrationPage::refresh() {
   if (!calibrator_.failure().isEmpty()) {
     text = QStringLiteral("⚠ ") + calibrator_.failure();
   } else if (calibrator_.isApplied()) {
-    text = tr("✓ The cameras are calibrated (Ctrl+Z takes it back).") + QLatin1Char('\n') + text;
+    text = tr("✓ The cameras are calibrated (Ctrl+Z undoes this).") + QLatin1Char('\n') + text;
   }
   result_->setText(text);
   result_->setVisible(!text.isEmpty());

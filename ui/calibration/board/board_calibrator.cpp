@@ -28,7 +28,7 @@ BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* paren
   connect(job_, &BackgroundJob::progressChanged, this, &BoardCalibrator::progressChanged);
   connect(job_, &BackgroundJob::ended, this, [this](bool cancelled) {
     if (cancelled && !std::exchange(forgotten_, false)) {
-      failure_ = tr("Stopped: the former calibration is kept.");
+      failure_ = tr("Stopped. The previous calibration is kept.");
     }
     Q_EMIT changed();
     Q_EMIT calibrated();
@@ -219,7 +219,7 @@ void BoardCalibrator::apply() {
     return;
   }
   if (outcome->project.cameras.size() != project().cameras.size()) {
-    failure_ = tr("The project has other cameras by now: calibrate again.");
+    failure_ = tr("The cameras of the project have changed: calibrate again.");
     outcome_.reset();
     Q_EMIT changed();
     return;

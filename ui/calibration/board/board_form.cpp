@@ -193,28 +193,29 @@ void BoardForm::retranslateUi() {
     kind_->addItems({tr("Chessboard"), tr("ChArUco (with markers)")});
   }
   name(kind_, tr("Kind of board"),
-       tr("ChArUco boards may be partly hidden or outside the image; chessboards must be seen "
-          "whole"));
+       tr("A ChArUco board may be partly hidden or outside the image; a chessboard must be "
+          "completely visible"));
   squaresLabel_->setText(tr("Squares across, down"));
   name(columns_, tr("Squares in a row"), tr("All squares of a row, black and white"));
   name(rows_, tr("Squares in a column"), tr("All squares of a column, black and white"));
   sizeLabel_->setText(tr("Side of a square"));
   name(size_, tr("Side of a square"),
-       tr("Measured on the print: a long row with a ruler, divided by its squares"));
-  name(unit_, tr("Unit of the sizes"), tr("Unit in which the sizes are typed"));
+       tr("Measure a long row on the print with a ruler and divide by the number of squares"));
+  name(unit_, tr("Unit of the sizes"), tr("Unit of the sizes that you enter"));
   markerLabel_->setText(tr("Side of a marker"));
-  name(marker_, tr("Side of a marker"), tr("Of the black square around the pattern"));
+  name(marker_, tr("Side of a marker"), tr("Side of the black square around the pattern"));
   dictionaryLabel_->setText(tr("Dictionary"));
-  name(dictionary_, tr("Dictionary of the markers"), tr("As the program called it that made it"));
-  legacy_->setText(tr("Even rows of older software"));
-  legacy_->setToolTip(tr("A ChArUco board with an even number of rows from software older than "
-                         "OpenCV 4.6: its first square is white"));
-  inverted_->setText(tr("Black and white exchanged"));
+  name(dictionary_, tr("Dictionary of the markers"),
+       tr("The dictionary name used when the board was generated"));
+  legacy_->setText(tr("Legacy layout (even rows)"));
+  legacy_->setToolTip(tr("For ChArUco boards with an even number of rows from software older than "
+                         "OpenCV 4.6: the first square is white"));
+  inverted_->setText(tr("Inverted colors"));
   inverted_->setToolTip(tr("White markers and corners on a black page"));
   print_->setText(tr("Print this board…"));
-  print_->setToolTip(tr("Write the board as a PDF in its true size, with a bar to check it with a "
-                        "ruler"));
-  name(paper_, tr("Paper"), tr("Size of the sheet that is printed on"));
+  print_->setToolTip(
+      tr("Save the board as a PDF at its true size, with a scale bar to check with a ruler"));
+  name(paper_, tr("Paper"), tr("Size of the paper"));
   refresh();
 }
 

@@ -132,27 +132,27 @@ void BoardGoalForm::retranslateUi() {
     box->addItems(items);
   };
   goalLabel_->setText(tr("Find"));
-  fill(goal_, {tr("Lenses and places"), tr("Lenses"), tr("Places of the cameras")});
-  name(goal_, tr("What is found"),
-       tr("Lenses: how each camera sees, by itself. Places: where the cameras stand, from a board "
-          "that several of them see at once"));
+  fill(goal_, {tr("Intrinsics and positions"), tr("Intrinsics"), tr("Camera positions")});
+  name(goal_, tr("Values to calibrate"),
+       tr("Intrinsics: lens and sensor of each camera separately. Positions: where the cameras "
+          "are, from a board that several of them see at the same time"));
   modelLabel_->setText(tr("Lens model"));
   fill(model_,
        {tr("Pinhole, 5 coefficients"), tr("Pinhole, 8 coefficients (wide)"), tr("Fisheye")});
   name(model_, tr("Lens model"),
-       tr("5 for most lenses; 8 for wide ones; fisheye from about 120° on"));
-  floor_->setText(tr("The board lies on the floor in frame"));
-  floor_->setToolTip(tr("That frame makes the world: X along the rows, Y to the upper edge, Z up. "
-                        "Without it the first camera keeps its place"));
-  name(floorFrame_, tr("Frame in which the board lies on the floor"), tr("Number of the frame"));
-  floorHere_->setText(tr("This one"));
-  name(floorHere_, tr("The frame shown"), tr("Take the frame that is shown now"));
-  accuracyLabel_->setText(tr("Enough at"));
-  name(lensAccuracy_, tr("Accuracy wanted of lenses"),
-       tr("The guidance ends when a ray is known to so many pixels all over the image"));
+       tr("5 for most lenses, 8 for wide-angle lenses, fisheye above about 120°"));
+  floor_->setText(tr("Frame with the board on the floor"));
+  floor_->setToolTip(tr("This frame defines the world coordinates: X along the rows, Y toward the "
+                        "upper edge, Z up. Without it, the first camera keeps its position"));
+  name(floorFrame_, tr("Frame number with the board on the floor"), tr("Number of the frame"));
+  floorHere_->setText(tr("Use current frame"));
+  name(floorHere_, tr("Use current frame for the floor"), tr("Take the frame that is shown now"));
+  accuracyLabel_->setText(tr("Stop at accuracy"));
+  name(lensAccuracy_, tr("Desired accuracy of the intrinsics"),
+       tr("The guidance ends when rays are known to this accuracy all over the image"));
   lensAccuracy_->setSuffix(QStringLiteral(" px"));
-  name(placeAccuracy_, tr("Accuracy wanted of places"),
-       tr("The guidance ends when the place of each camera is known so well"));
+  name(placeAccuracy_, tr("Desired accuracy of the positions"),
+       tr("The guidance ends when the position of each camera is known to this accuracy"));
   placeAccuracy_->setSuffix(QStringLiteral(" mm"));
   refresh();
 }

@@ -120,23 +120,24 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
   const double held = lens ? of.lens.held : of.seen ? state.rig.held : 0.0;
   row.held->setValue(static_cast<int>(kHeldSteps * held));
   row.held->setAccessibleName(
-      tr("How long the board was held still before %1").arg(calibrator_.nameOf(camera)));
-  row.map->setAccessibleName(tr("Where %1 saw the board").arg(calibrator_.nameOf(camera)));
-  row.map->setToolTip(tr("Filled: the regions and tilts that the board was shown in. Orange: what "
-                         "is asked for. Green: the board as it is seen now"));
+      tr("Time for which the board was held still in front of %1").arg(calibrator_.nameOf(camera)));
+  row.map->setAccessibleName(
+      tr("Positions in which %1 saw the board").arg(calibrator_.nameOf(camera)));
+  row.map->setToolTip(tr("Filled: regions and tilts in which the board was shown. Orange: what to "
+                         "show next. Green: the board in the current image"));
 }
 
 void BoardLive::retranslateUi() {
   capture_->setText(tr("Capture now"));
-  capture_->setToolTip(tr("Take the board as it is shown now, also when it is not held still"));
-  floor_->setText(tr("On the floor now"));
-  floor_->setToolTip(tr("Take the board as it lies on the floor now: it makes the world. X along "
-                        "its rows, Y to its upper edge, Z up"));
-  next_->setText(tr("Next: places"));
-  next_->setToolTip(tr("Leave the lenses as well known as they are, and show the board to several "
-                       "cameras at once"));
+  capture_->setToolTip(tr("Capture the board as it is shown now, even if it is not held still"));
+  floor_->setText(tr("Set floor from board"));
+  floor_->setToolTip(tr("Use the board on the floor to define the world coordinates: X along its "
+                        "rows, Y toward its upper edge, Z up"));
+  next_->setText(tr("Next: positions"));
+  next_->setToolTip(tr("Keep the accuracy of the intrinsics as it is, and show the board to "
+                       "several cameras at once"));
   finish_->setText(tr("Calibrate with these views"));
-  finish_->setToolTip(tr("End here: what was taken so far is enough"));
+  finish_->setToolTip(tr("Finish now: the captured views are enough"));
   refresh();
 }
 
@@ -145,7 +146,7 @@ void BoardLive::refresh() {
   const auto state = calibrator_.guide();
   const bool places = state->phase == BoardGuideState::Phase::Poses;
   start_->setText(watching || calibrator_.hasViews() ? tr("Start over") : tr("Start"));
-  start_->setToolTip(tr("Look for the board in the live images, and be told what to show"));
+  start_->setToolTip(tr("Find the board in the live images and get guidance on what to show"));
   start_->setEnabled(!calibrator_.isComputing());
   capture_->setEnabled(watching);
   floor_->setVisible(calibrator_.request().goal.poses);
@@ -168,7 +169,7 @@ void BoardLive::followGuide() {
     fillRow(rows_[k], *state, k);
   }
   overall_->setText(
-      state->frame < 0 ? tr("Waiting for images: are the cameras playing?")
+      state->frame < 0 ? tr("Waiting for images. Check that the cameras are running.")
       : state->phase == BoardGuideState::Phase::Poses
           ? pairText(calibrator_, state->rig)
           : tr("Show the board to one camera after the other, as each of them asks."));

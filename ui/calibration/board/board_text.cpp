@@ -22,13 +22,13 @@ constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warn
 
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
-  QString line = BoardText::tr("%1: rms %2, focal length %3, %4 pictures; known to %5")
+  QString line = BoardText::tr("%1: RMS %2, focal length %3, %4 images; accuracy %5")
                      .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
                           QString::number(used), pixelText(lens.worstProjectionPx, 2));
   if (lens.worstProjectionPx > kPoorlyKnownPx) {
     line +=
-        QStringLiteral("\n⚠ ") + BoardText::tr("Corners in only %1 % of its image: show the board "
-                                               "in all of it, also tilted.")
+        QStringLiteral("\n⚠ ") + BoardText::tr("The corners cover only %1 % of its image: show the "
+                                               "board in every part of the image, also tilted.")
                                      .arg(percentText(lens.coverage.imagePart()));
   }
   return line;
@@ -36,11 +36,11 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
 
 QString placeLine(const QString& name, const CameraFit& fit) {
   if (fit.views.empty()) {
-    return BoardText::tr("%1 keeps its place: it never saw the board.").arg(name);
+    return BoardText::tr("%1 keeps its position: it never saw the board.").arg(name);
   }
-  QString line = BoardText::tr("%1: rms %2").arg(name, pixelText(fit.rmsPx, 3));
+  QString line = BoardText::tr("%1: RMS %2").arg(name, pixelText(fit.rmsPx, 3));
   if (fit.centerSigma > 0.0) {
-    line += BoardText::tr(", place ±%1, direction ±%2")
+    line += BoardText::tr(", position ±%1, direction ±%2")
                 .arg(lengthText(fit.centerSigma, LengthScale::Millimeters, 2),
                      angleText(fit.turnSigma, 3));
   }
@@ -49,14 +49,14 @@ QString placeLine(const QString& name, const CameraFit& fit) {
 
 void addLenses(const BoardCalibrator& calibrator, const LensesFromBoards& lenses,
                QStringList& lines) {
-  lines << BoardText::tr("Lenses");
+  lines << BoardText::tr("Intrinsics");
   std::size_t kept = 0;
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
       lines << lensLine(calibrator.nameOf(k), *lenses.cameras[k]);
     } else {
       lines << QStringLiteral("⚠ ") +
-                   BoardText::tr("%1 keeps its lens: %2")
+                   BoardText::tr("%1 keeps its intrinsics: %2")
                        .arg(calibrator.nameOf(k),
                             QString::fromStdString(lenses.kept.at(kept++).detail));
     }
@@ -68,7 +68,7 @@ void addPlaces(const BoardCalibrator& calibrator, const ExtrinsicsResult& places
   if (!lines.isEmpty()) {
     lines << QString();
   }
-  lines << BoardText::tr("Places: rms %1 over %2 positions of the board")
+  lines << BoardText::tr("Positions: RMS %1 over %2 board poses")
                .arg(pixelText(places.rmsPx, 3), QString::number(places.boardPoses.size()));
   for (std::size_t k = 0; k < places.fits.size(); ++k) {
     lines << placeLine(calibrator.nameOf(k), places.fits[k]);
@@ -88,7 +88,7 @@ QString regionText(int region) {
   const int row = (region / BoardCoverage::kColumns + 1) / 2; // top, middle, bottom
   const QString names[3][3] = {
       {BoardText::tr("upper left"), BoardText::tr("top"), BoardText::tr("upper right")},
-      {BoardText::tr("left"), BoardText::tr("middle"), BoardText::tr("right")},
+      {BoardText::tr("left"), BoardText::tr("center"), BoardText::tr("right")},
       {BoardText::tr("lower left"), BoardText::tr("bottom"), BoardText::tr("lower right")}};
   return names[std::clamp(row, 0, 2)][std::clamp(column, 0, 2)];
 }
@@ -96,13 +96,13 @@ QString regionText(int region) {
 QString tiltText(BoardTilt tilt) {
   switch (tilt) {
   case BoardTilt::LeftNear:
-    return BoardText::tr("its left side nearer");
+    return BoardText::tr("left side closer");
   case BoardTilt::RightNear:
-    return BoardText::tr("its right side nearer");
+    return BoardText::tr("right side closer");
   case BoardTilt::TopNear:
-    return BoardText::tr("its upper side nearer");
+    return BoardText::tr("upper side closer");
   case BoardTilt::BottomNear:
-    return BoardText::tr("its lower side nearer");
+    return BoardText::tr("lower side closer");
   case BoardTilt::Flat:
     break;
   }
@@ -115,17 +115,17 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
   }
   switch (camera.lens.advice) {
   case GuidanceAdvice::ShowBoard:
-    return BoardText::tr("Show it the whole board");
+    return BoardText::tr("Show the whole board");
   case GuidanceAdvice::MoveTo:
     return BoardText::tr("Move the board to: %1").arg(regionText(camera.lens.region));
   case GuidanceAdvice::TiltTo:
-    return BoardText::tr("Tilt it, %1").arg(tiltText(camera.lens.tilt));
+    return BoardText::tr("Tilt the board, %1").arg(tiltText(camera.lens.tilt));
   case GuidanceAdvice::ComeNearer:
-    return BoardText::tr("Come nearer with the board");
+    return BoardText::tr("Move the board closer");
   case GuidanceAdvice::HoldStill:
-    return BoardText::tr("Hold it still");
+    return BoardText::tr("Hold the board still");
   case GuidanceAdvice::Sharpen:
-    return BoardText::tr("The image is soft: focus, or more light");
+    return BoardText::tr("The image is blurred: focus the lens or add light");
   case GuidanceAdvice::Finished:
     break;
   }
@@ -134,21 +134,22 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
 
 QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.showTo < 0 || state.andTo < 0) {
-    return BoardText::tr("✓ All cameras have seen enough together");
+    return BoardText::tr("✓ The cameras have enough shared views");
   }
-  return BoardText::tr("Show the board to %1 and %2 at once, hold it still, then elsewhere")
+  return BoardText::tr(
+             "Show the board to %1 and %2 at the same time, hold it still, then repeat elsewhere")
       .arg(calibrator.nameOf(static_cast<std::size_t>(state.showTo)),
            calibrator.nameOf(static_cast<std::size_t>(state.andTo)));
 }
 
 QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
   if (!camera.seen) {
-    return BoardText::tr("no board in sight");
+    return BoardText::tr("board not visible");
   }
   const QString edges = pixelText(camera.seen->edgeWidthPx);
   return camera.seen->edgeWidthPx > settings.softEdgePart * camera.width
-             ? BoardText::tr("⚠ soft, edges of %1").arg(edges)
-             : BoardText::tr("sharp, edges of %1").arg(edges);
+             ? BoardText::tr("⚠ blurred, edge width %1").arg(edges)
+             : BoardText::tr("sharp, edge width %1").arg(edges);
 }
 
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
@@ -157,7 +158,7 @@ QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
     return BoardText::tr("%1 of at least %2 views")
         .arg(QString::number(camera.lens.views), QString::number(settings.leastViews));
   }
-  return BoardText::tr("%1 views, known to %2 (wanted: %3)")
+  return BoardText::tr("%1 views, accuracy %2 (goal: %3)")
       .arg(QString::number(camera.lens.views), pixelText(*camera.lens.projectionPx, 2),
            pixelText(settings.requestedProjectionPx, 2));
 }
@@ -171,9 +172,9 @@ QString visibilityText(const BoardGuideState::PerCamera& camera) {
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {
   const QString views = QString::number(camera.pairViews);
   return camera.positionSigma
-             ? BoardText::tr("%1 views, place known to %2")
+             ? BoardText::tr("%1 views, position accuracy %2")
                    .arg(views, lengthText(*camera.positionSigma, LengthScale::Millimeters, 2))
-             : BoardText::tr("%1 views with others").arg(views);
+             : BoardText::tr("%1 views shared with other cameras").arg(views);
 }
 
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome) {
@@ -182,15 +183,14 @@ QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outco
     addLenses(calibrator, *outcome.lenses, lines);
   }
   if (outcome.extrinsicsError) {
-    lines << QStringLiteral("⚠ ") + BoardText::tr("The places were not found: %1")
+    lines << QStringLiteral("⚠ ") + BoardText::tr("The positions were not found: %1")
                                         .arg(errorSentence(*outcome.extrinsicsError));
   }
   if (outcome.extrinsics) {
     addPlaces(calibrator, *outcome.extrinsics, lines);
-    lines << (outcome.accuracy
-                  ? accuracyText(*outcome.accuracy)
-                  : BoardText::tr("How good it is cannot be said: too few places were seen "
-                                  "by two cameras."));
+    lines << (outcome.accuracy ? accuracyText(*outcome.accuracy)
+                               : BoardText::tr("The accuracy cannot be estimated: two cameras saw "
+                                               "the board together too rarely."));
     QStringList names;
     for (std::size_t k = 0; k < outcome.extrinsics->cameras.size(); ++k) {
       names << calibrator.nameOf(k);

@@ -79,18 +79,18 @@ void CalibrationExportDialog::retranslateFields() {
   setWindowTitle(tr("Export the calibration"));
   fileLabel_->setText(tr("File"));
   accept_->setText(tr("Export"));
-  accept_->setToolTip(tr("Write the file; one that exists is replaced"));
+  accept_->setToolTip(tr("Write the file; an existing file is replaced"));
   formatLabel_->setText(tr("Format"));
   format_->setAccessibleName(tr("Format"));
-  format_->setToolTip(tr("The program that is to read the file"));
+  format_->setToolTip(tr("The program that will read the file"));
   unitLabel_->setText(tr("Unit"));
   unit_->setAccessibleName(tr("Unit"));
-  unit_->setToolTip(tr("Of lengths, where the format leaves it open"));
+  unit_->setToolTip(tr("Unit of lengths, if the format does not define it"));
   {
     const QSignalBlocker quiet(unit_);
     const int chosen = std::max(0, unit_->currentIndex());
     unit_->clear();
-    unit_->addItem(tr("as usual for the format"));
+    unit_->addItem(tr("format default"));
     unit_->addItem(tr("meters"), QStringLiteral("m"));
     unit_->addItem(tr("millimeters"), QStringLiteral("mm"));
     unit_->addItem(tr("centimeters"), QStringLiteral("cm"));
@@ -119,11 +119,11 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
   for (std::size_t k = 0; k < conversion.cameras.size(); ++k) {
     const CameraDifference& camera = conversion.cameras[k];
     const QString name = cameraName(camera.camera, k);
-    lines << (camera.refitted ? tr("%1: largest reprojection difference %2 (fitted anew)")
+    lines << (camera.refitted ? tr("%1: largest reprojection difference %2 (refitted)")
                               : tr("%1: largest reprojection difference %2"))
                  .arg(name, pixelDifferenceText(camera.largestPixels));
     if (camera.lostDirections > 0) {
-      lines << tr("%1: %2 of 81 directions have no pixel any more")
+      lines << tr("%1: %2 of 81 directions no longer map to a pixel")
                    .arg(name)
                    .arg(camera.lostDirections);
     }

@@ -60,7 +60,7 @@ void CalibrationImportDialog::chooseFile() {
 }
 
 void CalibrationImportDialog::fillCameras() {
-  ChoicesWithData choices = {{tr("as the names say"), {}}};
+  ChoicesWithData choices = {{tr("by name"), {}}};
   for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
     choices.emplace_back(tr("only %1").arg(cameras_.nameOf(camera)), camera);
   }
@@ -72,11 +72,11 @@ void CalibrationImportDialog::retranslateFields() {
   fileLabel_->setText(tr("File"));
   folder_->setText(tr("Folder…"));
   folder_->setAccessibleName(tr("Choose a folder"));
-  folder_->setToolTip(tr("Find a folder with a file for each camera"));
+  folder_->setToolTip(tr("Choose a folder with one file per camera"));
   accept_->setText(tr("Use these cameras"));
-  accept_->setToolTip(tr("Take the calibration into the project; it can be undone"));
-  const QString own = tr("as the file says");
-  ChoicesWithData formats = {{tr("recognized from the content"), {}}};
+  accept_->setToolTip(tr("Use the calibration in the project; you can undo this"));
+  const QString own = tr("as in the file");
+  ChoicesWithData formats = {{tr("detect automatically"), {}}};
   for (const CalibrationFormat& format : calibrationFormats()) {
     formats.emplace_back(QString::fromUtf8(format.title), QLatin1String(format.name));
   }
@@ -90,19 +90,19 @@ void CalibrationImportDialog::retranslateFields() {
   setChoicesWithData(*lens_, {{own, {}},
                               {tr("k1 k2 p1 p2 of a pinhole"), QStringLiteral("pinhole")},
                               {tr("k1 k2 k3 k4 of a fisheye"), QStringLiteral("fisheye")}});
-  setChoicesWithData(*poses_, {{tr("as the format has them"), {}},
+  setChoicesWithData(*poses_, {{tr("format default"), {}},
                                {tr("camera from world"), QStringLiteral("no")},
                                {tr("world from camera"), QStringLiteral("yes")}});
   size_->setPlaceholderText(own);
   fillCameras();
   const std::pair<QString, QString> names[] = {
       {tr("Format"), tr("The program that wrote the file")},
-      {tr("Unit"), tr("Of lengths in the file; or type the meters of one unit, such as 0.025 for "
-                      "squares of 25 mm")},
-      {tr("Four coefficients"), tr("What four lens coefficients mean")},
-      {tr("Size of images"), tr("Width and height in pixels, such as 1280x720")},
-      {tr("Poses"), tr("Which way the poses in the file go")},
-      {tr("For"), tr("Which camera a file of one camera is about")}};
+      {tr("Unit"), tr("Unit of the lengths in the file; or enter the length of one unit in meters, "
+                      "such as 0.025 for squares of 25 mm")},
+      {tr("Four coefficients"), tr("Meaning of the four lens coefficients")},
+      {tr("Image size"), tr("Width and height in pixels, such as 1280x720")},
+      {tr("Poses"), tr("Direction of the transformation that the file stores as a pose")},
+      {tr("Camera"), tr("The camera to which a file with a single camera belongs")}};
   QWidget* const fields[] = {format_, unit_, lens_, size_, poses_, camera_};
   for (std::size_t k = 0; k < labels_.size(); ++k) {
     labels_[k]->setText(names[k].first);
@@ -162,7 +162,7 @@ void CalibrationImportDialog::applyError(const Error& error) {
   if (asked.question != ImportQuestion::None) {
     const QString label = labels_[static_cast<std::size_t>(asked.question) - 1]->text();
     text += QStringLiteral("\n\n") +
-            tr("The file leaves something open. Answer “%1” above.").arg(label);
+            tr("The file does not contain all information. Set “%1” above.").arg(label);
   }
   showPreview(text, false);
   Q_EMIT failed(sentence);
@@ -180,14 +180,15 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
     lines << QString::fromStdString(decision);
   }
   if (made->matchedByOrder) {
-    lines << tr("The calibration names its cameras differently: they were taken in its order.");
+    lines << tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   if (made->lensOnly) {
-    lines << tr("There is no pose in the file: only the lens is taken, the pose stays.");
+    lines << tr(
+        "The file contains no pose: only the intrinsics are imported, and the pose is kept.");
   }
   lines << QString();
   for (const ImportedCamera& camera : made->cameras) {
-    lines << tr("%1 (in the file: %2): %3 and %4 from where it is now")
+    lines << tr("%1 (in the file: %2): moves by %3 and rotates by %4")
                  .arg(cameras_.nameOf(static_cast<int>(camera.camera)),
                       QString::fromStdString(camera.fileName),
                       lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
@@ -213,7 +214,7 @@ void CalibrationImportDialog::accepted() {
     Q_EMIT failed(errorSentence(edited.error()));
     return;
   }
-  Q_EMIT done(tr("The cameras have the calibration of %1 now.").arg(file()));
+  Q_EMIT done(tr("The cameras now use the calibration from %1.").arg(file()));
   close();
 }
 

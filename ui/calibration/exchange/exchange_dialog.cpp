@@ -84,11 +84,11 @@ void ExchangeDialog::begin() {
     file_->setToolTip(tr("The file, or the folder with a file for each camera"));
     choose_->setText(tr("Choose…"));
     choose_->setAccessibleName(tr("Choose the file"));
-    choose_->setToolTip(tr("Find the file"));
-    previewLabel_->setText(tr("What is decided"));
+    choose_->setToolTip(tr("Choose the file to read or write"));
+    previewLabel_->setText(tr("Preview"));
     preview_->setAccessibleName(previewLabel_->text());
-    preview_->setPlaceholderText(tr("Choose a file. What is decided about it is shown here before "
-                                    "anything changes."));
+    preview_->setPlaceholderText(
+        tr("Choose a file. A preview of the result is shown here before anything changes."));
     close_->setText(tr("Close"));
     close_->setToolTip(tr("Change nothing"));
     retranslateFields();

@@ -123,38 +123,37 @@ void CameraForm::retranslateUi() {
     field->setToolTip(tip);
   };
   cameraLabel_->setText(tr("Camera"));
-  name(camera_, tr("Camera"),
-       tr("The camera that is adjusted; clicking into its image chooses it too"));
+  name(camera_, tr("Camera"), tr("The camera to adjust; you can also click its image"));
   positionLabel_->setText(tr("Position"));
   setChoices(*unit_, {tr("meters"), tr("centimeters")});
-  name(unit_, tr("Unit of positions"), tr("Unit in which positions are shown and typed"));
-  aimLabel_->setText(tr("Looks"));
-  setChoices(*aimMode_, {tr("at a point, roll"), tr("yaw, pitch, roll")});
-  name(aimMode_, tr("How the direction is said"),
+  name(unit_, tr("Unit of positions"), tr("Unit for showing and entering positions"));
+  aimLabel_->setText(tr("Direction"));
+  setChoices(*aimMode_, {tr("point, roll"), tr("yaw, pitch, roll")});
+  name(aimMode_, tr("Direction format"),
        tr("A point that the camera looks at, or angles: yaw from x toward y, pitch above the "
           "horizon, roll about the line of sight"));
   lensLabel_->setText(tr("Lens"));
   setChoices(*lensMode_, {tr("focal length"), tr("field of view")});
-  name(lensMode_, tr("How the lens is said"),
+  name(lensMode_, tr("Lens parameter"),
        tr("Focal length in pixels, or the horizontal field of view in degrees"));
   name(lens_, tr("Focal length or field of view"),
-       tr("How much the camera magnifies; the keys + and − change it too"));
+       tr("Magnification of the camera; the keys + and − also change it"));
   dragLabel_->setText(tr("Dragging"));
   setChoices(*dragMode_, {tr("turns the camera"), tr("slides the camera")});
-  name(dragMode_, tr("What dragging does"),
+  name(dragMode_, tr("Effect of dragging"),
        tr("What the camera does while the grid is dragged and nothing is held. Click points of the "
           "grid to hold up to three of them."));
-  focalMay_->setText(tr("Three held points: the focal length gives way"));
-  focalMay_->setToolTip(tr("Three held points fix the pose; dragging then changes the focal "
-                           "length, and the camera follows"));
+  focalMay_->setText(tr("With three held points, adjust the focal length"));
+  focalMay_->setToolTip(tr("Three held points fix the pose. Dragging then changes the focal "
+                           "length, and the pose follows"));
   keysLabel_->setText(tr("Keys"));
   setChoices(*keyMode_, {tr("move"), tr("turn")});
-  name(keyMode_, tr("What keys do"),
+  name(keyMode_, tr("Effect of the keys"),
        tr("Arrows or W A S D, with Q and E or the page keys: 1 cm or 0.2° a step. Shift: ten times "
           "as much; Ctrl with arrows and page keys: a tenth."));
-  setChoices(*keyFrame_, {tr("as it looks"), tr("along x, y, z")});
-  name(keyFrame_, tr("Directions of keys"),
-       tr("Right, forward and up as the camera looks, or the axes of the world"));
+  setChoices(*keyFrame_, {tr("camera axes"), tr("world axes")});
+  name(keyFrame_, tr("Axes of the keys"),
+       tr("Move along the camera's right, forward and up directions, or along the world axes"));
   showUnits();
   refresh();
 }
@@ -183,25 +182,25 @@ void CameraForm::showUnits() {
     setRange(*position_[k], length, unit);
     position_[k]->setPrefix(axis.toLower() + QLatin1Char(' '));
     position_[k]->setAccessibleName(tr("Position %1").arg(axis));
-    position_[k]->setToolTip(tr("Where the camera stands, along %1").arg(axis));
+    position_[k]->setToolTip(tr("%1 coordinate of the camera's position").arg(axis));
     if (looksAtPoint()) {
       setRange(*aim_[k], length, unit);
       aim_[k]->setPrefix(axis.toLower() + QLatin1Char(' '));
       aim_[k]->setAccessibleName(tr("Looks at %1").arg(axis));
-      aim_[k]->setToolTip(tr("The point the camera looks at, along %1").arg(axis));
+      aim_[k]->setToolTip(tr("%1 coordinate of the point that the camera looks at").arg(axis));
     } else {
       setRange(*aim_[k], {-180.0, 180.0, 0.1, 2}, degrees);
       aim_[k]->setPrefix({});
       aim_[k]->setAccessibleName(heading[k]);
       aim_[k]->setToolTip(k == 0 ? tr("Direction from above: 0° along x, 90° along y")
-                                 : tr("Above the horizon; straight down is −90°"));
+                                 : tr("Angle above the horizon; straight down is −90°"));
     }
   }
   aim_[2]->setVisible(looksAtPoint());
   setRange(*aim_[3], {-180.0, 180.0, 0.1, 2}, degrees);
   aim_[3]->setPrefix(tr("roll") + QLatin1Char(' '));
   aim_[3]->setAccessibleName(tr("Roll"));
-  aim_[3]->setToolTip(tr("Turned about its line of sight, clockwise"));
+  aim_[3]->setToolTip(tr("Clockwise rotation about the line of sight"));
   showsFieldOfView() ? setRange(*lens_, {1.0, 179.0, 0.1, 2}, degrees)
                      : setRange(*lens_, {1.0, 1e5, 1.0, 1}, QStringLiteral(" px"));
 }

@@ -129,28 +129,30 @@ void GridForm::retranslateUi() {
     kind_->clear();
     kind_->addItems({tr("the floor"), tr("a wall"), tr("a box")});
   }
-  name(kind_, tr("Kind of grid"), tr("What the grid lies on in the room"));
+  name(kind_, tr("Kind of grid"), tr("Surface of the room on which the grid lies"));
   sizeLabel_->setText(tr("Size along x, y, z"));
-  originLabel_->setText(tr("Begins at x, y, z"));
+  originLabel_->setText(tr("Origin x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(size_[k], tr("Size along %1").arg(axis), tr("How far the grid reaches, in meters"));
-    name(origin_[k], tr("Origin %1").arg(axis), tr("The corner where its axes begin, in meters"));
+    name(size_[k], tr("Size along %1").arg(axis), tr("Size of the grid, in meters"));
+    name(origin_[k], tr("Origin %1").arg(axis),
+         tr("Corner at which the grid's axes start, in meters"));
     size_[k]->setSuffix(QStringLiteral(" m"));
     origin_[k]->setSuffix(QStringLiteral(" m"));
   }
-  stepLabel_->setText(tr("Step, turn"));
-  name(step_, tr("Step of the grid"), tr("Meters from line to line"));
+  stepLabel_->setText(tr("Spacing, rotation"));
+  name(step_, tr("Spacing of the grid"), tr("Distance between lines, in meters"));
   step_->setSuffix(QStringLiteral(" m"));
-  name(turn_, tr("Turn of the grid"), tr("Turned about the vertical, counterclockwise from above"));
+  name(turn_, tr("Rotation of the grid"),
+       tr("Rotation about the vertical, counterclockwise as seen from above"));
   turn_->setSuffix(QStringLiteral("°"));
   opacityLabel_->setText(tr("Opacity"));
   name(opacity_, tr("Opacity of the grid"), tr("How strongly the grid is drawn over the images"));
-  edges_->setText(tr("Show edges of the images"));
-  edges_->setToolTip(tr("Let the rest of the images step back behind their edges"));
+  edges_->setText(tr("Show image edges"));
+  edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
   name(flip_, tr("Show the cameras as they were before"),
-       tr("While held down (or B, over an image): the grid as it was when the calibration was "
+       tr("Hold down (or hold B over an image) to show the grid as it was when the calibration was "
           "opened"));
   refresh();
 }

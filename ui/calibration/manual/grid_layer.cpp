@@ -43,8 +43,8 @@ GridLayer::GridLayer(int camera, CameraView* view, ManualCalibration& manual,
 
 void GridLayer::retranslateUi() {
   setAccessibleName(tr("Grid over the image of %1").arg(manual_.nameOf(camera_)));
-  setAccessibleDescription(tr("Drag the grid onto the real thing; click to hold a point; arrows, "
-                              "W A S D, Q and E move or turn the camera"));
+  setAccessibleDescription(tr("Drag the grid onto the real scene. Click a point to hold it. Arrow "
+                              "keys, W A S D, Q and E move or rotate the camera"));
 }
 
 void GridLayer::follow() {

@@ -44,8 +44,8 @@ ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& manual, PointCal
 }
 
 void ManualCalibrationPage::retranslateUi() {
-  guide_->setText(tr("Drag the grid in an image until it lies on the real thing. Click a point of "
-                     "it to hold it there."));
+  guide_->setText(tr("Drag the grid in an image until it matches the real scene. Click a grid "
+                     "point to hold it in place."));
   cameraTitle_->setText(tr("Camera"));
   gridTitle_->setText(tr("Reference grid"));
   pointsTitle_->setText(tr("Measured points"));

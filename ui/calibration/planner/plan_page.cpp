@@ -32,12 +32,12 @@ PlanPage::PlanPage(RigPlanner& plan, QWidget* parent)
 }
 
 void PlanPage::retranslateUi() {
-  guide_->setText(tr("How well will these cameras measure, and where would one more help? Drag a "
-                     "camera in the bird's-eye view: the map follows."));
+  guide_->setText(tr("See how accurately these cameras will measure, and where another camera "
+                     "would help. Drag a camera in the bird's-eye view to update the map."));
   mapTitle_->setText(tr("Map of expected errors"));
   cameraTitle_->setText(tr("Planned cameras"));
-  note_->setText(tr("Planned cameras are neither saved with the project nor part of the run. The "
-                    "map takes nothing in the room into account that hides a place."));
+  note_->setText(tr("Planned cameras are not saved with the project and take no part in the run. "
+                    "The map does not account for objects that block the view."));
 }
 
 } // namespace dewpoint::ui

@@ -141,39 +141,39 @@ void PlannerForm::retranslateUi() {
     field->setAccessibleName(text);
     field->setToolTip(tip);
   };
-  add_->setText(tr("Add a camera to plan"));
-  name(add_, tr("Add a camera to plan"),
-       tr("A camera that is not there yet: drag it in the bird's-eye view, or type where it "
-          "stands (%1)")
+  add_->setText(tr("Add planned camera"));
+  name(add_, tr("Add planned camera"),
+       tr("A camera that does not exist yet: drag it in the bird's-eye view, or enter its position "
+          "(%1)")
            .arg(QStringLiteral("Shift+P")));
   remove_->setText(tr("Remove"));
-  name(remove_, tr("Remove the planned camera"), tr("Take the chosen planned camera away"));
+  name(remove_, tr("Remove the planned camera"), tr("Remove the selected planned camera"));
   cameraLabel_->setText(tr("Planned camera"));
   name(camera_, tr("Planned camera"), tr("The planned camera that the numbers below belong to"));
-  placeLabel_->setText(tr("Stands at x, y, z"));
+  placeLabel_->setText(tr("Position x, y, z"));
   targetLabel_->setText(tr("Looks at x, y, z"));
   lensLabel_->setText(tr("Field of view, image width and height"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(place_[k], tr("Planned position %1").arg(axis), tr("Where the camera stands, in meters"));
+    name(place_[k], tr("Planned position %1").arg(axis), tr("Position of the camera, in meters"));
     name(target_[k], tr("Planned camera looks at %1").arg(axis),
          tr("A point on its line of sight, in meters"));
     place_[k]->setSuffix(QStringLiteral(" m"));
     target_[k]->setSuffix(QStringLiteral(" m"));
   }
-  name(fieldOfView_, tr("Field of view"), tr("How wide the camera sees, from left to right"));
+  name(fieldOfView_, tr("Field of view"), tr("Horizontal field of view of the camera"));
   fieldOfView_->setSuffix(QStringLiteral("°"));
-  name(imageWidth_, tr("Image width"), tr("Pixels of its image, from left to right"));
-  name(imageHeight_, tr("Image height"), tr("Pixels of its image, from top to bottom"));
+  name(imageWidth_, tr("Image width"), tr("Width of its image in pixels"));
+  name(imageHeight_, tr("Image height"), tr("Height of its image in pixels"));
   imageWidth_->setSuffix(QStringLiteral(" px"));
   imageHeight_->setSuffix(QStringLiteral(" px"));
-  wallLabel_->setText(tr("Walls and ceiling outside the volume by"));
-  name(wall_, tr("Distance of the walls"),
-       tr("The search looks on the four walls and the ceiling around the volume, this far outside "
-          "of it"));
+  wallLabel_->setText(tr("Distance of walls and ceiling"));
+  name(wall_, tr("Distance of the walls and the ceiling"),
+       tr("The search places the camera on four walls and a ceiling at this distance from the "
+          "volume"));
   wall_->setSuffix(QStringLiteral(" m"));
   cancel_->setText(tr("Cancel"));
-  name(cancel_, tr("Cancel the search"), tr("End the search; nothing is added"));
+  name(cancel_, tr("Cancel the search"), tr("Stop the search without adding a camera"));
   refresh();
 }
 
@@ -184,7 +184,7 @@ void PlannerForm::refreshNames() {
     camera_->addItem(QString::fromStdString(camera.name));
   }
   camera_->setCurrentIndex(plan_.chosen());
-  camera_->setPlaceholderText(plan_.planned().empty() ? tr("none yet") : tr("none chosen"));
+  camera_->setPlaceholderText(plan_.planned().empty() ? tr("none yet") : tr("none selected"));
 }
 
 void PlannerForm::refresh() {
@@ -206,10 +206,10 @@ void PlannerForm::refresh() {
   showValue(*imageHeight_, any ? camera.intrinsics.height : plan_.lens().height);
   showValue(*wall_, plan_.wallDistance());
   const QString next = plan_.nextName();
-  find_->setText(tr("Find the best place for %1").arg(next));
+  find_->setText(tr("Find best position for %1").arg(next));
   find_->setAccessibleName(find_->text());
-  find_->setToolTip(tr("Search the walls and the ceiling for the place from which one more camera "
-                       "helps most (%1)")
+  find_->setToolTip(tr("Search the walls and the ceiling for the position where another camera "
+                       "would help most (%1)")
                         .arg(QStringLiteral("Shift+F")));
 }
 

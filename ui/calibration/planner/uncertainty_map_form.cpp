@@ -149,44 +149,44 @@ void UncertaintyMapForm::retranslateUi() {
     field->setToolTip(tip);
   };
   shown_->setText(tr("Show the map in the bird's-eye view"));
-  shown_->setToolTip(tr("How far off a target is expected to be at each place; it follows every "
-                        "move of a camera"));
+  shown_->setToolTip(
+      tr("Expected position error of a target at each point; updated whenever a camera moves"));
   quantityLabel_->setText(tr("Colors show"));
   {
     const QSignalBlocker quiet(quantity_);
     quantity_->clear();
     quantity_->addItems({tr("the expected error"), tr("the number of cameras")});
   }
-  name(quantity_, tr("What the colors show"),
-       tr("The expected error (standard deviation along the worst direction), or how many cameras "
-          "see a place"));
-  goodLabel_->setText(tr("Good enough"));
-  name(good_, tr("Good enough"),
-       tr("The error that is good enough: up to it the map is blue, and it is what the sentence "
-          "and the search for a place go by"));
+  name(quantity_, tr("Meaning of the colors"),
+       tr("The expected error (standard deviation in the worst direction), or the number of "
+          "cameras that see a point"));
+  goodLabel_->setText(tr("Acceptable error"));
+  name(good_, tr("Acceptable error"),
+       tr("Errors up to this value are blue in the map. The summary and the search for a camera "
+          "position use it, too"));
   good_->setSuffix(QStringLiteral(" mm"));
-  pixelLabel_->setText(tr("Error of a sighting"));
-  name(pixel_, tr("Error of a sighting"),
-       tr("How far off a target is found in an image, in pixels (one standard deviation)"));
+  pixelLabel_->setText(tr("Detection error"));
+  name(pixel_, tr("Detection error"),
+       tr("Error of a target's position in an image, in pixels (one standard deviation)"));
   pixel_->setSuffix(QStringLiteral(" px"));
   slice_->setText(tr("Layer at"));
   slice_->setToolTip(tr("Show the map in a horizontal layer"));
   name(heightSlider_, tr("Height of the layer"), tr("Height of the layer above the floor"));
   name(height_, tr("Height of the layer in meters"), tr("Height of the layer above the floor"));
   height_->setSuffix(QStringLiteral(" m"));
-  volume_->setText(tr("Volume: surfaces around what is good and what is fair"));
-  volume_->setToolTip(tr("Show through the room where the error is at most 0.4, 1 and 2 times what "
-                         "is good enough, or where two, three and four cameras see"));
+  volume_->setText(tr("Surfaces around good and fair regions"));
+  volume_->setToolTip(tr("Show surfaces in the room where the error is at most 0.4, 1 and 2 times "
+                         "the acceptable error, or where two, three and four cameras see"));
   lowLabel_->setText(tr("Volume from x, y, z"));
   highLabel_->setText(tr("to x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(low_[k], tr("Volume from %1").arg(axis), tr("Where the volume begins, in meters"));
-    name(high_[k], tr("Volume to %1").arg(axis), tr("Where the volume ends, in meters"));
+    name(low_[k], tr("Volume from %1").arg(axis), tr("Lower corner of the volume, in meters"));
+    name(high_[k], tr("Volume to %1").arg(axis), tr("Upper corner of the volume, in meters"));
     low_[k]->setSuffix(QStringLiteral(" m"));
     high_[k]->setSuffix(QStringLiteral(" m"));
   }
-  room_->setText(tr("Like the reference grid"));
+  room_->setText(tr("Use reference grid"));
   room_->setToolTip(tr("The volume above the reference grid, up to the highest camera"));
   refresh();
   summarize();

@@ -105,7 +105,8 @@ bool PointCalibrator::rename(int point, const QString& name) {
 
 bool PointCalibrator::setWorld(int point, const Eigen::Vector3d& world) {
   return edit(
-      tr("Place of %1").arg(QString::fromStdString(points()[static_cast<std::size_t>(point)].name)),
+      tr("Position of %1")
+          .arg(QString::fromStdString(points()[static_cast<std::size_t>(point)].name)),
       [&](Project& project) { project.points[static_cast<std::size_t>(point)].world = world; });
 }
 
@@ -132,7 +133,7 @@ void PointCalibrator::removeClick(int camera) {
     return;
   }
   const auto point = static_cast<std::size_t>(chosen_);
-  edit(tr("Forget %1 in %2")
+  edit(tr("Remove %1 in %2")
            .arg(QString::fromStdString(points()[point].name), manual_.nameOf(camera)),
        [&](Project& project) {
          std::erase_if(project.points[point].clicks,
@@ -167,7 +168,7 @@ void PointCalibrator::applyResult(const PointSolution& solution) {
   forgetSolution();
   applying_ = true;
   if (solution.anySolved()) {
-    edit(tr("Solve cameras from measured points"),
+    edit(tr("Compute cameras from measured points"),
          [&](Project& project) { project = withCameras(std::move(project), solution.rig); });
   }
   applying_ = false;
@@ -179,7 +180,7 @@ void PointCalibrator::applyResult(const PointSolution& solution) {
     }
   }
   if (solution.cameras.empty()) {
-    lines << tr("No point was clicked yet: choose one, then click it in the images");
+    lines << tr("No point has been clicked yet: select one, then click it in the images");
   }
   worst_ = solution.worst;
   if (worst_ && solution.anySolved()) {
@@ -193,29 +194,29 @@ QString PointCalibrator::cameraSentence(const CameraFromPoints& camera) const {
   QString line;
   switch (camera.status) {
   case PoseStatus::None:
-    line = tr("%1: %2 off on average").arg(name, pixelText(camera.rmsPx, 2));
+    line = tr("%1: average error %2").arg(name, pixelText(camera.rmsPx, 2));
     break;
   case PoseStatus::TooFew:
-    line = tr("%1: %2 points are too few, click four or more").arg(name).arg(camera.clicks);
+    line = tr("%1: %2 points are not enough, click at least four").arg(name).arg(camera.clicks);
     break;
   case PoseStatus::Collinear:
-    line = tr("%1: its points lie on one line, add one beside it").arg(name);
+    line = tr("%1: its points lie on one line, add a point beside the line").arg(name);
     break;
   case PoseStatus::Ambiguous:
-    line = tr("%1: %2, but a second pose fits as well: add a point outside the plane")
+    line = tr("%1: %2, but a second pose fits equally well: add a point outside the plane")
                .arg(name, pixelText(camera.rmsPx, 2));
     break;
   case PoseStatus::NoPose:
-    line = tr("%1: no pose shows the points there").arg(name);
+    line = tr("%1: no pose fits the clicked points").arg(name);
     break;
   }
   if (camera.proposal) {
     const QString what = symmetryText(name, camera.proposal->symmetry);
-    line +=
-        QLatin1Char('\n') +
-        (camera.proposal->byUprightness
-             ? tr("%1, unless it was mounted so").arg(what)
-             : tr("%1: then its points fit to %2").arg(what, pixelText(camera.proposal->rmsPx, 2)));
+    line += QLatin1Char('\n') +
+            (camera.proposal->byUprightness
+                 ? tr("%1 (ignore this if the camera is mounted that way)").arg(what)
+                 : tr("%1: after that, its points fit within %2")
+                       .arg(what, pixelText(camera.proposal->rmsPx, 2)));
   }
   return line;
 }
@@ -233,9 +234,9 @@ QString PointCalibrator::worstPointSentence(const PointSolution& solution) const
   const QString name = QString::fromStdString(points()[worst].name);
   const QString distance = lengthText(meters, LengthScale::Millimeters, 1);
   return solution.worstExplains
-             ? tr("%1 does not fit the rest (%2, %3): measure or click it again")
+             ? tr("%1 does not fit the other points (%2, %3): measure or click it again")
                    .arg(name, pixelText(pixels), distance)
-             : tr("Worst: %1 (%2, %3)").arg(name, pixelText(pixels, 2), distance);
+             : tr("Largest error: %1 (%2, %3)").arg(name, pixelText(pixels, 2), distance);
 }
 
 std::optional<int> PointCalibrator::proposedCamera() const {
@@ -258,7 +259,7 @@ void PointCalibrator::acceptProposal() {
     return;
   }
   const Proposal proposal = *proposal_;
-  edit(tr("Set how %1 lies").arg(manual_.nameOf(proposal.camera)), [&](Project& project) {
+  edit(tr("Set orientation of %1").arg(manual_.nameOf(proposal.camera)), [&](Project& project) {
     project = withImageSymmetry(std::move(project), proposal.camera, proposal.symmetry);
   });
   solve(false);

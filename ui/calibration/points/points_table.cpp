@@ -86,8 +86,8 @@ void PointsTable::build() {
 
 void PointsTable::retranslateUi() {
   table_->setAccessibleName(tr("Measured points"));
-  table_->setToolTip(tr("Places measured with a tape, in meters: double click to type. A marked "
-                        "row fits worst."));
+  table_->setToolTip(tr("Positions measured with a tape, in meters: double-click to edit. The "
+                        "highlighted row has the largest error."));
   table_->setHorizontalHeaderLabels(
       {tr("Point"), tr("x m"), tr("y m"), tr("z m"), tr("seen"), tr("px"), tr("mm")});
   const auto button = [](QPushButton* one, const QString& text, const QString& tip) {
@@ -95,17 +95,17 @@ void PointsTable::retranslateUi() {
     one->setAccessibleName(text);
     one->setToolTip(tip);
   };
-  button(add_, tr("Add point"), tr("Add a place of the room that you measured"));
+  button(add_, tr("Add point"), tr("Add a position that you measured in the room"));
   button(remove_, tr("Remove point"), tr("Remove the chosen point"));
   button(click_, tr("Click in images"),
-         tr("Then click the chosen point in every image that shows it: corners are found to a "
-            "fraction of a pixel (Alt: exactly where you click). Esc ends it."));
-  button(forget_, tr("Forget click"), tr("Forget the click of this point in the chosen camera"));
-  focal_->setText(tr("Solve focal lengths too"));
+         tr("Click the selected point in every image that shows it. Corners are found to a "
+            "fraction of a pixel (Alt: exactly where you click). Press Esc to finish."));
+  button(forget_, tr("Remove click"), tr("Remove the click on this point in the selected camera"));
+  focal_->setText(tr("Compute focal lengths"));
   focal_->setToolTip(tr("For cameras with six points or more"));
-  button(
-      solve_, tr("Solve cameras"),
-      tr("Find the poses of all cameras in which points were clicked; four points or more each"));
+  button(solve_, tr("Compute cameras"),
+         tr("Compute the poses of all cameras in which points were clicked; each needs at least "
+            "four points"));
   refresh();
 }
 
@@ -195,9 +195,10 @@ void PointsTable::refresh() {
   const auto proposed = points_.proposedCamera();
   accept_->setVisible(proposed.has_value());
   if (proposed) {
-    accept_->setText(tr("Set it: %1").arg(points_.proposalText()));
+    accept_->setText(tr("Apply: %1").arg(points_.proposalText()));
     accept_->setAccessibleName(accept_->text());
-    accept_->setToolTip(tr("Turn or mirror the images of this camera so, and solve again"));
+    accept_->setToolTip(
+        tr("Rotate or mirror the images of this camera and compute its pose again"));
   }
 }
 

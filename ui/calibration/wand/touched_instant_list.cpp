@@ -55,16 +55,17 @@ void TouchedInstantList::retranslateUi() {
     }
     role_->setCurrentIndex(chosen);
   }
-  role_->setAccessibleName(tr("What the ball does at the moment"));
-  role_->setToolTip(tr("Three places of the floor, or a fall, tell where up is"));
-  take_->setText(tr("Take this moment"));
+  role_->setAccessibleName(tr("What the ball does at this time"));
+  role_->setToolTip(
+      tr("The upward direction comes from three positions on the floor, or from a fall"));
+  take_->setText(tr("Add current time"));
   take_->setAccessibleName(take_->text());
-  take_->setToolTip(tr("The moment that the images show is one at which the ball does this"));
-  remove_->setText(tr("Remove moment"));
+  take_->setToolTip(tr("Add the time of the images shown as one at which the ball does this"));
+  remove_->setText(tr("Remove time"));
   remove_->setAccessibleName(remove_->text());
-  remove_->setToolTip(tr("Take the chosen moment off the list"));
-  list_->setAccessibleName(tr("Moments taken"));
-  list_->setToolTip(tr("Double click or Enter shows the moment"));
+  remove_->setToolTip(tr("Remove the selected time from the list"));
+  list_->setAccessibleName(tr("Added times"));
+  list_->setToolTip(tr("Double-click or press Enter to show the images of this time"));
   refresh();
 }
 

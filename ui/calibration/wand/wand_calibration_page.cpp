@@ -37,15 +37,14 @@ WandCalibrationPage::WandCalibrationPage(WandCalibrator& calibrator, QWidget* pa
 }
 
 void WandCalibrationPage::retranslateUi() {
-  guide_->setText(
-      calibrator_.isLive()
-          ? tr("Nudge the cameras by hand until they are roughly right. Then wave the ball, or a "
-               "stick with two balls, through the whole volume, and refine.")
-          : tr("Nudge the cameras by hand until they are roughly right. A recording of a ball, or "
-               "a "
-               "stick with two balls, waved through the whole volume then makes them exact."));
-  instantsTitle_->setText(tr("Where the floor is"));
-  wavingTitle_->setText(tr("Waving"));
+  guide_->setText(calibrator_.isLive()
+                      ? tr("Align the cameras by hand until they are roughly right. Then wave the "
+                           "ball, or a wand with two balls, through the whole volume, and refine.")
+                      : tr("Align the cameras by hand until they are roughly right. A recording in "
+                           "which you wave a ball, or a wand with two balls, through the whole "
+                           "volume then refines them."));
+  instantsTitle_->setText(tr("Floor"));
+  wavingTitle_->setText(tr("Wand"));
   outcomeTitle_->setText(tr("Refine"));
   wavingTitle_->setVisible(calibrator_.isLive());
   waving_->setVisible(calibrator_.isLive());

@@ -161,7 +161,8 @@ QString WandCalibrator::missing() const {
     return missing;
   }
   if (live_ && collector_ == nullptr) {
-    return tr("Press Start waving, and wave for half a minute where things are to be tracked.");
+    return tr("Press Start waving, then wave for half a minute in the volume in which you want to "
+              "track.");
   }
   return {};
 }
@@ -220,16 +221,15 @@ void WandCalibrator::apply() {
     return;
   }
   around_.manual.takeAsBefore();
-  const auto edited =
-      around_.document.edit(settings_.stick ? tr("Refine cameras with a waved stick")
-                                            : tr("Refine cameras with a waved ball"),
-                            [this](Project& project) {
-                              const WandResult& found = refinement_->result;
-                              project = withCameras(std::move(project), found.cameras);
-                              if (refinement_->options.findOffsets) {
-                                project = withTimeOffsets(std::move(project), found.offsets);
-                              }
-                            });
+  const auto edited = around_.document.edit(
+      settings_.stick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
+      [this](Project& project) {
+        const WandResult& found = refinement_->result;
+        project = withCameras(std::move(project), found.cameras);
+        if (refinement_->options.findOffsets) {
+          project = withTimeOffsets(std::move(project), found.offsets);
+        }
+      });
   applied_ = edited.has_value();
   failure_ = edited ? QString() : errorSentence(edited.error());
   Q_EMIT changed();

@@ -158,7 +158,7 @@ void WandForm::fillSizes() {
       ball == targets.end() ? tr("the ball's diameter")
                             : tr("the ball's diameter, %1")
                                   .arg(lengthText(2.0 * ball->radius, LengthScale::Centimeters, 1));
-  setChoices(*size_, {tr("the cameras as they are"), diameter, tr("a distance touched")});
+  setChoices(*size_, {tr("the current cameras"), diameter, tr("a known distance")});
 }
 
 void WandForm::refresh() {
@@ -199,38 +199,42 @@ void WandForm::retranslateUi() {
     field->setAccessibleName(text);
     field->setToolTip(tip);
   };
-  kindLabel_->setText(tr("Waved"));
-  setChoices(*kind_, {tr("one ball"), tr("a stick with two balls")});
-  name(kind_, tr("What is waved"), tr("A stick also gives the size, better than anything else"));
+  kindLabel_->setText(tr("Wand"));
+  setChoices(*kind_, {tr("one ball"), tr("wand with two balls")});
+  name(kind_, tr("Kind of wand"),
+       tr("A wand with two balls also gives the size, more accurately than the other ways"));
   ballLabel_->setText(tr("Ball"));
-  name(ball_, tr("Ball"), tr("The target that is waved: its color is looked for"));
+  name(ball_, tr("Ball"), tr("The target that you wave; it is detected by its color"));
   otherLabel_->setText(tr("Second ball"));
-  name(other_, tr("Second ball"), tr("The target at the other end of the stick"));
+  name(other_, tr("Second ball"), tr("The target at the other end of the wand"));
   lengthLabel_->setText(tr("Length"));
-  name(length_, tr("Length of the stick"), tr("From the middle of one ball to that of the other"));
+  name(length_, tr("Length of the wand"),
+       tr("From the center of one ball to the center of the other"));
   length_->setSuffix(tr(" cm"));
   sizeLabel_->setText(tr("Size from"));
-  name(size_, tr("What gives the size"),
-       tr("Images alone do not tell a large room from a small one: a diameter is good to about one "
-          "percent, a distance to what you measure"));
+  name(size_, tr("Source of the size"),
+       tr("Images alone cannot show whether a room is large or small. A diameter is accurate to "
+          "about one percent, a distance as accurately as you measure it"));
   distanceLabel_->setText(tr("Distance"));
-  name(distance_, tr("Distance touched"),
-       tr("Between the two places that the middle of the ball was held at"));
+  name(distance_, tr("Known distance"),
+       tr("Distance between the two positions at which you held the center of the ball"));
   distance_->setSuffix(tr(" cm"));
-  initialErrorLabel_->setText(tr("Off by up to"));
-  name(initialPositionError_, tr("How far cameras may be off"),
-       tr("How well the cameras are nudged: about how far each may be from its true place"));
+  initialErrorLabel_->setText(tr("Initial error"));
+  name(initialPositionError_, tr("Initial position error"),
+       tr("Roughly how far each camera may be from its true position"));
   initialPositionError_->setSuffix(tr(" cm"));
-  name(initialTurnError_, tr("How much cameras may be turned"),
-       tr("About how far each may be turned from where it truly looks"));
+  name(initialTurnError_, tr("Initial rotation error"),
+       tr("Roughly how far each camera may be rotated from its true orientation"));
   initialTurnError_->setSuffix(QStringLiteral("°"));
   check(offsets_, tr("Find time offsets"),
         tr("For cameras that do not take their images at the same instants"));
-  check(focal_, tr("Find focal lengths"), tr("For lenses that were never calibrated, or zoomed"));
+  check(focal_, tr("Find focal lengths"),
+        tr("For lenses that were never calibrated, or whose zoom has changed"));
   check(distortion_, tr("Find the distortion k1"),
-        tr("The first coefficient of each lens; needs a ball seen up to the edges of the images"));
+        tr("The first distortion coefficient of each lens; the ball must be seen up to the edges "
+           "of the images"));
   check(onlyRange_, tr("Only the selected span"),
-        tr("Look through the stretch selected in the timeline, not the whole recording"));
+        tr("Use only the part of the recording that is selected in the timeline"));
   refresh();
 }
 

@@ -15,7 +15,7 @@ void installWandCalibration(const Workbench& bench, CalibrationMode& mode) {
                                    bench.session.opener(),
                                    [run = &bench.session] { return run->session(); }},
                                   &mode);
-  mode.addPage(new WandCalibrationPage(*wand), [] { return WandCalibrationPage::tr("Wave"); });
+  mode.addPage(new WandCalibrationPage(*wand), [] { return WandCalibrationPage::tr("Wand"); });
   bench.onTriggered("actionCalibrateWand", wand,
                     [&mode] { mode.open(QStringLiteral("wandPage")); });
   bench.needRun({"actionCalibrateWand"});

@@ -110,25 +110,24 @@ void WandOutcome::retranslateUi() {
     one->setToolTip(tip);
   };
   button(refine_, tr("Refine cameras"),
-         tr("Find the ball in all images, and the cameras that explain them best"));
-  button(cancel_, tr("Cancel"), tr("Stop; the cameras stay as they are"));
+         tr("Detect the ball in all images and compute the cameras that fit best"));
+  button(cancel_, tr("Cancel"), tr("Stop and keep the cameras unchanged"));
   progress_->setAccessibleName(tr("Progress"));
-  button(flip_, tr("Before"),
-         tr("While it is pressed, the grid is drawn with the cameras as they were"));
+  button(flip_, tr("Before"), tr("Hold down to draw the grid with the previous cameras"));
   button(apply_, tr("Use it anyway"),
-         tr("Take these cameras although something seems to be wrong; it can be undone"));
+         tr("Use these cameras although the result looks wrong; you can undo this"));
   button(report_, tr("Save report…"),
-         tr("A page with all figures, residuals as arrows, coverage and a drawing in space"));
-  table_->setAccessibleName(tr("Cameras found"));
-  table_->setToolTip(tr("What was found of each camera; point at a heading to see what it means"));
+         tr("A page with all numbers, residuals as arrows, coverage and a 3D drawing"));
+  table_->setAccessibleName(tr("Refined cameras"));
+  table_->setToolTip(tr("Results for each camera; hover over a heading to see its meaning"));
   table_->setHorizontalHeaderLabels(
-      {tr("Camera"), tr("px"), tr("moved cm"), tr("turned °"), tr("late ms")});
+      {tr("Camera"), tr("px"), tr("moved cm"), tr("rotated °"), tr("delay ms")});
   const QStringList tips = {
       {},
-      tr("Root mean square distance between seen and projected balls"),
-      tr("How far the camera is from where it was"),
-      tr("How far it is turned from where it looked"),
-      tr("By how much its images are later than the first camera's, beyond what was known")};
+      tr("Reprojection error: root mean square distance between detected and projected balls"),
+      tr("Distance between the old and the new position of the camera"),
+      tr("Angle between the old and the new orientation of the camera"),
+      tr("Additional delay of this camera's images relative to the first camera")};
   for (int column = 0; column < ColumnCount; ++column) {
     table_->horizontalHeaderItem(column)->setToolTip(tips[column]);
   }
@@ -161,39 +160,38 @@ void WandOutcome::showOutcome() {
   QString accuracy;
   if (!calibrator_.failure().isEmpty()) {
     accuracy = QStringLiteral("⚠ ") + calibrator_.failure();
-    notes << tr("The cameras are as they were.");
+    notes << tr("The cameras are unchanged.");
   }
   if (found) {
     accuracy = found->accuracy ? accuracyText(*found->accuracy)
                                : QStringLiteral("⚠ ") + errorSentence(found->accuracy.error());
     if (calibrator_.isStale()) {
-      notes << tr("The cameras were changed since; this is about how they were refined.");
+      notes << tr("The cameras have changed since this refinement.");
     }
     for (const NamedFault& fault : found->result.faults) {
       notes << QStringLiteral("⚠ ") + faultText(fault, cameraNames(found->before));
     }
     if (saysTooLittle(*found)) {
-      notes << QStringLiteral("⚠ ") +
-                   tr("That is less sure than the cameras were (off by up to %1): "
-                      "wave through more of the volume.")
-                       .arg(lengthText(found->options.initialPositionError,
-                                       LengthScale::Centimeters, 1));
+      notes << QStringLiteral("⚠ ") + tr("This is less accurate than the initial cameras (error up "
+                                         "to %1): wave through more of the volume.")
+                                          .arg(lengthText(found->options.initialPositionError,
+                                                          LengthScale::Centimeters, 1));
     }
     if (!calibrator_.isApplied()) {
-      notes << tr("The cameras are as they were.");
+      notes << tr("The cameras are unchanged.");
     }
     if (found->accuracy && found->accuracy->modelFactor > 1.0) {
-      notes << tr("Solutions without a part of the recording differ %1 times more than noise "
-                  "explains; the verdict includes that.")
+      notes << tr("Solutions from parts of the recording vary %1 times more than noise predicts. "
+                  "The stated accuracy includes this.")
                    .arg(numberText(found->accuracy->modelFactor, 1));
     }
     if (found->result.drop) {
-      notes << tr("The fall says %1 m/s² (9.81 is expected).")
+      notes << tr("The fall gives a gravity of %1 m/s² (9.81 is expected).")
                    .arg(numberText(found->result.drop->gravity, 2));
     }
     if (found->options.findOffsets && calibrator_.isApplied()) {
-      notes << tr("How late cameras are is kept in the project: images are put together by it from "
-                  "now on.");
+      notes << tr(
+          "Camera delays are saved in the project and used to synchronize images from now on.");
     }
   }
   accuracy_->setText(accuracy);

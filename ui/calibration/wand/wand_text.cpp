@@ -25,7 +25,7 @@ QString touchText(TouchRole role) {
   case TouchRole::FallEnds:
     break;
   }
-  return WandText::tr("still falls");
+  return WandText::tr("is still falling");
 }
 
 QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
@@ -34,22 +34,20 @@ QString validationMessage(const WandSettings& settings, const std::vector<Touche
   case WandObstacle::None:
     break;
   case WandObstacle::TooFewCameras:
-    return WandText::tr("Two cameras or more must see the ball.");
+    return WandText::tr("At least two cameras must see the ball.");
   case WandObstacle::NoBall:
     return WandText::tr("Learn the color of the ball first: press L and click it in an image.");
   case WandObstacle::NoSecondBall:
     return WandText::tr(
-        "A stick has two balls of different colors: learn the second one (Shift+L).");
+        "A wand has two balls of different colors: learn the second color (Shift+L).");
   case WandObstacle::SameBallTwice:
-    return WandText::tr("The two ends of the stick are the same target: choose another.");
+    return WandText::tr("Both ends of the wand are the same target: choose another target.");
   case WandObstacle::DistanceNotTaken:
     return WandText::tr(
-        "The size is to come from a distance: take the moments at which the ball is "
-        "at its two ends.");
+        "The size comes from a distance: add the times at which the ball is at its two ends.");
   case WandObstacle::HalfAFall:
-    return WandText::tr(
-        "A fall needs two moments: one at which the ball begins to fall, and one at "
-        "which it still falls.");
+    return WandText::tr("A fall needs two times: one at which the ball starts to fall, and one at "
+                        "which it is still falling.");
   }
   return {};
 }

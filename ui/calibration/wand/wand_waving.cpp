@@ -46,8 +46,8 @@ WandWaving::WandWaving(WandCalibrator& calibrator, QWidget* parent)
 }
 
 void WandWaving::retranslateUi() {
-  wave_->setToolTip(tr("Collect where every camera sees the ball; beginning again forgets what was "
-                       "collected before"));
+  wave_->setToolTip(tr("Collect the positions of the ball in every camera; starting again discards "
+                       "what was collected before"));
   refresh();
 }
 
@@ -102,12 +102,13 @@ void WandWaving::showCameras() {
             .arg(static_cast<qulonglong>(seen.count)));
   }
   QString text = tr("%1 collected.").arg(secondsText(collected->seconds, 1));
-  text += QLatin1Char(' ') +
-          (enough ? tr("Every camera saw enough: stop, or refine.")
-                  : tr("Go on: each camera should see the ball 150 times, in half of its image."));
+  text +=
+      QLatin1Char(' ') +
+      (enough ? tr("Every camera saw enough: stop, or refine.")
+              : tr("Continue: each camera should see the ball 150 times, in half of its image."));
   if (collected->dropped > 0) {
     text += QLatin1Char(' ') +
-            tr("Image sets left out because they came too fast: %1.").arg(collected->dropped);
+            tr("Frames skipped because they arrived too fast: %1.").arg(collected->dropped);
   }
   state_->setText(text);
 }

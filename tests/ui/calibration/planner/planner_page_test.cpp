@@ -222,7 +222,7 @@ void PlannerPageTest::theBestPlaceIsFoundAndShown() {
       std::min({box.max().z() - place.z(), place.x() - box.min().x(), box.max().x() - place.x(),
                 place.y() - box.min().y(), box.max().y() - place.y()});
   QVERIFY(std::abs(away) < 1e-6); // on a wall or the ceiling
-  QVERIFY(find<QLabel>("planSaid")->text().startsWith(QLatin1String("Put ")));
+  QVERIFY(find<QLabel>("planSaid")->text().startsWith(QLatin1String("With ")));
   QVERIFY(!find<QProgressBar>("planProgress")->isVisible());
   QCOMPARE(history().count(), 0);
   Camera elsewhere = plan().planned()[0];

@@ -114,7 +114,7 @@ void WandPageTest::refinesInOneStepAsTheCommandLineDoes() {
   QVERIFY(cameras() == expected->result.cameras); // to the bit
   QVERIFY(cameras() != before);
   QCOMPARE(history().count(), 2);
-  QVERIFY(history().undoText().contains(QStringLiteral("waved")));
+  QVERIFY(history().undoText().contains(QStringLiteral("Refine cameras")));
   const QString verdict = find<QLabel>("wandAssessment")->text();
   QVERIFY2(verdict.contains(QStringLiteral("In this volume ±")), qPrintable(verdict));
   auto* table = find<QTableWidget>("wandCameras");
@@ -150,7 +150,7 @@ void WandPageTest::aBadResultIsOneSentence() {
   QVERIFY(waitFor([&] { return isIdle(); }));
   QVERIFY(find<QLabel>("wandAssessment")->isVisible());
   QVERIFY(find<QLabel>("wandAssessment")->text().startsWith(QStringLiteral("⚠")));
-  QVERIFY(find<QLabel>("wandNotes")->text().contains(QStringLiteral("as they were")));
+  QVERIFY(find<QLabel>("wandNotes")->text().contains(QStringLiteral("unchanged")));
   QVERIFY(!find<QTableWidget>("wandCameras")->isVisible());
   QVERIFY(cameras() == before);
   QCOMPARE(history().count(), 0);
