@@ -22,7 +22,7 @@ class CameraDocks;
 class CorrectionTool;
 class TrajectoryPanel;
 
-/// Mode for correcting positions: the user drags targets in the images ("It is here") and removes
+/// Mode for correcting positions: the user drags targets in the images ("Correct position") and removes
 /// corrections. Each correction is a step of the document; the tracker then tracks again what
 /// depends on it.
 class CorrectionMode : public QObject {

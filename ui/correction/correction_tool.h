@@ -18,7 +18,7 @@ class BirdsEyeView;
 class CameraView;
 class ImagePickOverlay;
 
-/// Tool "It is here". While it is active, the user drags a target in a camera image to its true
+/// Tool "Correct position". While it is active, the user drags a target in a camera image to its true
 /// position in the frame shown, or uses the keyboard cross of the camera views. It moves the target
 /// whose estimate is pressed, else the selected one, else the only one. Other images show the ray
 /// through the pointer and the resulting position, also after the drag, so that a second image can

@@ -22,7 +22,7 @@ public:
   /// `folder`: folder of the pages; empty: not found, and the window shows `expected` instead.
   ManualWindow(const QString& folder, const QString& expected, QWidget* parent);
 
-  /// Shows a page ("window.md", "window.md#it-is-here").
+  /// Shows a page ("window.md", "window.md#correct-position").
   void showPage(const QString& page);
   /// File name of the page shown; empty if there is none.
   QString shownPage() const;

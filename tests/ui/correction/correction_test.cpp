@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "It is here" in the window: a target is dragged in the images, which is a correction of the
+// "Correct position" in the window: a target is dragged in the images, which is a correction of the
 // project; tracking goes on from there, all views show it, and it can be taken back.
 #include "core/geometry/ray.h"
 #include "core/project/project.h"
