@@ -44,7 +44,7 @@ scenarios::SensingFaults officeFaults(const ScenarioDraft& draft,
   context.cameras = draft.rig.size();
   context.seconds = draft.timeOf(draft.frameCount);
   context.framesPerSecond = draft.framesPerSecond;
-  context.middle = kOfficeMiddle;
+  context.targetStart = kOfficeMiddle;
   context.lampDistance = kOfficeLampDistance;
   scenarios::SensingFaults faults = scenarios::drawFaults(model, context, draws);
   faults.illumination.lamp = lamp;
