@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/rig_view.h"
+#include "tests/geometry/scaled_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -22,13 +23,6 @@ CameraRig threeCameras() {
   const Eigen::Vector3d target(0.0, 0.0, 1.0);
   return {cameraAt("a", {2, 0, 2}, target), cameraAt("b", {0, 2, 2}, target),
           cameraAt("c", {-2, 0, 2}, target)};
-}
-
-CameraRig scaled(CameraRig rig, double factor) {
-  for (Camera& camera : rig) {
-    camera.cameraFromWorld.translation() *= factor;
-  }
-  return rig;
 }
 
 Camera withoutKnownPose() {

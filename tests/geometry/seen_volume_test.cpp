@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seen_volume.h"
+#include "tests/geometry/scaled_rig.h"
 
 #include <gtest/gtest.h>
 
@@ -20,13 +21,6 @@ Camera cameraAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target) 
 /// At 1 m from the origin on x and on y, both looking at it: their axes meet there.
 CameraRig twoCameras() {
   return {cameraAt({1, 0, 0}, {0, 0, 0}), cameraAt({0, 1, 0}, {0, 0, 0})};
-}
-
-CameraRig scaled(CameraRig rig, double factor) {
-  for (Camera& camera : rig) {
-    camera.cameraFromWorld.translation() *= factor;
-  }
-  return rig;
 }
 
 /// Four cameras below the ceiling in the corners of a room of 10 x 10 m.

@@ -30,7 +30,7 @@ FrameSetPtr drawPeople(const CameraRig& rig, std::int64_t frame,
                        const std::vector<Person>& people) {
   FrameSet set{frame, timeStamp(static_cast<double>(frame) / kRate), {}};
   for (const Camera& camera : rig) {
-    cv::Mat image = bodies::emptyRoom();
+    cv::Mat image = bodies::backgroundImage();
     const SilhouetteMaker maker(camera);
     for (const Person& person : people) {
       for (const cv::Rect& piece : maker.of(person.place, 0.0, bodies::kHeight).pieces) {

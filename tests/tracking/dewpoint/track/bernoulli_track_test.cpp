@@ -228,16 +228,16 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
 }
 
 // The target was followed as something of another shape, and is taken for a ball again: its
-// hypothesis and those that are born beside it must not be taken for each other. One camera sees it
+// hypothesis and those that are created beside it must not be taken for each other. One camera sees it
 // covered, so that it is searched for elsewhere.
-TEST_F(BernoulliTrackTest, AnAdoptedHypothesisSharesItsNumberWithNoneThatIsBorn) {
+TEST_F(BernoulliTrackTest, AHypothesisFromElsewhereSharesItsNumberWithNone) {
   drawn::RegionScene scene(rig_);
   scene.show({drawn::ellipsoid(kThere, Eigen::Vector3d::Constant(kRadius), 0.0)});
   RegionTrack region(track_.target());
   const Eigen::Matrix3d extent = kRadius * kRadius * Eigen::Matrix3d::Identity();
   region.startAt({kThere, 0.01 * extent}, extent, false, scene.observation(), key_, team_);
   ASSERT_NE(region.hypothesis(), nullptr);
-  track_.adopt(region.hypothesis());
+  track_.setOnlyHypothesis(region.hypothesis());
 
   const Eigen::Vector3d camera = rig_[0].cameraFromWorld.inverse() * Eigen::Vector3d::Zero();
   const Ball cover{0.5 * (camera + kThere), kRadius, {0, 230, 0}};
