@@ -94,11 +94,11 @@ TEST(CalibrationErrors, HaveTheStatedSizes) {
 TEST(Grades, LampsLightTheTargetMoreThanFarWalls) {
   FaultContext context;
   context.cameras = 1;
-  context.middle = {0.5, 0.5, 0.15};
+  context.targetStart = {0.5, 0.5, 0.15};
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
     Draws draws(4, "lamp test");
     for (const auto& lamp : drawFaults(gradeModel(grade), context, draws).illumination.further) {
-      const float distance = (lamp.position - context.middle.cast<float>()).norm();
+      const float distance = (lamp.position - context.targetStart.cast<float>()).norm();
       EXPECT_FLOAT_EQ(lamp.falloff(distance), 1.0F);
       EXPECT_FLOAT_EQ(lamp.falloff(2.0F * distance), 0.25F);
     }
