@@ -26,7 +26,7 @@ void addDescribeOption(CLI::App& app, const std::string& seeAlso) {
       fmt::print("{}", writer->second(declaredCommand(app)));
       throw CLI::Success();
     }
-    throw CLI::ValidationError("--describe", "there is man, bash, zsh and fish, no " + format);
+    throw CLI::ValidationError("--describe", "expected man, bash, zsh or fish, not " + format);
   };
   app.add_option_function<std::string>(
          "--describe", write, "Print the manual page or a completion: man, bash, zsh, fish")

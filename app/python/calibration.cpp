@@ -153,7 +153,7 @@ void bindResults(py::module_& module) {
       .def_property_readonly(
           "lens_rms", lensErrors,
           "Per camera the root mean square distance of the corners, pixels; None "
-          "for one that keeps its lens.")
+          "for one that keeps its intrinsics.")
       .def_property_readonly(
           "rms",
           [](const BoardOutcome& outcome) {
@@ -177,7 +177,8 @@ void bindCalibration(py::module_& module, ProjectClass& project) {
            py::arg("unit") = py::none(), py::arg("size") = py::none(), py::arg("lens") = py::none(),
            py::arg("poses") = py::none(),
            "Takes the calibration of its cameras from a file of any tool, matched by name, else by "
-           "order. What the file leaves open is said by format, unit (m, mm, ...), size (width, "
+           "order. What the file does not define is given by format, unit (m, mm, ...), size "
+           "(width, "
            "height), lens (pinhole, fisheye) and poses (camera-from-world, world-from-camera).")
       .def("export_calibration", exportTo, py::arg("path"), py::kw_only(), py::arg("format") = "",
            py::arg("unit") = py::none(), py::arg("replace") = false,

@@ -23,12 +23,11 @@ void bindParameter(py::module_& module) {
       .def_readonly("key", &ParameterDeclaration::key, "Its name in projects.")
       .def_readonly("label", &ParameterDeclaration::label, "Its name in the window.")
       .def_readonly("unit", &ParameterDeclaration::unit, "\"m\", or \"\" for a plain number.")
-      .def_readonly("minimum", &ParameterDeclaration::minimum, "The least value allowed.")
-      .def_readonly("maximum", &ParameterDeclaration::maximum, "The greatest value allowed.")
-      .def_readonly("default", &ParameterDeclaration::defaultValue,
-                    "The value unless another one is given.")
+      .def_readonly("minimum", &ParameterDeclaration::minimum, "The smallest allowed value.")
+      .def_readonly("maximum", &ParameterDeclaration::maximum, "The largest allowed value.")
+      .def_readonly("default", &ParameterDeclaration::defaultValue, "The value if none is given.")
       .def_readonly("from_cameras", &ParameterDeclaration::fromCameras,
-                    "Whether the value comes from what the cameras see unless it is given.")
+                    "Whether the value is derived from what the cameras see if none is given.")
       .def_property_readonly(
           "whole",
           [](const ParameterDeclaration& declaration) {
@@ -46,7 +45,7 @@ void bindMethod(py::module_& module) {
   py::class_<Method>(module, "Method", "A tracking method.")
       .def_readonly("name", &Method::name, "Its name in projects.")
       .def_property_readonly(
-          "title", [](const Method& method) { return method.text.title; }, "What it follows.")
+          "title", [](const Method& method) { return method.text.title; }, "What it tracks.")
       .def_property_readonly(
           "sentence", [](const Method& method) { return method.text.sentence; },
           "What it is for, or what sets it apart.")
@@ -55,7 +54,8 @@ void bindMethod(py::module_& module) {
           "The paper that it follows exactly; \"\" for the project's own methods.")
       .def_property_readonly(
           "needs_calibration", [](const Method& method) { return method.family.needsCalibration; },
-          "Whether it estimates positions in the room; else boxes in the images of one camera.")
+          "Whether it estimates positions in the room; otherwise boxes in the images of one "
+          "camera.")
       .def_property_readonly(
           "parameters",
           [](const Method& method) {

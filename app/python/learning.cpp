@@ -52,7 +52,7 @@ int cameraOf(const Project& project, const CameraKey& key) {
       cameras, [&](const ProjectCamera& camera) { return camera.camera.name == name; });
   if (found == cameras.end()) {
     raiseBadValue("camera",
-                  fmt::format("there are {} cameras and none is called {}", cameras.size(), name));
+                  fmt::format("none of the {} cameras is called {}", cameras.size(), name));
   }
   return static_cast<int>(found - cameras.begin());
 }

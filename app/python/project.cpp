@@ -75,10 +75,10 @@ ProjectHandlePtr makeNew(const py::object& cameras,
   wanted.framesPerSecond = framesPerSecond;
   MadeProject made = valueOf(makeProject(wanted));
   if (made.lacksCalibration) {
-    warn("without a calibration the camera positions are a guess");
+    warn("without a calibration, the camera positions are guesses");
   }
   if (made.matchedByOrder) {
-    warn("the calibration names its cameras differently; they were taken in its order");
+    warn("the calibration uses other camera names; the cameras were matched by order");
   }
   return handleOf(std::move(made.project), "");
 }

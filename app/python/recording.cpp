@@ -29,7 +29,7 @@ std::int64_t frameNumber(const RecordingHandle& recording, std::int64_t frame) {
   const std::int64_t number = frame < 0 ? frame + count.value_or(0) : frame;
   if (number < 0 || (count && number >= *count)) {
     throw py::index_error(
-        fmt::format("frame {} is asked for, there are {}", frame, count.value_or(0)));
+        fmt::format("frame {} was requested, but there are {}", frame, count.value_or(0)));
   }
   return number;
 }

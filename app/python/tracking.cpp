@@ -123,7 +123,7 @@ void bindTracking(py::module_& module, ProjectClass& project) {
           "Sentences about the recording and its cameras.")
       .def("particles", particlesOfRun, py::arg("target"), py::arg("frame"),
            "Particles of a target in a frame: positions (N x 3, meters) and their weights (N). "
-           "They are kept when track() is told how many.")
+           "They are kept if track() is called with their number.")
       .def("boxes", boxesOfRun, py::arg("target"),
            "For methods that follow boxes: arrays frames, times, boxes (N x 4: x, y, width, height "
            "in pixels) and similarity of a target.")

@@ -144,7 +144,7 @@ std::size_t targetNumber(const py::object& key, const std::vector<std::string>& 
   const auto given = key.cast<std::int64_t>();
   const std::int64_t number = given < 0 ? given + count : given;
   if (number < 0 || number >= count) {
-    throw py::index_error(fmt::format("target {} is asked for, there are {}", given, count));
+    throw py::index_error(fmt::format("target {} was requested, but there are {}", given, count));
   }
   return static_cast<std::size_t>(number);
 }

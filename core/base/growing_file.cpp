@@ -16,7 +16,7 @@ Result<GrowingFile> GrowingFile::create(const std::filesystem::path& path) {
 
 Status GrowingFile::append(std::string_view text) {
   if (!file_) {
-    return failure(ErrorCode::FileUnwritable, name_, "", "it is closed already");
+    return failure(ErrorCode::FileUnwritable, name_, "", "it is already closed");
   }
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0) {
@@ -27,7 +27,7 @@ Status GrowingFile::append(std::string_view text) {
 
 Status GrowingFile::close() {
   if (!file_) {
-    return failure(ErrorCode::FileUnwritable, name_, "", "it is closed already");
+    return failure(ErrorCode::FileUnwritable, name_, "", "it is already closed");
   }
   // Some file systems report a full disk only here.
   if (std::fclose(file_.release()) != 0) {

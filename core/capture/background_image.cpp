@@ -42,7 +42,7 @@ Result<std::vector<cv::Mat>> readSome(PictureReader& reader, const PictureShape&
   }
   if (pictures.empty()) {
     return failure(ErrorCode::FileUnreadable, reader.fileOf(0), cameraField(camera.camera),
-                   "there is no picture of the empty room in it");
+                   "it contains no background image");
   }
   return pictures;
 }

@@ -89,7 +89,7 @@ void readBack(const CheckedCodec& codec, const std::string& file, CodecOutcome& 
     const auto picture = (*reader)->read(frame);
     if (!picture || picture->size() != wanted.size()) {
       outcome.problem =
-          picture ? fmt::format("frame {} is not there", frame) : sentence(picture.error());
+          picture ? fmt::format("frame {} is missing", frame) : sentence(picture.error());
       return;
     }
     const double difference =
@@ -97,9 +97,9 @@ void readBack(const CheckedCodec& codec, const std::string& file, CodecOutcome& 
     outcome.difference = std::max(outcome.difference, difference);
   }
   if (outcome.difference > (codec.isLossless ? 0.0 : kLossyDifference)) {
-    outcome.problem = fmt::format("what is read differs from what was written by {:.1f} gray "
-                                  "values",
-                                  outcome.difference);
+    outcome.problem = fmt::format(
+        "the image that was read differs from the image that was written by {:.1f} gray values",
+        outcome.difference);
   }
 }
 

@@ -22,7 +22,7 @@ Result<FrameWriter> FrameWriter::images(const std::string& folder) {
   fs::create_directories(folder, problem);
   if (problem || !fs::is_directory(folder, problem)) {
     return failure(ErrorCode::FileUnwritable, folder, "",
-                   problem ? problem.message() : "it is no folder");
+                   problem ? problem.message() : "it is not a folder");
   }
   FrameWriter writer;
   writer.path_ = folder;
@@ -32,7 +32,7 @@ Result<FrameWriter> FrameWriter::images(const std::string& folder) {
 Result<FrameWriter> FrameWriter::video(const std::string& file, double framesPerSecond) {
   if (!std::isfinite(framesPerSecond) || framesPerSecond <= 0) {
     return failure(ErrorCode::BadValue, file, "frames per second",
-                   fmt::format("{} is no rate", framesPerSecond));
+                   fmt::format("{} is not a valid frame rate", framesPerSecond));
   }
   std::error_code problem;
   const fs::path folder = fs::absolute(file, problem).parent_path();

@@ -41,7 +41,7 @@ public:
       cv::Mat picture = cv::imread(file, cv::IMREAD_COLOR);
       if (picture.empty()) {
         return failure(ErrorCode::FileUnreadable, file, field_,
-                       "it is no picture, or a damaged one");
+                       "it is not an image, or it is damaged");
       }
       return picture;
     } catch (const std::exception& problem) {

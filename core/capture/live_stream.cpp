@@ -79,7 +79,7 @@ private:
       return opened(false, "no such device is plugged in");
     }
     if (!video_.open(number, cv::CAP_V4L2)) {
-      return opened(false, "the device is busy, or it is no camera");
+      return opened(false, "the device is busy, or it is not a camera");
     }
     if (camera_.width > 0 && camera_.height > 0) {
       const bool lying = camera_.rotateDegrees % 180 != 0;

@@ -246,7 +246,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<Recorded
   }
   if (!std::isfinite(framesPerSecond) || framesPerSecond < 0) {
     return failure(ErrorCode::BadValue, "", "frames per second",
-                   fmt::format("{} is no rate", framesPerSecond));
+                   fmt::format("{} is not a valid frame rate", framesPerSecond));
   }
   std::vector<Camera> opened;
   for (const RecordedCamera& description : cameras) {

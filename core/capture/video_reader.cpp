@@ -94,7 +94,7 @@ Status VideoReader::open() {
   }
   try {
     if (!reopen()) {
-      return unreadable("it is no video, or one that is cut off or of an unknown kind");
+      return unreadable("it is not a video, or it is cut off or has an unknown format");
     }
     readHeader();
     if (counted_) {

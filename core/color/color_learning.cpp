@@ -45,8 +45,7 @@ Result<ColorRanges> learnRanges(const ColorEvidence& evidence) {
   const bool anyColor = std::ranges::any_of(
       evidence.target, [](const HsiColors& cell) { return cell.color.intensity > 0.0; });
   if (!anyColor) {
-    return failure(ErrorCode::BadValue, {}, "samples",
-                   "none of them shows a target that is not black");
+    return failure(ErrorCode::BadValue, {}, "samples", "all samples are black");
   }
   const auto target = inOtherLight(evidence.target);
   const ColorRange one = withShortestHue(fitRange(target, evidence.rest), target, evidence.rest);

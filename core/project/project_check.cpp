@@ -133,11 +133,11 @@ Status checkCameras(const Project& project) {
 
 Status checkProject(const Project& project) {
   if (project.cameras.empty() && project.scene.empty()) {
-    return wrong(ErrorCode::MissingKey, "camera", "at least one [[camera]] is needed, or a scene");
+    return wrong(ErrorCode::MissingKey, "camera", "at least one [[camera]] or a scene is needed");
   }
   if (!project.scene.empty() && !project.cameras.empty() &&
       project.cameras.front().source != SourceKind::Simulation) {
-    return wrong(ErrorCode::BadValue, "scene", "a simulated scene brings its own cameras");
+    return wrong(ErrorCode::BadValue, "scene", "a simulated scene has its own cameras");
   }
   if (auto good = checkTargets(project); !good) {
     return good;

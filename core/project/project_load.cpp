@@ -111,7 +111,7 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
       camera.camera.intrinsics = {}; // its images say what size they are
     } else if (found == calibrated.end()) {
       reader.fail(ErrorCode::MissingKey, "calibration",
-                  "neither here nor in a calibration file is there one for '" + name + "'");
+                  "neither the project nor a calibration file contains one for '" + name + "'");
     } else {
       camera.camera = *found;
     }

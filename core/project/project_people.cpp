@@ -46,7 +46,7 @@ Status checkPerson(const PersonCorrection& person, const std::string& field,
     return wrong(".frame", "frames are counted from 0");
   }
   if (person.position.has_value() == person.click.has_value()) {
-    return wrong("", "either a place, or a camera and a pixel are expected");
+    return wrong("", "expected either a position, or a camera and a pixel");
   }
   if (person.position && !(person.position->cwiseAbs().maxCoeff() <= kFarthest)) {
     return wrong(".place", fmt::format("numbers up to {} m are expected", kFarthest));
@@ -61,7 +61,7 @@ Status checkPerson(const PersonCorrection& person, const std::string& field,
       return wrong(".pixel", "finite numbers are expected");
     }
     if (!person.present) {
-      return wrong(".present", "who is not there has a place, and no pixel");
+      return wrong(".present", "a removed person needs a position, not a pixel");
     }
   }
   return {};

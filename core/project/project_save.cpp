@@ -42,7 +42,7 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
     text += "mirror = true   # left to right, after the rotation\n";
   }
   if (camera.delay != 0.0) {
-    text += fmt::format("late_by = {}   # seconds that its images are late\n", camera.delay);
+    text += fmt::format("late_by = {}   # delay of its images in seconds\n", camera.delay);
   }
   if (!camera.times.empty()) {
     text += "times = " + storedPath(camera.times, folder) + "   # when each image was taken\n";

@@ -35,14 +35,14 @@ std::string words(const CameraReport& report) {
   case CameraStatus::Hidden:
     return "hidden";
   case CameraStatus::Distractor:
-    return report.pixels >= 1.0 ? fmt::format("{:.0f} px beside a look-alike", report.pixels)
-                                : "at a look-alike";
+    return report.pixels >= 1.0 ? fmt::format("{:.0f} px from a distractor", report.pixels)
+                                : "at a distractor";
   case CameraStatus::NoColor:
     return "no color matches";
   case CameraStatus::Elsewhere:
     return fmt::format("its color is {:.0f} px away", std::max(1.0, report.pixels));
   case CameraStatus::Unclear:
-    return "its color is seen, but not its shape";
+    return "right color, wrong shape";
   }
   return {};
 }

@@ -23,7 +23,7 @@ expectExit $kBadInput calibrate intrinsics none.jpg --board chessboard:9x6:0.025
 expectSentence none.jpg
 printf 'no picture' >bad.jpg
 expectExit $kBadInput calibrate intrinsics bad.jpg --board chessboard:9x6:0.025 --out no.toml
-expectSentence bad.jpg picture
+expectSentence bad.jpg image
 expectExit $kBadInput calibrate intrinsics demo --looks 3 --board chessboard:9x6:0.025 --out no.toml
 expectSentence 'camera 1' 'board'
 expectExit $kBadInput calibrate extrinsics demo --looks 3 --board chessboard:9x6:0.025 --out no.toml
@@ -36,14 +36,14 @@ pictures=${DEWPOINT_DATA:-}/opencv_left13
 # The published calibration of OpenCV's sample pictures: rms 0.39259, f 535.916.
 expectExit 0 calibrate intrinsics --board chessboard:9x6:0.025 "$pictures"/left*.jpg --out left.toml \
   --report left.html
-expectText out.txt 'rms 0.3926 px' 'K [[535.9' 'distortion [-0.266' 'doubtful: left02.jpg'
+expectText out.txt 'RMS 0.3926 px' 'K [[535.9' 'distortion [-0.266' 'doubtful: left02.jpg'
 expectText left.toml 'size = [640, 480]' 'matrix = [[535.9'
 expectText left.html '<svg' 'left02.jpg'
 cp left.toml first.toml
 expectExit 0 calibrate intrinsics --board chessboard:9x6:0.025 "$pictures"/left*.jpg --out left.toml
 cmp first.toml left.toml || fail "a second run gives other numbers"
 
-# Ctrl-C: the former calibration stays as it was.
+# Ctrl-C: the previous calibration stays as it was.
 "$cli" calibrate intrinsics --board chessboard:8x5:0.025 "$pictures"/left*.jpg "$pictures"/left*.jpg \
   "$pictures"/left*.jpg --corners exact --out left.toml >out.txt 2>err.txt &
 process=$!
@@ -61,5 +61,5 @@ kill -INT $process 2>/dev/null || fail "it ended before it could be stopped: $(c
 code=0
 wait $process || code=$?
 [[ $code == 130 ]] || fail "after Ctrl-C it ended with $code: $(cat out.txt err.txt)"
-expectText err.txt 'the former calibration is kept'
+expectText err.txt 'the previous calibration is kept'
 cmp first.toml left.toml || fail "an interrupted calibration changed the file"

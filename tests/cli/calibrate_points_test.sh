@@ -38,7 +38,7 @@ grep -q '^only  *6  *0\.000' out.txt || fail "exact points do not fit exactly: $
 # The tape was read wrongly.
 sed -i 's/world = \[-0.4, 0.5, 0.25\]/world = [-0.4, 0.9, 0.25]/' project.toml
 expectExit 0 calibrate points project.toml
-expectText out.txt 'Does not fit the rest: f'
+expectText out.txt 'Does not fit the other points: f'
 
 # The images arrive upside down: pixel (x, y) is at (639 - x, 479 - y), the center at (319, 239).
 cat > project.toml <<'TOML'

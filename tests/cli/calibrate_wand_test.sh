@@ -26,7 +26,7 @@ expectText out.txt 'diameter'
 # A camera that is said to be late by three images but is not: found, and kept.
 awk '{ print } /camera-2/ && /video/ { print "late_by = 0.1" }' kept.toml >made/late.toml
 expectExit 0 calibrate wand made/late.toml --frames 60: --offsets --apply
-expectText out.txt 'late ms'
+expectText out.txt 'delay ms'
 awk '/^late_by/ { found = 1; if ($3 > 0.002 || $3 < -0.002) exit 1 } END { exit !found }' made/late.toml ||
   fail "the camera is not late, but $(grep late_by made/late.toml)"
 
@@ -47,6 +47,6 @@ expectSentence --apply
 expectExit $kBadInput calibrate wand demo --frames 60:200 --floor 99
 expectSentence floor 99.00
 expectExit $kBadInput calibrate wand demo --frames :30 # the ball is at rest there
-expectSentence settle
+expectSentence converge
 expectExit $kOutput calibrate wand demo --frames 60:200 --out nowhere/found.toml
 expectSentence nowhere/found.toml

@@ -15,11 +15,11 @@ for to in opencv ros mrcal; do
 done
 [[ -s out/ros/static_transforms.yaml && -s out/mrcal/cam_1.cameramodel ]] || fail "$(find out)"
 
-# The lens that Pose2Sim cannot hold is fitted anew, and that is said.
+# The lens that Pose2Sim cannot hold is refitted, and that is reported.
 expectExit 0 calibration convert "$golden/camera_array.toml" out/four.toml --to pose2sim
-expectText out.txt "fitted anew" "least squares"
+expectText out.txt "refitted" "least squares"
 expectExit 0 calibration convert "$golden/camchain.yaml" out/same.toml
-! grep -q "fitted anew" out.txt || fail "radtan is held as it is"
+! grep -q "refitted" out.txt || fail "radtan is held as it is"
 
 # What a file leaves open is asked for, with the likely answer.
 expectExit $kBadInput calibration convert "$golden/anipose_mm.toml" out/mm.toml

@@ -67,7 +67,7 @@ cmp killed/trajectory.csv whole/trajectory.csv || fail "completed after a kill, 
 expectExit 0 gather killed a --out one
 printf 'a\nwhole\nkilled\n' >list.txt
 expectExit 0 gather a --list list.txt --out two
-expectText err.txt 'counts once'
+expectText err.txt 'counted once'
 cmp one/results.csv two/results.csv || fail "the order of the folders changes the table"
 cmp one/report.md two/report.md || fail "the order of the folders changes the report"
 [[ $(wc -l <two/results.csv) == 3 ]] || fail "two rows expected: $(cat two/results.csv)"

@@ -21,7 +21,7 @@ expectText err.txt order
 expectExit $kOutput new waved.toml "${cameras[@]}"
 expectSentence waved.toml --force
 expectExit 0 new waved.toml "${cameras[@]}" --force
-expectText err.txt "a guess"
+expectText err.txt "guesses"
 
 # A folder of recordings: cameras in the order of their names, numbers by value.
 mkdir -p shots

@@ -64,5 +64,5 @@ for camera in camera-1 camera-2; do
   done
 done
 expectExit 0 people moved/project.toml --method people --out still
-[[ $(grep -c 'note: camera 1: .* was turned by' err.txt) == 1 ]] ||
+[[ $(grep -c 'note: camera 1: .* was rotated by' err.txt) == 1 ]] ||
   fail "it is to be said once: $(cat err.txt)"

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/common.sh"
 
 expectExit 0 plan demo --volume -1 -1 0 1 1 1 --out rig.toml
-expectText out.txt "cameras                 2" "best place for another" "% of the volume"
+expectText out.txt "cameras                 2" "best new position" "% of the volume"
 expectText rig.toml 'camera 3'
 # The new camera is on a wall or on the ceiling, and sees more: the second share is the larger one.
 mapfile -t shares < <(grep -o '[0-9.]* % of the volume' out.txt | cut -d' ' -f1)

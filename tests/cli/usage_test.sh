@@ -29,23 +29,23 @@ expectSentence --out "dewpoint-cli simulate --help"
 
 # What is unknown is said by its name, and before what is missing; a slip of the finger is guessed.
 expectExit $kUsage --frobnicate
-expectSentence "no option --frobnicate"
+expectSentence "unknown option --frobnicate"
 expectExit $kUsage trakc demo
-expectSentence "no command trakc" "is it track?"
+expectSentence "unknown command trakc" "did you mean track?"
 expectExit $kUsage track --frobnicate demo
-expectSentence "dewpoint-cli track: there is no option --frobnicate"
+expectSentence "dewpoint-cli track: unknown option --frobnicate"
 expectExit $kUsage track demo --out o --sed 1
-expectSentence --sed "is it --seed?"
+expectSentence --sed "did you mean --seed?"
 expectExit $kUsage track demo more --out o
 expectSentence more
 
 # Ranges and choices in plain words.
 expectExit $kUsage new p.toml --camera a=a.mkv --rate -5
-expectSentence "--rate has to be 0.1 to 10000, not -5"
+expectSentence "--rate must be 0.1 to 10000, not -5"
 expectExit $kUsage export t.csv --out t.tum --rate -5
-expectSentence "--rate has to be a number above 0, not -5"
+expectSentence "--rate must be a number above 0, not -5"
 expectExit $kUsage export t.csv --out t.tum --gaps hide
-expectSentence "--gaps has to be one of leave, fill; not hide"
+expectSentence "--gaps must be one of leave, fill, not hide"
 expectExit $kUsage track demo --out o --seed one
 expectSentence --seed one
 

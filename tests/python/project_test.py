@@ -63,7 +63,7 @@ class Opening(InFolder):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             guessed = dewpoint.make(videos)
-        self.assertIn("a guess", str(caught[0].message))
+        self.assertIn("guesses", str(caught[0].message))
         self.assertEqual([camera.name for camera in guessed.cameras], ["left", "right"])
         with self.assertWarnsRegex(UserWarning, "order"):
             project = dewpoint.make(videos, calibration="made/calibration.toml", name="made")

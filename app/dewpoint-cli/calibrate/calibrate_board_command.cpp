@@ -74,13 +74,13 @@ void printIntrinsics(const SeenBoards::PerCamera& seen, const IntrinsicsResult& 
   if (named) {
     fmt::print("{}\n", seen.name);
   }
-  fmt::print("the board is seen in {} of {} pictures; {} are used\n", seen.views.size(),
+  fmt::print("the board was found in {} of {} images; {} are used\n", seen.views.size(),
              seen.searched, std::ranges::count(result.views, true, &ViewFit::used));
-  fmt::print("rms {:.4f} px\n", result.rmsPx);
+  fmt::print("RMS {:.4f} px\n", result.rmsPx);
   printLens(result.camera);
   const auto& focal = result.parameters.front();
-  fmt::print("{} {:.2f} +- {:.2f} px; a ray is known to {:.2f} px (1 sigma) where the image is "
-             "known least; corners in {:.0f} % of it\n",
+  fmt::print("{} {:.2f} +- {:.2f} px; error of a ray at most {:.2f} px (1 sigma) anywhere in the "
+             "image; the corners cover {:.0f} % of it\n",
              focal.name, focal.value, focal.sigma, result.worstProjectionPx,
              inPercent(result.coverage.imagePart()));
   printViews(result.views);
@@ -99,19 +99,18 @@ void printLenses(const SeenBoards& seen, const LensesFromBoards& lenses) {
 
 void printPositions(const SeenBoards& seen, const BoardOutcome& outcome) {
   const ExtrinsicsResult& result = *outcome.extrinsics;
-  fmt::print("rms {:.4f} px over {} positions of the board\n", result.rmsPx,
-             result.boardPoses.size());
+  fmt::print("RMS {:.4f} px over {} board poses\n", result.rmsPx, result.boardPoses.size());
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
     const Camera& camera = result.cameras[k];
     const CameraFit& fit = result.fits[k];
     const Eigen::Vector3d center = camera.center();
     const Eigen::Vector3d axis = camera.opticalAxis();
     fmt::print("{}\n", seen.cameras[k].name);
-    fmt::print("rms {:.4f} px; at {:.4f} {:.4f} {:.4f} m, looking along {:.4f} {:.4f} {:.4f}",
+    fmt::print("RMS {:.4f} px; at {:.4f} {:.4f} {:.4f} m, looking along {:.4f} {:.4f} {:.4f}",
                fit.rmsPx, center.x(), center.y(), center.z(), axis.x(), axis.y(), axis.z());
     if (fit.centerSigma > 0.0) {
-      fmt::print("; +- {:.2f} mm, {:.3f} degrees against the first", inMillimeters(fit.centerSigma),
-                 inDegrees(fit.turnSigma));
+      fmt::print("; +- {:.2f} mm, {:.3f} degrees relative to the first camera",
+                 inMillimeters(fit.centerSigma), inDegrees(fit.turnSigma));
     }
     fmt::print("\n");
     printViews(fit.views);
@@ -168,7 +167,7 @@ Result<FoundBoards> readBoards(const BoardOptions& options, const CalibrationPro
     return tl::make_unexpected(project.error());
   }
   if (options.output.apply && project->file.empty()) {
-    return failure(ErrorCode::BadValue, "", "--apply", "a built-in scene is in no file");
+    return failure(ErrorCode::BadValue, "", "--apply", "a built-in scene has no project file");
   }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
@@ -199,7 +198,7 @@ int intrinsics(BoardOptions& options) {
     return calibrateProject(options, {true, false});
   }
   if (options.output.apply) {
-    report({ErrorCode::BadValue, "", "--apply", "pictures have no project; use --out"});
+    report({ErrorCode::BadValue, "", "--apply", "image files have no project; use --out"});
     return kExitUsage;
   }
   return intrinsicsOfPictures(options);
@@ -221,7 +220,8 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
                   "marker in meters)")
       ->required();
   command
-      .add_option("--looks", options.request.frameLimit, "Frames of a recording that are looked at")
+      .add_option("--looks", options.request.frameLimit,
+                  "Number of frames of the recording to search for the board")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
 }
@@ -230,11 +230,11 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
 
 void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
-      "intrinsics", "Focal length, image center and distortion from pictures of a board.");
+      "intrinsics", "Calibrate the intrinsics of cameras from images of a board.");
   auto options = std::make_shared<BoardOptions>();
   command
       ->add_option("INPUT", options->inputs,
-                   "Project file (TOML): its recordings; or picture files of one camera")
+                   "Project file (TOML), whose recordings are used, or image files of one camera")
       ->required();
   addBoardOptions(*command, *options);
   command->add_option("--model", options->model, "Coefficients of the lens: 5, 8 or fisheye")
@@ -242,17 +242,17 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
       ->capture_default_str();
   command
       ->add_option("--pixels", options->pixels,
-                   "square, free, or measured: square unless the pictures clearly say otherwise")
+                   "square, free, or measured (square unless the images clearly show otherwise)")
       ->check(CLI::IsMember({"measured", "square", "free"}))
       ->capture_default_str();
   command
       ->add_option(
           "--corners", options->corners,
-          "Of picture files: sample refines chessboards as OpenCV's sample program does, so "
-          "that figures compare; exact keeps neighboring corners out of the window")
+          "For image files: \"sample\" refines chessboard corners as OpenCV's sample program does, "
+          "for comparable results; \"exact\" keeps neighboring corners out of the search window")
       ->check(CLI::IsMember({"sample", "exact"}))
       ->capture_default_str();
-  command->add_option("--views", options->request.views, "Pictures of a recording that are used")
+  command->add_option("--views", options->request.views, "Number of images of a recording to use")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
   addOutputOptions(*command, options->output, true);
@@ -261,23 +261,25 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
 
 void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
-      "extrinsics", "Where cameras stand, from a board that several of them see at once.");
+      "extrinsics",
+      "Calibrate the poses of cameras from a board that several of them see at once.");
   auto options = std::make_shared<BoardOptions>();
   options->inputs.resize(1);
-  command->add_option("PROJECT", options->inputs.front(), "Project file (TOML) with known lenses")
+  command
+      ->add_option("PROJECT", options->inputs.front(), "Project file (TOML) with known intrinsics")
       ->required();
   addBoardOptions(*command, *options);
   command
-      ->add_option("--world-frame", options->request.worldFrame,
-                   "Frame in which the board lies on the floor and makes the world: X along its "
-                   "columns, Y to its upper edge, Z up; without, the first camera keeps its pose")
+      ->add_option(
+          "--world-frame", options->request.worldFrame,
+          "Frame in which the board lies on the floor and defines the world coordinates: X along "
+          "its columns, Y toward its upper edge, Z up. Without it, the first camera keeps its pose")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
-  command
-      ->add_option("--instants", options->request.instants, "Positions of the board that are used")
+  command->add_option("--instants", options->request.instants, "Number of board poses to use")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command->add_flag("--refine-lenses", options->request.refineIntrinsics,
-                    "Adjust the lenses with the poses");
+                    "Refine the intrinsics together with the poses");
   addOutputOptions(*command, options->output, true);
   command->callback([options, &exitCode] { exitCode = extrinsics(*options); });
 }

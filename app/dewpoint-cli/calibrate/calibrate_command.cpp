@@ -7,7 +7,7 @@
 namespace dewpoint::app {
 
 void addCalibrateCommand(CLI::App& app, int& exitCode) {
-  auto* group = app.add_subcommand("calibrate", "Find out where the cameras are and how they see.");
+  auto* group = app.add_subcommand("calibrate", "Calibrate the cameras.");
   group->require_subcommand(1);
   addCalibratePointsCommand(*group, exitCode);
   addCalibrateIntrinsicsCommand(*group, exitCode);

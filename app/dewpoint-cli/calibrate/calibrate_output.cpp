@@ -43,7 +43,7 @@ const char* nameOf(CalibrationStage stage) {
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject) {
   command.add_option("--out", output.out, "Calibration file (TOML) to write");
   command.add_option("--report", output.report,
-                     "HTML page to write: residuals, coverage, errors of each picture");
+                     "HTML report to write: residuals, coverage, errors of each image");
   if (ofProject) {
     command.add_flag("--apply", output.apply, "Write the result into the project file");
   }
@@ -94,10 +94,10 @@ CalibrationProgress interruptibleProgress() {
 
 void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
                    const std::vector<NamedFault>& faults) {
-  fmt::print("Verdict: {}\n", sentence);
+  fmt::print("Calibration accuracy: {}\n", sentence);
   if (accuracy && accuracy->modelFactor > 1.0) {
-    fmt::print("Solutions without a part of the recording differ {:.1f} times more than noise "
-               "explains; the verdict includes that.\n",
+    fmt::print("Solutions from parts of the recording vary {:.1f} times more than noise predicts. "
+               "The stated accuracy includes this.\n",
                accuracy->modelFactor);
   }
   for (const NamedFault& fault : faults) {
@@ -107,7 +107,7 @@ void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std
 
 int reportCalibration(const Error& error) {
   if (error.code == ErrorCode::Canceled) {
-    fmt::print(stderr, "dewpoint-cli: stopped; the former calibration is kept.\n");
+    fmt::print(stderr, "dewpoint-cli: stopped; the previous calibration is kept.\n");
     return kExitInterrupted;
   }
   return report(error);

@@ -29,13 +29,13 @@ const char* statusText(PoseStatus status) {
   case PoseStatus::None:
     return "";
   case PoseStatus::TooFew:
-    return "too few points, four or more are needed";
+    return "too few points; at least four are needed";
   case PoseStatus::Collinear:
     return "its points lie on one line";
   case PoseStatus::Ambiguous:
-    return "a second pose fits as well: add a point outside the plane";
+    return "a second pose fits equally well: add a point outside the plane";
   case PoseStatus::NoPose:
-    return "no pose shows the points there";
+    return "no pose fits the clicked points";
   }
   return "";
 }
@@ -53,8 +53,8 @@ void printProposal(const Project& project, const CameraFromPoints& found) {
   const ProjectCamera& camera = cameraOf(project, found);
   const ImageSymmetry& symmetry = found.proposal->symmetry;
   const ImageSymmetry source = combined({camera.rotateDegrees, camera.mirrored}, symmetry);
-  fmt::print("{} seems to be {}{}{}: its points fit to {:.2f} px with {}{}.\n", camera.camera.name,
-             symmetry.rotateDegrees != 0 ? "rotated" : "",
+  fmt::print("{} seems to be {}{}{}: its points fit within {:.2f} px with {}{}.\n",
+             camera.camera.name, symmetry.rotateDegrees != 0 ? "rotated" : "",
              symmetry.rotateDegrees != 0 && symmetry.mirrored ? " and " : "",
              symmetry.mirrored ? "mirrored" : "", found.proposal->rmsPx, orientationText(source),
              canSetImageSymmetry(camera) ? "; --accept-orientation sets it" : "");
@@ -92,7 +92,8 @@ void printPoints(const Project& project, const PointSolution& solution) {
   }
   if (solution.worst) {
     const std::string& name = project.points[static_cast<std::size_t>(*solution.worst)].name;
-    fmt::print("{}: {}.\n", solution.worstExplains ? "Does not fit the rest" : "Worst", name);
+    fmt::print("{}: {}.\n", solution.worstExplains ? "Does not fit the other points" : "Worst",
+               name);
   }
 }
 
@@ -103,7 +104,7 @@ int calibrate(const PointsCommandOptions& options) {
   }
   if (options.acceptOrientation && !options.apply) {
     report({ErrorCode::BadValue, "", "--accept-orientation",
-            "the project file has it, so --apply is needed, too"});
+            "this is set in the project file, so --apply is needed as well"});
     return kExitUsage;
   }
   auto project = resolveProject(options.project);
@@ -111,8 +112,8 @@ int calibrate(const PointsCommandOptions& options) {
     return report(project.error());
   }
   if (project->points.empty()) {
-    return report(
-        {ErrorCode::MissingKey, options.project, "point", "no measured point to calibrate from"});
+    return report({ErrorCode::MissingKey, options.project, "point",
+                   "there is no measured point to calibrate with"});
   }
   PointSolution solution = solveFromPoints(rigOf(*project), project->points, options.points);
   if (options.acceptOrientation) {
@@ -135,16 +136,16 @@ int calibrate(const PointsCommandOptions& options) {
 
 void addCalibratePointsCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
-      "points", "Find the cameras from measured points that were clicked in the images.");
+      "points", "Calibrate the cameras from measured points that were clicked in the images.");
   auto options = std::make_shared<PointsCommandOptions>();
   command->add_option("PROJECT", options->project, "Project file (TOML) with [[point]] tables")
       ->required();
-  command->add_flag("--focal", options->points.alsoFocal, "Find the focal lengths too");
+  command->add_flag("--focal", options->points.alsoFocal, "Calibrate the focal lengths, too");
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_flag("--apply", options->apply, "Write the cameras into the project file");
-  command->add_flag("--accept-orientation", options->acceptOrientation,
-                    "Rotate and mirror the images of cameras whose points fit only then; with "
-                    "--apply");
+  command->add_flag(
+      "--accept-orientation", options->acceptOrientation,
+      "Rotate or mirror the images of cameras whose points fit only that way; requires --apply");
   command->callback([options, &exitCode] { exitCode = calibrate(*options); });
 }
 

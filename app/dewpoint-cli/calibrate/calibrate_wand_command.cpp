@@ -42,7 +42,7 @@ Status settle(WandCommandOptions& options) {
     wand.targets = {options.target};
   }
   if (options.stick.empty() != !(wand.stickLength > 0.0)) {
-    return wrong("--stick", "--stick and --length belong together");
+    return wrong("--stick", "--stick and --length must be used together");
   }
   if (!options.distance.empty()) {
     wand.distance = TouchedDistance{options.distance[0], options.distance[1], options.distance[2]};
@@ -94,13 +94,13 @@ void printCameras(const WandRefinement& refinement) {
   const WandOptions& options = refinement.options;
   const WandResult& result = refinement.result;
   fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
-             "turned deg");
-  fmt::print("{}{}\n", options.findOffsets ? "   late ms" : "",
+             "rotated deg");
+  fmt::print("{}{}\n", options.findOffsets ? "  delay ms" : "",
              options.findFocal ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(refinement.before[c], camera);
-    fmt::print("{:<16} {:>6} {:>8} {:>7.3f} {:>9.2f} {:>10.2f}", camera.name, result.views[c],
+    fmt::print("{:<16} {:>6} {:>8} {:>7.3f} {:>9.2f} {:>11.2f}", camera.name, result.views[c],
                result.dropped[c], result.cameraMedianPx[c], inCentimeters(shift.meters),
                inDegrees(shift.radians));
     if (options.findOffsets) {
@@ -116,31 +116,32 @@ void printCameras(const WandRefinement& refinement) {
 void printDecisions(const WandOptions& options, const WandResult& result) {
   fmt::print("Median reprojection error {:.3f} px; best of {} starts; {:.1f} s.\n", result.medianPx,
              result.starts.size(), result.seconds);
-  const char* source = result.scale == WandScale::Stick      ? "the stick's length"
+  const char* source = result.scale == WandScale::Stick      ? "the length of the wand"
                        : result.scale == WandScale::Distance ? "the measured distance"
                        : result.scale == WandScale::Diameter ? "the ball's diameter"
                                                              : "the cameras as they were";
-  fmt::print("Size: from {}, {:+.2f} % against before", source,
+  fmt::print("Size: from {}, {:+.2f} % compared with before", source,
              inPercent(result.scaleFactor - 1.0));
   if (result.scaleSigma > 0.0) {
     fmt::print(" (+-{:.2f} %)", inPercent(result.scaleSigma));
   }
   fmt::print(".\n");
   if (result.floorFound) {
-    fmt::print("Floor: from {} places, flat to {:.1f} mm; z is 0 there.\n",
+    fmt::print("Floor: from {} positions, flat to {:.1f} mm; z = 0 on the floor.\n",
                options.floorTimes.size(), inMillimeters(result.floorRms));
   } else if (!options.floorTimes.empty()) {
-    fmt::print("Floor: its height from {} places; three would show where up is.\n",
+    fmt::print("Floor: height from {} positions; with three, the upward direction could be "
+               "measured, too.\n",
                options.floorTimes.size());
   }
   if (result.drop) {
-    fmt::print("Fall: {:.2f} +- {:.2f} m/s^2 ({} instants); 9.81 is expected.\n",
+    fmt::print("Fall: gravity {:.2f} +- {:.2f} m/s^2 from {} frames; 9.81 is expected.\n",
                result.drop->gravity, result.drop->sigma, result.drop->instants);
   }
   if (result.floorFound || result.drop) {
-    fmt::print("Up: turned by {:.2f} degrees.\n", inDegrees(result.upRotated));
+    fmt::print("Upward direction: rotated by {:.2f} degrees.\n", inDegrees(result.upRotated));
   } else {
-    fmt::print("World: as it was, up unchanged.\n");
+    fmt::print("World: the upward direction is unchanged.\n");
   }
 }
 
@@ -176,11 +177,12 @@ int calibrate(WandCommandOptions options) {
   const CameraRig& cameras = result->result.cameras;
   const bool better = !saysTooLittle(*result);
   if (!better) {
-    report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
-            fmt::format("less sure than they were, off by up to {:.2f} m: wave through more of the "
-                        "volume{}",
-                        options.wand.initialPositionError,
-                        options.apply ? "; the project stays as it was" : "")});
+    report(
+        {ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
+         fmt::format(
+             "less accurate than before (error up to {:.2f} m): wave through more of the volume{}",
+             options.wand.initialPositionError,
+             options.apply ? "; the project was not changed" : "")});
   }
   auto written = options.out.empty() ? Status() : saveCalibration(cameras, options.out);
   if (written && options.apply && better) {
@@ -203,44 +205,51 @@ int calibrate(WandCommandOptions options) {
 
 void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
-      "wand", "Refine the cameras from a recording of a waved ball, or a stick with two balls.");
+      "wand",
+      "Refine the cameras from a recording in which a ball, or a wand with two balls, is waved.");
   auto options = std::make_shared<WandCommandOptions>();
   WandOptions& wand = options->wand;
   const auto positive = CLI::Range(1e-6, 1e6);
   command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene: demo")
       ->required();
   auto* target = command->add_option("--target", options->target,
-                                     "The ball; may be left out where there is only one");
-  command->add_option("--stick", options->stick, "The targets at both ends of a stick")
+                                     "The ball; optional if the project has only one target");
+  command->add_option("--stick", options->stick, "The targets at both ends of the wand")
       ->expected(2)
       ->excludes(target);
-  auto* length =
-      command->add_option("--length", wand.stickLength, "Between the balls' middles, meters")
-          ->check(positive);
+  auto* length = command
+                     ->add_option("--length", wand.stickLength,
+                                  "Distance between the centers of the balls, meters")
+                     ->check(positive);
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_flag("--offsets", wand.findOffsets,
-                    "Find how late each camera is against the first; --apply keeps it");
+                    "Find the delay of each camera relative to the first; --apply saves it");
   command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
-  command->add_flag("--k1", wand.findDistortion, "Find the first lens coefficient");
-  auto* distance = command
-                       ->add_option("--distance", options->distance,
-                                    "T1 T2 METERS: the ball was held at two places this far apart")
-                       ->expected(3)
-                       ->excludes(length);
+  command->add_flag("--k1", wand.findDistortion, "Find the first distortion coefficient");
+  auto* distance =
+      command
+          ->add_option(
+              "--distance", options->distance,
+              "T1 T2 METERS: the ball was held at two positions this far apart at these times")
+          ->expected(3)
+          ->excludes(length);
   command->add_flag("--diameter", wand.fromDiameter, "Size from the ball's diameter")
       ->excludes(length)
       ->excludes(distance);
-  command->add_option("--floor", wand.floorTimes, "Seconds at which the ball lay on the floor");
-  command->add_option("--drop", options->drop, "FROM UNTIL, seconds: the ball fell freely")
+  command->add_option("--floor", wand.floorTimes,
+                      "Times in seconds at which the ball touched the floor");
+  command
+      ->add_option("--drop", options->drop,
+                   "FROM UNTIL: times in seconds between which the ball fell freely")
       ->expected(2);
   command
       ->add_option("--off-by", options->offBy,
-                   "METERS DEGREES by which the cameras may be off (0.12 3.5)")
+                   "METERS DEGREES: largest initial errors of the cameras (0.12 3.5)")
       ->expected(2);
   command->add_option("--out", options->out, "Calibration file to write");
   command->add_option("--report", options->report,
-                      "HTML page to write: residuals, coverage and all in space");
+                      "HTML report to write: residuals, coverage and a 3D drawing");
   command->add_flag("--apply", options->apply, "Write the cameras into the project file");
   command->callback([options, &exitCode] { exitCode = calibrate(*options); });
 }

@@ -58,9 +58,9 @@ void takeHints(ConvertOptions& options) {
 
 std::string cameraSentence(const CameraDifference& camera) {
   std::string text = fmt::format("{}: largest difference over the image {:.2g} px{}", camera.camera,
-                                 camera.largestPixels, camera.refitted ? " (fitted anew)" : "");
+                                 camera.largestPixels, camera.refitted ? " (refitted)" : "");
   if (camera.lostDirections > 0) {
-    text += fmt::format("; {} of 81 directions have no pixel any more", camera.lostDirections);
+    text += fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirections);
   }
   return text;
 }
@@ -105,19 +105,21 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
   add->add_option("IN", options->in, "File, or folder with a file per camera")->required();
   add->add_option("OUT", options->target.path, "File to write, or folder for a file per camera")
       ->required();
-  add->add_option("--from", options->hints.format, "Format of IN; recognized unless given");
-  add->add_option("--to", options->target.format, "Format of OUT; by its ending unless given");
+  add->add_option("--from", options->hints.format, "Format of IN; detected if omitted");
+  add->add_option("--to", options->target.format,
+                  "Format of OUT; taken from the file name extension if omitted");
   add->add_option("--unit", options->unit, "Unit of IN: m, mm, cm, in, ft or meters of one unit")
       ->check(wrongUnit);
-  add->add_option("--out-unit", options->outUnit, "Unit of OUT, where the format leaves it open")
+  add->add_option("--out-unit", options->outUnit, "Unit of OUT, if the format does not define it")
       ->check(wrongUnit);
-  add->add_option("--size", options->size, "WIDTHxHEIGHT of the images, where IN does not say it")
+  add->add_option("--size", options->size, "WIDTHxHEIGHT of the images, if IN does not contain it")
       ->check(wrongSize);
-  add->add_option("--lens", options->lens, "What four coefficients in IN mean")
+  add->add_option("--lens", options->lens, "Meaning of four distortion coefficients in IN")
       ->check(CLI::IsMember({"pinhole", "fisheye"}));
-  add->add_option("--poses", options->poses, "Which way the poses in IN go, if not the usual one")
+  add->add_option("--poses", options->poses,
+                  "Direction of the poses in IN, if it differs from the format's default")
       ->check(CLI::IsMember({"camera-from-world", "world-from-camera"}));
-  add->add_flag("--force", options->target.replace, "Replace files that exist");
+  add->add_flag("--force", options->target.replace, "Replace existing files");
   convertCommand->footer(formatNames());
   convertCommand->callback([options, &exitCode] { exitCode = convert(*options); });
 }

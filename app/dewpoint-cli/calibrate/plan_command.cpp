@@ -55,7 +55,7 @@ Result<Eigen::AlignedBox3d> volumeOf(const PlanOptions& options, const Project& 
   }
   if (volume.isEmpty() || volume.sizes().minCoeff() <= 0.0) {
     return failure(ErrorCode::BadValue, "", "--volume",
-                   "the least x, y, z are expected, then the largest");
+                   "expected the smallest x, y, z first, then the largest");
   }
   return volume;
 }
@@ -97,9 +97,9 @@ int plan(PlanOptions& options) {
   }
   const Eigen::Vector3d center = found->camera.center();
   const Heading heading = headingOf(found->camera);
-  fmt::print("best place for another  {:.2f} {:.2f} {:.2f} m, looking {:.1f} degrees from x to y, "
-             "{:.1f} above the horizon\n",
-             center.x(), center.y(), center.z(), inDegrees(heading.yaw), inDegrees(heading.pitch));
+  fmt::print(
+      "best new position       {:.2f} {:.2f} {:.2f} m, yaw {:.1f} degrees, pitch {:.1f} degrees\n",
+      center.x(), center.y(), center.z(), inDegrees(heading.yaw), inDegrees(heading.pitch));
   fmt::print("within {:.4g} mm then    {:.1f} % of the volume, {:.1f} % before\n",
              inMillimeters(options.placement.goodSigma), inPercent(found->withinAfter),
              inPercent(found->withinBefore));
@@ -115,16 +115,16 @@ int plan(PlanOptions& options) {
 } // namespace
 
 void addPlanCommand(CLI::App& app, int& exitCode) {
-  auto* command = app.add_subcommand(
-      "plan", "How well the cameras see a volume, and the best place for one more.");
+  auto* command = app.add_subcommand("plan", "Compute how accurately the cameras measure in a "
+                                             "volume, and the best position for another camera.");
   auto options = std::make_shared<PlanOptions>();
   PlacementSettings& placement = options->placement;
   command->add_option("PROJECT", options->project, "Project file (TOML), or a built-in scene")
       ->required();
   command
       ->add_option("--volume", options->volume,
-                   "X Y Z X Y Z: the least corner of the volume and the largest, meters; the room "
-                   "above the project's floor grid unless given")
+                   "X Y Z X Y Z: lower and upper corner of the volume, meters; the room above the "
+                   "project's floor grid if omitted")
       ->expected(6);
   command->add_option("--size", options->size, "Width and height of the new camera's images")
       ->expected(2)
@@ -133,16 +133,16 @@ void addPlanCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::Range(1.0, 170.0));
   command
       ->add_option("--wall", placement.wallDistance,
-                   "Meters by which walls and ceiling, where it may hang, are outside the volume")
+                   "Distance in meters of the walls and the ceiling, where the camera may be "
+                   "mounted, from the volume")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command
       ->add_option("--pixel-sigma", placement.pixelSigma,
-                   "Standard deviation of a sighting, pixels")
+                   "Standard deviation of a detection, pixels")
       ->check(CLI::Range(0.001, 100.0))
       ->capture_default_str();
-  command
-      ->add_option("--good", placement.goodSigma, "Standard deviation that is good enough, meters")
+  command->add_option("--good", placement.goodSigma, "Acceptable standard deviation, meters")
       ->check(CLI::Range(1e-6, 10.0))
       ->capture_default_str();
   command->add_option("--out", options->out, "Calibration file to write, with the new camera");

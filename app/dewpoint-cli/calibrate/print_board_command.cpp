@@ -45,7 +45,7 @@ void addPrintBoardCommand(CLI::App& app, int& exitCode) {
     calibration->require_subcommand(1);
   }
   auto* command = calibration->add_subcommand(
-      "print-board", "Write a calibration board as a PDF in its true size.");
+      "print-board", "Write a calibration board as a PDF at its true size.");
   auto options = std::make_shared<PrintOptions>();
   command
       ->add_option("BOARD", options->board,

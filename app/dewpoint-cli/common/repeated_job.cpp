@@ -13,9 +13,9 @@ namespace dewpoint::app {
 
 void addJobOptions(CLI::App& command, JobOptions& options) {
   command.add_option("--label", options.label,
-                     "What gathered tables call the recording (PROJECT unless given)");
+                     "Name of the recording in gathered tables (default: PROJECT)");
   command.add_flag("--force", options.force,
-                   "Track again although the folder has the result already");
+                   "Track again even if the folder already contains the result");
 }
 
 JobRecord plannedJob(const std::string& command, const Project& project, const std::string& label,
@@ -41,7 +41,8 @@ bool isDoneAlready(const std::filesystem::path& folder, const JobRecord& job,
   if (options.force || !JobFolder::finished(folder, job.key)) {
     return false;
   }
-  fmt::print("Nothing to do: {} has this result already; --force tracks again.\n", folder.string());
+  fmt::print("Nothing to do: {} already contains this result. Use --force to track again.\n",
+             folder.string());
   return true;
 }
 

@@ -38,7 +38,7 @@ std::size_t distance(const std::string& one, const std::string& other) {
   return row.back();
 }
 
-/// "; is it --seed?" when there is something much alike.
+/// "; did you mean --seed?" when there is something much alike.
 std::string guess(const std::string& word, const CLI::App& app) {
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_options()) {
@@ -50,18 +50,18 @@ std::string guess(const std::string& word, const CLI::App& app) {
   const auto best = std::ranges::min_element(
       known, {}, [&](const std::string& one) { return distance(word, one); });
   constexpr std::size_t kAlike = 2; // letters
-  return best != known.end() && distance(word, *best) <= kAlike ? fmt::format("; is it {}?", *best)
-                                                                : std::string();
+  return best != known.end() && distance(word, *best) <= kAlike
+             ? fmt::format("; did you mean {}?", *best)
+             : std::string();
 }
 
 std::string unknown(const std::string& word, const CLI::App& app) {
   if (word.starts_with('-')) {
-    return fmt::format("{}: there is no option {}{}", pathOf(app), word, guess(word, app));
+    return fmt::format("{}: unknown option {}{}", pathOf(app), word, guess(word, app));
   }
   const bool isCommand = app.get_parent() == nullptr;
-  return isCommand
-             ? fmt::format("{}: there is no command {}{}", pathOf(app), word, guess(word, app))
-             : fmt::format("{}: {} is one argument too many", pathOf(app), word);
+  return isCommand ? fmt::format("{}: unknown command {}{}", pathOf(app), word, guess(word, app))
+                   : fmt::format("{}: unexpected argument {}", pathOf(app), word);
 }
 
 std::string plain(const std::string& number) {
@@ -81,11 +81,11 @@ std::string inWords(const std::string& text) {
     const std::string range = !endless ? plain(part.str(3)) + " to " + plain(part.str(4))
                               : std::abs(low) < 1.0 / kEndless ? "a number above 0"
                                                                : plain(part.str(3)) + " or more";
-    return fmt::format("{} has to be {}, not {}", part.str(1), range, part.str(2));
+    return fmt::format("{} must be {}, not {}", part.str(1), range, part.str(2));
   }
   if (std::regex_match(text, part, kChoice)) {
     const std::string choices = std::regex_replace(part.str(3), std::regex(","), ", ");
-    return fmt::format("{} has to be one of {}; not {}", part.str(1), choices, part.str(2));
+    return fmt::format("{} must be one of {}, not {}", part.str(1), choices, part.str(2));
   }
   if (std::regex_match(text, part, kNumber)) {
     return fmt::format("{}: {} is not a usable value", part.str(1), part.str(2));
@@ -103,7 +103,7 @@ std::string usageSentence(const CLI::App& app, const CLI::ParseError& error) {
   const std::string what = (isMissing || isExtra) && !left.empty()
                                ? unknown(left.front(), command)
                                : fmt::format("{}: {}", pathOf(command), inWords(error.what()));
-  return fmt::format("{}{} '{} --help' tells more.\n", what, what.ends_with('?') ? "" : ".",
+  return fmt::format("{}{} See '{} --help'.\n", what, what.ends_with('?') ? "" : ".",
                      pathOf(command));
 }
 

@@ -100,7 +100,7 @@ void printTrial(const WandTrial& trial) {
 
 int studyWands(std::uint64_t first, int seeds, const WandRecording& recording) {
   catchInterruption();
-  fmt::print("{:>6} {:<33} {:>9} {:>8} {:>8} {:>9} {:>7} {:>6} {:>7}  within the bar\n", "seed",
+  fmt::print("{:>6} {:<33} {:>9} {:>8} {:>8} {:>9} {:>7} {:>6} {:>7}  within the limit\n", "seed",
              "case", "camera mm", "point mm", "scale %", "offset ms", "px", "views", "solve s");
   std::map<WandCase, std::vector<WandTrial>> all;
   for (int k = 0; k < seeds && !interruptionRequested(); ++k) {
@@ -136,7 +136,8 @@ void addWandStudy(CLI::App& group, int& exitCode) {
     WandRecording recording;
   };
   auto* command = group.add_subcommand(
-      "wand", "Calibration from a waved stick, rendered: how exact, from which starts, how fast.");
+      "wand",
+      "Measure the calibration from a rendered wand: accuracy, sensitivity to the start, speed.");
   auto options = std::make_shared<Options>();
   command->add_option("--seed", options->first, "The first seed")->capture_default_str();
   command->add_option("--seeds", options->seeds, "How many")
@@ -148,7 +149,7 @@ void addWandStudy(CLI::App& group, int& exitCode) {
       ->capture_default_str();
   command
       ->add_option("--jpeg", options->recording.jpegQuality,
-                   "Quality of the images, 1 to 100; 0: not compressed")
+                   "JPEG quality of the images, 1 to 100; 0: uncompressed")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   command->callback([options, &exitCode] {
@@ -159,18 +160,19 @@ void addWandStudy(CLI::App& group, int& exitCode) {
 } // namespace
 
 void addExperimentCommand(CLI::App& app, int& exitCode) {
-  auto* command =
-      app.add_subcommand("experiment", "Repeat an experiment of the papers, or one of ours.");
+  auto* command = app.add_subcommand(
+      "experiment", "Run an experiment from the papers, or one of Dewpoint's own.");
   command->require_subcommand(1);
   auto* convergence = command->add_subcommand(
-      "convergence", "Method barrera: which starts converge, how fast, and the drift.");
+      "convergence",
+      "Method barrera: which starts converge, how fast they converge, and the drift.");
   auto options = std::make_shared<ConvergenceOptions>();
   convergence->add_option("--runs", options->runs, "Seeds per case")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   convergence->add_option("--seed", options->first, "The first seed")->capture_default_str();
   convergence->add_option("--out", options->folder,
-                          "Folder for convergence.csv and drift.csv; it is made");
+                          "Folder for convergence.csv and drift.csv; created if it does not exist");
   convergence->callback([options, &exitCode] { exitCode = studyBarrera(*options); });
   addWandStudy(*command, exitCode);
   addFigureCommands(*command, exitCode);

@@ -44,7 +44,7 @@ void addFigureCommands(CLI::App& group, int& exitCode) {
     command
         ->add_option_function<std::string>(
             "--out", [options](const std::string& folder) { options->folder = folder; },
-            "Folder to write report.html, pictures and numbers into; it is made")
+            "Folder for report.html, its pictures and numbers; created if it does not exist")
         ->required();
     command->add_option("--runs", options->runs, "Seeds per case")->check(CLI::Range(1, 10000));
     command->add_option("--seed", options->firstSeed, "The first seed")->capture_default_str();

@@ -69,14 +69,14 @@ int showFingerprints(const std::vector<std::string>& wanted) {
 
 void addFingerprintCommand(CLI::App& group, int& exitCode) {
   auto* command = group.add_subcommand(
-      "fingerprint", "The state of each method: a checksum of what it computes on a few short "
-                     "fixed runs, as CSV.");
+      "fingerprint",
+      "Print a checksum of the results of each method on a few short, fixed runs, as CSV.");
   std::vector<std::string> known;
   for (const MethodGroup& each : methodGroups()) {
     std::ranges::copy(each.methods, std::back_inserter(known));
   }
   auto wanted = std::make_shared<std::vector<std::string>>();
-  command->add_option("--method", *wanted, "Method; all unless given")
+  command->add_option("--method", *wanted, "Method; all if omitted")
       ->delimiter(',')
       ->check(CLI::IsMember(known));
   command->callback([wanted, &exitCode] { exitCode = showFingerprints(*wanted); });

@@ -132,10 +132,10 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         ->capture_default_str();
     command
         ->add_option("--grade", options->grade,
-                     "How rough images, time stamps and calibration are: ideal, room or wild")
+                     "Quality of images, time stamps and calibration: ideal, room or wild")
         ->check(CLI::IsMember({"ideal", "room", "wild"}))
         ->capture_default_str();
-    command->add_option("--method", options->methods, "Method; all unless given")
+    command->add_option("--method", options->methods, "Method; all if omitted")
         ->delimiter(',')
         ->check(CLI::IsMember(PeopleStudySetup().methods));
     command->add_option("--set", options->settings,
@@ -145,8 +145,7 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         "Folder for report.html, its pictures, runs.csv and people.csv; it is made");
     command
         ->add_option("--record", options->record,
-                     "Only write the scene of --seed into this folder, as a project to track; of "
-                     "grade ideal")
+                     "Only write the scene of --seed to this folder, as a project with grade ideal")
         ->excludes("--set", "--method", "--out", "--seeds", "--grade");
     command->callback([options, &exitCode] {
       exitCode = options->record.empty() ? studyScenario(*options) : recordScenario(*options);

@@ -22,8 +22,9 @@ int showSeedBlocks() {
 
 void addSeedsCommand(CLI::App& group, int& exitCode) {
   group
-      .add_subcommand("seeds", "Which seeds of all studies are for tuning, for validation and for "
-                               "reports, as CSV.")
+      .add_subcommand(
+          "seeds",
+          "Print which seeds of each study are for tuning, validation and reports, as CSV.")
       ->callback([&exitCode] { exitCode = showSeedBlocks(); });
 }
 

@@ -38,7 +38,7 @@ int studySugandi(const SugandiOptions& options) {
     }
     if (recorded->empty()) {
       return report({ErrorCode::NotFound, options.data.string(), "--data",
-                     "neither juggle1 nor otb is there"});
+                     "the folder contains neither juggle1 nor otb"});
     }
     std::ranges::move(*recorded, std::back_inserter(clips));
   }
@@ -89,7 +89,7 @@ void addSugandiExperiment(CLI::App& group, int& exitCode) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--sloppy", options->perturbed,
-                    "Also first boxes that are too large, too small and beside the target");
+                    "Also start from boxes that are too large, too small, or shifted");
   command->callback([options, &exitCode] { exitCode = studySugandi(*options); });
 }
 

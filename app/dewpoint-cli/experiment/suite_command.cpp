@@ -271,8 +271,10 @@ int runSuiteCommand(const SuiteOptions& options) {
   const std::int64_t left = runCount(planSuite(*request, store->results(), store->skipped()));
   if (left > 0) {
     fmt::print("{} runs in {}; see report.html there.\n", store->results().size(), options.folder);
-    fmt::print(stderr, "dewpoint-cli: interrupted with {} runs to do; the same command goes on.\n",
-               left);
+    fmt::print(
+        stderr,
+        "dewpoint-cli: interrupted with {} runs left. Run the same command again to continue.\n",
+        left);
     return kExitInterrupted;
   }
   return conclude(*store, options.folder, options.part);
@@ -282,12 +284,12 @@ int runSuiteCommand(const SuiteOptions& options) {
 
 void addSuiteCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "suite", "Measure all methods on scenes with known truth, and write a report.");
+      "suite", "Measure all methods on scenes with ground truth, and write a report.");
   auto options = std::make_shared<SuiteOptions>();
-  command->add_flag("--list", options->list, "Only say which scenarios and methods there are");
+  command->add_flag("--list", options->list, "Only list the scenarios and methods");
   command->add_option("--scenario", options->scenarios, "Family (S0) or scenario; all unless given")
       ->delimiter(',');
-  command->add_option("--method", options->methods, "Method; all unless given")->delimiter(',');
+  command->add_option("--method", options->methods, "Method; all if omitted")->delimiter(',');
   command
       ->add_option("--grade", options->grades,
                    "Images: ideal, room, wild, real (recordings), a list of them, or both (ideal "
@@ -301,7 +303,7 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       ->envname("DEWPOINT_DATA");
   command
       ->add_option("--clips", options->clips.truth,
-                   "Folder with the truth of recordings that bring none")
+                   "Folder with the ground truth of recordings that do not include it")
       ->capture_default_str();
   command->add_option("--seeds", options->seeds, "Runs per scenario (each has its own number)")
       ->check(CLI::Range(1, 1000000));
@@ -310,16 +312,17 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
                    fmt::format("First seed; those from {} to {} are for reports",
                                kFirstReportingSeed, kLastReportingSeed))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Runs at the same time")
+  command->add_option("--threads", options->threads, "Number of parallel runs")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_flag("--part", options->part,
-                    "The folder is a part of a suite that --merge puts together: it may have "
-                    "scenarios of which every run was skipped");
-  command->add_option("--out", options->folder, "Folder to write, or to go on with");
+                    "The folder is one part of a suite to be merged with --merge: all runs of a "
+                    "scenario may be skipped");
+  command->add_option("--out", options->folder, "Folder to write, or to continue");
   command
-      ->add_option("--merge", options->merged,
-                   "Only put the runs of these folders into that of --out, and write its report")
+      ->add_option(
+          "--merge", options->merged,
+          "Only merge the runs of these folders into the folder of --out, and write its report")
       ->excludes("--scenario", "--method", "--grade", "--seeds", "--first-seed", "--threads",
                  "--list");
   command->callback([options, command, &exitCode] {

@@ -26,7 +26,7 @@ const char* nameOf(ColorWord word) {
 std::string partOfImage(const DistractorRegion& region) {
   static constexpr const char* kParts[3][3] = {
       {"at the top left", "at the top", "at the top right"},
-      {"at the left", "in the middle", "at the right"},
+      {"at the left", "in the center", "at the right"},
       {"at the bottom left", "at the bottom", "at the bottom right"}};
   return kParts[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
 }
@@ -36,9 +36,9 @@ const char* advice(Suggestion suggestion) {
   case Suggestion::AddSamples:
     return "Much of the target does not match: add its light and its dark side with --more.";
   case Suggestion::ExcludeDistractor:
-    return "Exclude what matches too with --exclude: it can be told apart.";
+    return "Use --exclude to exclude what also matches.";
   case Suggestion::RemoveDistractor:
-    return "Cover what has the same color, or take it out of view.";
+    return "Cover objects of the same color, or take them out of view.";
   case Suggestion::MoreLight:
     return "The target is nearly black here: more light would help.";
   case Suggestion::LessExposure:
@@ -46,13 +46,14 @@ const char* advice(Suggestion suggestion) {
   case Suggestion::UseStrongerColor:
     return "The target is nearly gray: a stronger color would help.";
   case Suggestion::UseAnotherColor:
-    return "Several things have this color: another one would help.";
+    return "Several objects have this color: another color would help.";
   case Suggestion::FollowAll:
-    return "Several things have this color and size: make each a target, or cover the others.";
+    return "Several objects have this color and size: make each of them a target, or cover the "
+           "others.";
   case Suggestion::ClickObjectItself:
-    return "This fills much of the image: point at the thing itself, or give a box on it.";
+    return "This fills much of the image: click only the target, or give a box on it.";
   case Suggestion::ClickMore:
-    return "Only a speck was pointed at: give a box on the whole thing.";
+    return "You clicked only a speck: give a box on the whole target.";
   case Suggestion::None:
     break;
   }
@@ -76,16 +77,16 @@ std::vector<std::string> assessmentSentences(const ColorAssessment& assessment,
                   inPercent(assessment.targetShare), inPercent(assessment.backgroundShare))};
   if (assessment.backgroundShareOfWhole) {
     sentences.push_back(
-        fmt::format("A range for all of the target would match {:.2f} % of the background.",
+        fmt::format("A range that covers the whole target would match {:.2f} % of the background.",
                     inPercent(*assessment.backgroundShareOfWhole)));
   }
   if (assessment.sampleLeftOut) {
-    sentences.emplace_back("One sample hardly matches the learned color: much around it looks the "
-                           "same, or it shows something else.");
+    sentences.emplace_back("One sample hardly matches the learned color: its surroundings look the "
+                           "same, or it shows another object.");
   }
   for (const DistractorRegion& region : assessment.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;
-    sentences.push_back(fmt::format("Something {} {} of {} matches too, about pixel {},{}.",
+    sentences.push_back(fmt::format("A {} region {} of {} also matches, at about pixel {},{}.",
                                     nameOf(region.color), partOfImage(region),
                                     cameras.at(static_cast<std::size_t>(region.camera)), middle.x,
                                     middle.y));

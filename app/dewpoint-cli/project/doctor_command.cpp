@@ -87,15 +87,14 @@ int examineAndPrint(const DoctorOptions& options) {
 
 void addDoctorCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "doctor",
-      "Say what is wrong with a project: recordings, times, calibration, colors, method.");
+      "doctor", "Check a project for problems: recordings, times, calibration, colors, method.");
   auto options = std::make_shared<DoctorOptions>();
   command->add_option("PROJECT", options->project, "Project file, or the name of a built-in scene")
       ->required();
   command->add_option("--out", options->out,
-                      "Folder to which results would go; that of the project when omitted");
+                      "Folder for the results; the folder of the project if omitted");
   command->add_flag("--every-frame", options->everyFrame,
-                    "Read all frames, not only the first, the middle and the last");
+                    "Read all frames, instead of only the first, middle and last frame");
   command->add_flag("--json", options->asJson, "Print JSON instead of lines");
   command->footer("Exit codes: 0 no problem, 1 at least one.");
   command->callback([options, &exitCode] { exitCode = examineAndPrint(*options); });

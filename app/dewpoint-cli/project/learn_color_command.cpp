@@ -87,22 +87,21 @@ void printLearned(const Target& target, const setup::ClickLesson& lesson, const 
   for (const ProjectCamera& camera : project.cameras) {
     cameras.push_back(camera.camera.name);
   }
-  fmt::print("{}: {} pixels were clicked.\n", target.name, target.samples.front().area);
+  fmt::print("{}: the sample has {} pixels.\n", target.name, target.samples.front().area);
   printFound(target.samples, project);
   for (const ColorRange& range : lesson.color.ranges()) {
     fmt::print("{}\n", rangeSentence(range));
   }
   if (!lesson.color.others.empty()) {
-    fmt::print(
-        "The samples show {} colors: what lies in any of their ranges counts as the target.\n",
-        lesson.color.ranges().size());
+    fmt::print("The samples show {} colors: a pixel within any of their ranges counts as target.\n",
+               lesson.color.ranges().size());
   }
   for (const std::string& text : assessmentSentences(lesson.color.assessment, cameras)) {
     fmt::print("{}\n", text);
   }
   if (lesson.part) {
-    fmt::print("This is a part of something larger of its color: it is followed as a ball with a "
-               "radius of {:.2g} m, from where it was marked.\n",
+    fmt::print("This is part of a larger object of the same color. It is tracked as a ball with "
+               "radius {:.2g} m, starting at the marked spot.\n",
                target.radius);
   }
   if (const auto text = radiusSentence(target.radius, lesson.radius); !text.empty()) {
@@ -138,7 +137,7 @@ Status checkMask(const std::string& mask) {
   const std::string ending = std::filesystem::path(mask).extension().string();
   if (!mask.empty() && ending != ".png") {
     return failure(ErrorCode::BadValue, "", "--mask",
-                   fmt::format("a PNG is written; the file cannot end in “{}”", ending));
+                   fmt::format("the output is a PNG; the file name cannot end in “{}”", ending));
   }
   return {};
 }
@@ -206,17 +205,18 @@ void addLearnColorCommand(CLI::App& app, int& exitCode) {
   marked->require_option(1);
   command->add_option("--more", options->more, "Another click on it, CAMERA:FRAME:X,Y");
   command->add_option("--exclude", options->excluded,
-                      "A click on what is not the target, CAMERA:FRAME:X,Y");
+                      "A click on an object that is not the target, CAMERA:FRAME:X,Y");
   command->add_option("--target", options->target,
-                      "Name of the target; made when there is none called so");
+                      "Name of the target; a new target is created if there is none of this name");
   command->add_option("--radius", options->radius, "Radius of the target, meters")
       ->check(CLI::Range(0.0, 1000.0));
   command
       ->add_option("--shape", options->shape,
-                   "What the target is taken for: auto (the images decide), ball or any")
+                   "Shape of the target: auto (determined from the images), ball or any")
       ->check(CLI::IsMember(targetShapeNames()));
-  command->add_flag("--follow-all", options->followAll,
-                    "Make a target of each other thing of this color and size, if they are few");
+  command->add_flag(
+      "--follow-all", options->followAll,
+      "Also make a target of each other object of this color and size, if they are few");
   command->add_option("--mask", options->mask, "PNG to write: white where the image matches");
   command->add_option("--out", options->out, "Project file to write, with the learned color");
   command->callback([options, &exitCode] { exitCode = learn(*options); });

@@ -71,7 +71,7 @@ Result<std::vector<NewCamera>> camerasOf(const NewOptions& options) {
     found = footageIn(options.footage);
     if (found.empty()) {
       return failure(ErrorCode::FileMissing, options.footage, "--footage",
-                     "no video and no folder of images is in it");
+                     "it contains no video and no image folder");
     }
   }
   if (options.connected) {
@@ -93,8 +93,8 @@ Result<std::vector<NewCamera>> camerasOf(const NewOptions& options) {
 
 int makeNew(NewOptions& options) {
   if (std::filesystem::exists(options.file) && !options.force) {
-    return report(
-        {ErrorCode::FileUnwritable, options.file, "", "it exists already; --force replaces it"});
+    return report({ErrorCode::FileUnwritable, options.file, "",
+                   "it already exists; use --force to replace it"});
   }
   auto cameras = camerasOf(options);
   if (!cameras) {
@@ -138,12 +138,12 @@ int makeNew(NewOptions& options) {
     return report(saved.error());
   }
   if (made->lacksCalibration) {
-    fmt::print(stderr, "dewpoint-cli: note: without --calibration the camera positions are a "
-                       "guess.\n");
+    fmt::print(stderr,
+               "dewpoint-cli: note: without --calibration, the camera positions are guesses.\n");
   }
   if (made->matchedByOrder) {
-    fmt::print(stderr, "dewpoint-cli: note: the calibration names its cameras differently; they "
-                       "were taken in its order.\n");
+    fmt::print(stderr, "dewpoint-cli: note: the calibration uses other camera names; the cameras "
+                       "were matched by order.\n");
   }
   fmt::print("{}\n", options.file);
   return kExitDone;
@@ -152,24 +152,26 @@ int makeNew(NewOptions& options) {
 } // namespace
 
 void addNewCommand(CLI::App& app, int& exitCode) {
-  auto* command = app.add_subcommand("new", "Make a project of videos, image folders or cameras.");
+  auto* command =
+      app.add_subcommand("new", "Create a project from videos, image folders or cameras.");
   auto options = std::make_shared<NewOptions>();
   command->add_option("PROJECT", options->file, "Project file to write (TOML)")->required();
   command->add_option(
       "--camera", options->cameras,
       "NAME=SOURCE, once per camera: a video, a folder of images, a device or a stream");
   command->add_option("--footage", options->footage,
-                      "A folder: each video and each folder of images in it is a camera, by their "
-                      "names (camera 2 before camera 10)");
+                      "A folder in which each video and each image folder is a camera, in order of "
+                      "their names (camera 2 before camera 10)");
   command->add_flag("--connected", options->connected,
                     "All cameras that are connected to this computer");
-  command->add_option("--calibration", options->calibration,
-                      "Calibration file; by the cameras' names, or else in its order");
+  command->add_option(
+      "--calibration", options->calibration,
+      "Calibration file; cameras are matched by name, or by order if the names differ");
   command->add_option("--empty-room", options->backgroundImages,
                       "NAME=FILE: image, video or folder of images in which that camera shows the "
                       "scene without any target");
   command->add_option("--times", options->times,
-                      "Table (CSV) of when each image of each camera was taken");
+                      "Table (CSV) with the times at which the images of each camera were taken");
   command->add_option("--name", options->project.name, "Name of the project");
   command->add_option("--rate", options->project.framesPerSecond, "Images per second of folders")
       ->check(CLI::Range(0.1, 10000.0));

@@ -49,7 +49,7 @@ Result<int> cameraNamed(const Project& project, const std::string& text, const c
     return *number - 1;
   }
   return failure(ErrorCode::BadValue, "", option,
-                 fmt::format("there are {} cameras and none is called {}", cameras.size(), text));
+                 fmt::format("none of the {} cameras is called {}", cameras.size(), text));
 }
 
 Result<ColorSample> clickFrom(const std::string& text, const char* option) {

@@ -55,7 +55,8 @@ int testAndPrint(bool asJson) {
 
 void addSelfTestCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "self-test", "Try what tracking needs of this computer: codecs, disk, cameras, a short run.");
+      "self-test",
+      "Check what tracking needs from this computer: codecs, disk, cameras, a short run.");
   auto asJson = std::make_shared<bool>(false);
   command->add_flag("--json", *asJson, "Print JSON instead of lines");
   command->footer("Exit codes: 0 no problem, 1 at least one.");

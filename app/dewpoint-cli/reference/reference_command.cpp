@@ -13,7 +13,7 @@ namespace dewpoint::app {
 
 void addReferenceCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "reference", "Print a page of the manual that is made from the program's declarations.");
+      "reference", "Print a page of the manual that is generated from the program's declarations.");
   command->group(""); // of use to script/manual only: --help does not list it
   auto page = std::make_shared<std::string>();
   command->add_option("PAGE", *page, "commands, methods or formats")

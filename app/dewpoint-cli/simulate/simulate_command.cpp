@@ -172,9 +172,11 @@ void addSimulateCommand(CLI::App& app, int& exitCode) {
   }
   command->add_option("--motion", options->motion, "How the first ball moves")
       ->check(CLI::IsMember(motions));
-  command->add_option("--look-alikes", options->distractors, "Further balls of the same color")
+  command
+      ->add_option("--look-alikes", options->distractors, "Number of other balls of the same color")
       ->check(CLI::Range(0, 4));
-  command->add_flag("--occluder", options->occluder, "Let a box pass in front of camera 1");
+  command->add_flag("--occluder", options->occluder,
+                    "Move a box past camera 1, which hides the ball");
   command->add_flag("--images", options->images,
                     "Write folders of PNG images instead of lossless videos");
   command->callback([options, &exitCode] { exitCode = simulate(*options); });

@@ -87,12 +87,11 @@ Status inArea(const std::string& text, const Eigen::Vector3d& position, const Pe
   }
   const Eigen::Vector2d low = area.center - area.half;
   const Eigen::Vector2d high = area.center + area.half;
-  return failure(ErrorCode::BadValue, "", "--person",
-                 fmt::format("{} lies outside the watched area: x {:g} to {:g}, y {:g} to {:g}, z "
-                             "{:g} to {:g} m; area_x, area_y, area_half_x, area_half_y and floor_z "
-                             "say where it is",
-                             text, low.x(), high.x(), low.y(), high.y(), area.floor,
-                             area.floor + kReach));
+  return failure(
+      ErrorCode::BadValue, "", "--person",
+      fmt::format("{} lies outside the tracked area: x {:g} to {:g}, y {:g} to {:g}, z {:g} to "
+                  "{:g} m; area_x, area_y, area_half_x, area_half_y and floor_z define it",
+                  text, low.x(), high.x(), low.y(), high.y(), area.floor, area.floor + kReach));
 }
 
 Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area, TrackingRun& run) {
@@ -258,27 +257,30 @@ int runPeople(const PeopleOptions& options) {
 
 void addPeopleCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "people", "Track people of a project's cameras: places, volumes, ground-plane densities.");
+      "people",
+      "Track people with the cameras of a project: positions, volumes, densities on the floor.");
   auto options = std::make_shared<PeopleOptions>();
-  command->add_flag("--list", options->list, "Only say which methods and parameters there are");
+  command->add_flag("--list", options->list, "Only list the methods and parameters");
   command->add_option("PROJECT", options->project, "Project file (TOML)");
   command->add_option("--out", options->folder, "Folder to write");
   command
       ->add_option("--method", options->method,
-                   "Method (the project's, if it is for people, else people)")
+                   "Method (default: the project's method if it is for people, otherwise people)")
       ->check(CLI::IsMember(peopleMethods()));
   command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
-  command->add_option("--threads", options->threads, "Threads; never changes the result")
+  command
+      ->add_option("--threads", options->threads, "Number of threads; does not change the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
-  command->add_option("--person", options->persons,
-                      "Somebody stands here from the first frame on: x,y,z of the body's middle");
+  command->add_option(
+      "--person", options->persons,
+      "A person stands here from the first frame on: x,y,z of the center of the body");
   command
       ->add_option("--overlay", options->overlay,
-                   "Write overlay.png: about so many instants, all cameras, hulls drawn")
+                   "Write overlay.png: about this many frames of all cameras, with hulls drawn")
       ->check(CLI::Range(0, 1000));
   addJobOptions(*command, options->job);
   command->callback([options, command, &exitCode] {

@@ -52,15 +52,15 @@ int trackBackwardsIn(const TrackBackwardsOptions& options) {
   };
   if (std::ranges::none_of(project->corrections,
                            [](const PositionCorrection& one) { return !one.trackedFrom; })) {
-    return fail(
-        {ErrorCode::MissingKey, "", "correction", "nothing says where a target is at any frame"});
+    return fail({ErrorCode::MissingKey, "", "correction",
+                 "the project has no correction that gives a target's position"});
   }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
     return fail(inputs.error());
   }
   if (inputs->source->isLive()) {
-    return fail({ErrorCode::BadValue, "", "camera", "live cameras cannot be gone back in"});
+    return fail({ErrorCode::BadValue, "", "camera", "live cameras cannot be tracked backward"});
   }
   catchInterruption();
   constexpr std::int64_t kSteps = 1000;
@@ -84,14 +84,15 @@ int trackBackwardsIn(const TrackBackwardsOptions& options) {
 
 void addTrackBackwardsCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand("track-backwards",
-                                     "Find out where targets were before a project's corrections.");
+                                     "Track targets backward from the corrections of a project.");
   auto options = std::make_shared<TrackBackwardsOptions>();
   command->add_option("PROJECT", options->project, "Project file (TOML) with corrections")
       ->required();
-  command->add_option("--out", options->out, "Project file to write, with what was found")
+  command->add_option("--out", options->out, "Project file to write, with the new corrections")
       ->required();
   command
-      ->add_option("--threads", options->threads, "Threads of the filter; never changes the result")
+      ->add_option("--threads", options->threads,
+                   "Number of threads of the filter; does not change the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->callback([options, &exitCode] { exitCode = trackBackwardsIn(*options); });

@@ -74,7 +74,8 @@ Result<BoxRequest> requestOf(const TrackBoxOptions& options) {
     }
   }
   if (request.marks.empty()) {
-    return failure(ErrorCode::MissingKey, "", "--box", "a box or a click says what to follow");
+    return failure(ErrorCode::MissingKey, "", "--box",
+                   "a box or a click is needed to show what to track");
   }
   return request;
 }
@@ -302,7 +303,7 @@ int trackBoxes(const TrackBoxOptions& options) {
 
 void addTrackBoxCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "track-box", "Follow boxes through one camera's images, without any calibration.");
+      "track-box", "Track boxes in the images of one camera, without calibration.");
   auto options = std::make_shared<TrackBoxOptions>();
   const std::vector<std::string> known = methodNames(RunTables::Boxes); // the default first
   options->method = known.front();
@@ -318,7 +319,8 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
   command->add_option("--seed", options->seed, "Seed of the run")->capture_default_str();
   command
-      ->add_option("--threads", options->threads, "Threads of the filter; never changes the result")
+      ->add_option("--threads", options->threads,
+                   "Number of threads of the filter; does not change the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--frames", options->frames,

@@ -46,7 +46,7 @@ std::vector<std::string> trackableMethods() {
 Status checkTargets(const Project& project, const std::string& file) {
   if (isForPeople(project.method)) {
     return failure(ErrorCode::BadValue, file, "method",
-                   project.method + " is for people, whom dewpoint-cli people tracks");
+                   project.method + " is a method for people; use dewpoint-cli people");
   }
   return checkMethodTargets(project).map_error([&](Error error) {
     error.file = file;
@@ -138,14 +138,14 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
   command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
   command
       ->add_option("--threads", options->job.threads,
-                   "Threads of the filter; never changes the result")
+                   "Number of threads of the filter; does not change the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--particles", options->particles, "Number of particles");
   command->add_flag("--reasons", options->job.reasons,
-                    "Write reasons.csv, too: when and why targets were held or not");
+                    "Also write reasons.csv: when and why targets were held or not");
   command->add_option(
       "--volume", options->volume,
       "Track only in this box, as x0,y0,z0,x1,y1,z1 in meters (the project's unless "

@@ -69,7 +69,7 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
     return reportInput(tracked.error());
   }
   if (tracked->samples.empty()) {
-    return reportInput({ErrorCode::BadValue, "", "x_m", "no position is a number"});
+    return reportInput({ErrorCode::BadValue, "", "x_m", "no position is given as numbers"});
   }
   if (*timed) {
     tracked->header.entries.emplace_back("times",
@@ -88,7 +88,7 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
 
 void addTrackPositionsCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
-      "track-positions", "Track measured 3D positions by method dynamics, without images.");
+      "track-positions", "Track measured 3D positions with method dynamics, without images.");
   auto options = std::make_shared<TrackPositionsOptions>();
   command
       ->add_option("MEASURED", options->measured,
@@ -97,8 +97,9 @@ void addTrackPositionsCommand(CLI::App& app, int& exitCode) {
   command->add_option("--out", options->out, "Trajectory (CSV) to write")->required();
   command->add_option("--seed", options->seed, "Seed of the run")->capture_default_str();
   command
-      ->add_option("--rate", options->rate,
-                   "Frames per second, for the times of a file that has frames only")
+      ->add_option(
+          "--rate", options->rate,
+          "Frames per second, to compute times for a file that contains only frame numbers")
       ->check(CLI::Range(0.001, 100000.0))
       ->capture_default_str();
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");

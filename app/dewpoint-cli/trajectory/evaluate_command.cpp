@@ -87,11 +87,11 @@ int evaluateFiles(const EvaluateOptions& options) {
 } // namespace
 
 void addEvaluateCommand(CLI::App& app, int& exitCode) {
-  auto* command = app.add_subcommand("evaluate", "Compare a trajectory with the truth.");
+  auto* command = app.add_subcommand("evaluate", "Compare a trajectory with the ground truth.");
   auto options = std::make_shared<EvaluateOptions>();
   command
       ->add_option("TRAJECTORY", options->trajectory,
-                   "Trajectory (CSV) to judge, or the folder of a run")
+                   "Trajectory (CSV) to evaluate, or the folder of a run")
       ->required();
   command->add_option("TRUTH", options->truth, "True positions (CSV)")->required();
   command->add_option("--gate", options->gate, "Error in meters above which a frame counts as lost")
@@ -99,12 +99,13 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON (meters) instead of a table (mm)");
   command->add_flag("--identities", options->identities,
-                    "Several targets whose names differ from the truth's: CLEAR MOT, HOTA, GOSPA");
+                    "For several targets whose names differ from the ground truth's: compute CLEAR "
+                    "MOT, HOTA, GOSPA");
   command
       ->add_flag("--save", options->save,
                  "Write evaluation.json into the run's folder, for dewpoint-cli gather")
       ->excludes("--identities");
-  command->add_flag("--ground", options->ground, "With --identities: heights do not count");
+  command->add_flag("--ground", options->ground, "With --identities: ignore heights");
   command->callback([options, &exitCode] { exitCode = evaluateFiles(*options); });
 }
 

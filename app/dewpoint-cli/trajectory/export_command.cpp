@@ -65,7 +65,7 @@ Result<std::string> formatFor(const std::string& wanted, const std::filesystem::
   if (wanted.empty()) {
     if (!isKnown && !ending.empty()) {
       return failure(ErrorCode::BadValue, "", "--out",
-                     fmt::format("no format's files end in {}; give --format", ending));
+                     fmt::format("no format uses the extension {}; use --format", ending));
     }
     return std::string(isKnown ? ofEnding->id : exportFormats().front().id);
   }
@@ -80,7 +80,8 @@ Result<std::string> formatFor(const std::string& wanted, const std::filesystem::
 
 Status completeOptions(ExportCommand& command) {
   if (!command.figure.empty() && std::filesystem::path(command.figure).extension() != ".svg") {
-    return failure(ErrorCode::BadValue, "", "--figure", "figures are SVG files, ending in .svg");
+    return failure(ErrorCode::BadValue, "", "--figure",
+                   "figures are SVG files; the name must end in .svg");
   }
   auto format = formatFor(command.format, command.file);
   if (!format) {
@@ -153,7 +154,7 @@ int writeExport(const ExportCommand& command, const Trajectory& trajectory) {
   }
   fmt::print("{} rows of {} target{}{} in {}.\n", summary->rows, summary->targets,
              summary->targets == 1 ? "" : "s",
-             summary->gaps > 0 ? fmt::format(", {} places unknown,", summary->gaps) : "",
+             summary->gaps > 0 ? fmt::format(", {} positions unknown,", summary->gaps) : "",
              summary->files.size() == 1
                  ? summary->files.back().string()
                  : fmt::format("{} files, the last is {}", summary->files.size(),
@@ -170,7 +171,7 @@ int exportCommand(ExportCommand& command) {
   const std::filesystem::path source = command.source;
   for (const auto& read : {source, source / "trajectory.csv"}) {
     if (!command.file.empty() && std::filesystem::equivalent(read, command.file, ignored)) {
-      report({ErrorCode::BadValue, command.file, "--out", "this is the trajectory that is read"});
+      report({ErrorCode::BadValue, command.file, "--out", "this is the input trajectory"});
       return kExitUsage;
     }
   }
@@ -191,7 +192,7 @@ int exportCommand(ExportCommand& command) {
 }
 
 std::string formatHelp() {
-  std::string text = "Format; by the ending of --out unless given:";
+  std::string text = "Format; taken from the extension of --out if omitted:";
   for (const ExportFormat& format : exportFormats()) {
     text += fmt::format(" {}", format.id);
   }
@@ -223,19 +224,22 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   command->add_option("--targets", options.targets, "Targets; all unless given")->delimiter(',');
   command->add_option("--from", arguments->from, "First time in seconds, or frame as 75f");
   command->add_option("--to", arguments->to, "Last time in seconds, or frame as 150f");
-  command->add_option("--rate", options.rate, "Rows per second; as recorded unless given")
+  command->add_option("--rate", options.rate, "Rows per second; as recorded if omitted")
       ->check(CLI::PositiveNumber);
   command->add_option("--gaps", arguments->gaps, "Gaps: leave or fill")
       ->check(CLI::IsMember({"leave", "fill"}))
       ->capture_default_str();
-  command->add_option("--longest-gap", options.longestGap, "Seconds that are filled at most")
+  command->add_option("--longest-gap", options.longestGap, "Longest gap that is filled, seconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--axes", arguments->axes, "World axes: z-up or y-up; as usual in the format")
+  command
+      ->add_option("--axes", arguments->axes,
+                   "World axes: z-up or y-up (default: that of the format)")
       ->check(CLI::IsMember({"z-up", "y-up"}));
-  command->add_option("--unit", arguments->unit, "Lengths: m or mm; as usual in the format")
+  command->add_option("--unit", arguments->unit, "Lengths: m or mm (default: that of the format)")
       ->check(CLI::IsMember({"m", "mm"}));
-  command->add_flag("--smooth", options.smooth, "What is known after the run, not during it");
+  command->add_flag("--smooth", options.smooth,
+                    "Export smoothed estimates, which use all frames, instead of live ones");
   command->add_flag("--no-header", arguments->noHeader, "Without comments about the run");
   command->add_flag("--preview", arguments->preview, "Only show the first lines, units and axes");
   command->callback([arguments, command, &exitCode] {

@@ -63,7 +63,7 @@ int gather(const GatherOptions& options) {
     return report(written.error());
   }
   for (const auto& [kept, other] : gathered->repeated) {
-    fmt::print(stderr, "dewpoint-cli: note: {} has the same result as {}, which counts once.\n",
+    fmt::print(stderr, "dewpoint-cli: note: {} has the same result as {}; it is counted once.\n",
                other, kept);
   }
   for (const std::string& folder : gathered->missing) {
@@ -85,7 +85,7 @@ void addGatherCommand(CLI::App& app, int& exitCode) {
       app.add_subcommand("gather", "Merge the output folders of many runs into one table.");
   auto options = std::make_shared<GatherOptions>();
   command->add_option("RUN", options->folders, "Output folders of track and people");
-  command->add_option("--list", options->list, "File that names more of them, one per line");
+  command->add_option("--list", options->list, "File with more output folders, one per line");
   command
       ->add_option("--out", options->out, "Folder to write results.csv, times.csv and report.md to")
       ->required();

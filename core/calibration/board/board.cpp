@@ -61,7 +61,8 @@ std::string wrongLength(const char* what, double length) {
     return noLength(what, fmt::format("{}", length));
   }
   if (length > kLargestSquare) {
-    return fmt::format("the {} size is in meters; {} m is meant in millimeters?", what, length);
+    return fmt::format("the {} size is in meters; {} m was probably meant in millimeters", what,
+                       length);
   }
   return {};
 }
@@ -111,7 +112,7 @@ std::string readFlags(const std::vector<std::string>& parts, std::size_t first,
     } else if (parts[k] == "inverted") {
       board.inverted = true;
     } else {
-      return fmt::format("'{}' is not known there", parts[k]);
+      return fmt::format("'{}' is unknown here", parts[k]);
     }
   }
   return {};

@@ -112,9 +112,8 @@ void poseViews(const ExtrinsicsRequest& request, BoardChain& chain, ViewIndex& i
       if (!pose) {
         chain.leftOut[camera].push_back(leftOutView(view, "too few corners are seen"));
       } else if (rms > kMostPosePart * std::hypot(in.width, in.height)) {
-        chain.leftOut[camera].push_back(leftOutView(
-            view,
-            fmt::format("no pose of the board fits its corners to less than {:.1f} px", rms)));
+        chain.leftOut[camera].push_back(
+            leftOutView(view, fmt::format("no board pose fits the corners within {:.1f} px", rms)));
       } else {
         index[camera][view.instant] = chain.views.size();
         chain.views.push_back({camera, &view, view.detection, *pose, rms});
@@ -150,16 +149,16 @@ Result<std::vector<Eigen::Isometry3d>> joined(const ExtrinsicsRequest& request,
           missing.push_back(fmt::format("'{}'", nameOf(k)));
         }
       }
-      return failure(ErrorCode::Undetermined, "", "views",
-                     fmt::format("{} never see{} the board at the same instant as '{}' or those it "
-                                 "is joined with",
-                                 fmt::join(missing, ", "), missing.size() == 1 ? "s" : "",
-                                 nameOf(0)));
+      return failure(
+          ErrorCode::Undetermined, "", "views",
+          fmt::format(
+              "{} never see{} the board in the same frame as '{}' or the cameras connected with it",
+              fmt::join(missing, ", "), missing.size() == 1 ? "s" : "", nameOf(0)));
     }
     if (best->ambiguous) {
       notices.push_back(
-          fmt::format("The board looks the same turned about; that '{}' and '{}' count "
-                      "it alike is a guess. Show it in more positions",
+          fmt::format("The board looks the same when rotated by 180 degrees, so it is a guess that "
+                      "'{}' and '{}' number its corners the same way. Show it in more positions",
                       nameOf(ends.first), nameOf(ends.second)));
     }
     poses[ends.second] = best->otherFromOne * poses[ends.first];

@@ -208,8 +208,9 @@ private:
     if (!seen.contains(*request_.worldInstant)) {
       return failure(
           ErrorCode::Undetermined, "", "world",
-          fmt::format("no camera saw the board well at {}, where it is to make the world",
-                      *request_.worldInstant));
+          fmt::format(
+              "no camera saw the board well at {}, where it should define the world coordinates",
+              *request_.worldInstant));
     }
     return request_.worldFromBoard * chain_.firstFromBoard.at(*request_.worldInstant).inverse();
   }

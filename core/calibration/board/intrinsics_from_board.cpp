@@ -88,7 +88,7 @@ Solution solveWithOpenCv(const IntrinsicsRequest& request, const Views& views, b
 Result<Solution> solve(const IntrinsicsRequest& request, const Views& views, bool square) {
   const auto undetermined = [](const std::string& why) {
     return failure(ErrorCode::BadValue, "", "views",
-                   "they do not determine the camera: " + why +
+                   "the images do not determine the camera: " + why +
                        "; show the board tilted, near, and in all parts of the image");
   };
   try {
@@ -141,9 +141,10 @@ private:
     square_ = square && request_.model != IntrinsicsModel::Fisheye;
     for (int round = 0; round < kMostRounds; ++round) {
       if (views_.size() < kLeastViews) {
-        return failure(ErrorCode::Undetermined, "", "views",
-                       fmt::format("the board is seen well in {} picture{}, at least {} are needed",
-                                   views_.size(), views_.size() == 1 ? "" : "s", kLeastViews));
+        return failure(
+            ErrorCode::Undetermined, "", "views",
+            fmt::format("the board is clearly visible in {} image{}; at least {} are needed",
+                        views_.size(), views_.size() == 1 ? "" : "s", kLeastViews));
       }
       if (!goesOn(progress_, CalibrationStage::Intrinsics,
                   static_cast<double>(round) / kMostRounds)) {

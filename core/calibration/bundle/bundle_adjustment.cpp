@@ -60,11 +60,11 @@ public:
       return failure(ErrorCode::Canceled, "", "", "");
     }
     if (summary.termination_type == ceres::FAILURE) {
-      return failure(ErrorCode::Undetermined, "", "", "the adjustment broke down");
+      return failure(ErrorCode::Undetermined, "", "", "the optimization failed numerically");
     }
     if (summary.termination_type == ceres::NO_CONVERGENCE && !model_.given.draft) {
       return failure(ErrorCode::Undetermined, "", "",
-                     fmt::format("the adjustment did not settle within {} iterations",
+                     fmt::format("the optimization did not converge within {} iterations",
                                  model_.given.maxIterations));
     }
     BundleResult result = solution();
@@ -240,7 +240,7 @@ private:
     double cost = 0.0;
     ceres::CRSMatrix rows;
     if (!model_.solver.Evaluate(options, &cost, nullptr, nullptr, &rows)) {
-      return failure(ErrorCode::Undetermined, "", "", "the adjustment broke down");
+      return failure(ErrorCode::Undetermined, "", "", "the optimization failed numerically");
     }
     using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     const Eigen::SparseMatrix<double> jacobian = Eigen::Map<const RowMatrix>(
@@ -256,7 +256,7 @@ private:
     auto matrix = reducedCovariance(jacobian, cameraColumns, covariance.gaugeFreedoms);
     if (freedoms <= 0.0 || !matrix) {
       return failure(ErrorCode::Undetermined, "", "",
-                     "the places and directions that were seen leave the cameras open");
+                     "the observed positions and directions do not determine the cameras");
     }
     covariance.matrix = rotatedIntoWorld(std::move(*matrix), covariance.columns);
     return {};

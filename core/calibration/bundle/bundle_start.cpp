@@ -34,7 +34,7 @@ std::size_t pointCount(const BundleBody& body) {
 Status checkIndices(const BundleProblem& problem) {
   for (const BundleState& state : problem.states) {
     if (state.body >= problem.bodies.size() || !std::isfinite(state.time)) {
-      return wrong("states", "a state is of no body or no time");
+      return wrong("states", "a state has no body or no time");
     }
     if (problem.bodies[state.body].kind == Kind::Board && !state.known && !state.fixed) {
       return wrong(problem.bodies[state.body].name, "a board needs a pose to start from");
@@ -43,7 +43,7 @@ Status checkIndices(const BundleProblem& problem) {
   for (const BundleObservation& seen : problem.observations) {
     if (seen.camera >= problem.cameras.size() || seen.state >= problem.states.size() ||
         seen.point >= pointCount(problem.bodies[problem.states[seen.state].body])) {
-      return wrong("observations", "an observation is of no camera, no state or no point");
+      return wrong("observations", "an observation has no camera, no state or no point");
     }
     if (!seen.pixel.allFinite() || !(seen.sigma > 0.0) || !std::isfinite(seen.lag)) {
       return wrong("observations", "a pixel or its sigma is not a number");

@@ -37,12 +37,12 @@ std::string faultSentence(const NamedFault& fault, const std::vector<std::string
                        "swapped; exchange the two files.",
                        name(0), name(1));
   case CalibrationFault::WrongSquareCount:
-    return fmt::format("The corners form a board with {:.0f} in a row: the number of squares is "
-                       "likely wrong; count them and correct the board.",
+    return fmt::format("The corners form a board with {:.0f} squares in a row: the number of "
+                       "squares is probably wrong; count them and correct the board.",
                        fault.value);
   case CalibrationFault::WrongSquareSize:
-    return fmt::format("The board's squares are given {:.3g} times as large as the cameras see "
-                       "them: measure a row with a ruler (prints are often rescaled).",
+    return fmt::format("The given size of the squares is {:.3g} times what the cameras see: "
+                       "measure a row with a ruler (prints are often rescaled).",
                        fault.value);
   case CalibrationFault::HalfPixel:
     return fmt::format(
@@ -55,16 +55,16 @@ std::string faultSentence(const NamedFault& fault, const std::vector<std::string
         "{}; synchronize the videos or set its offset.",
         name(0), std::abs(fault.value), fault.value > 0.0 ? "late" : "early");
   case CalibrationFault::CameraMoved:
-    return fmt::format("{} fits one place before {:.1f} s and another after: it was likely "
-                       "moved or bumped then; calibrate with the part after it.",
+    return fmt::format("{} fits one pose before {:.1f} s and another after it: the camera was "
+                       "probably moved; calibrate with the part after that time.",
                        name(0), fault.value);
   case CalibrationFault::VideoFlipped:
-    return fmt::format("{} fits only with flipped images: its video is likely mirrored or upside "
-                       "down; set rotation and mirroring of its source.",
+    return fmt::format("{} fits only with flipped images: its video is probably mirrored or upside "
+                       "down; set the rotation and mirroring of its source.",
                        name(0));
   case CalibrationFault::ZoomChanged:
-    return fmt::format("{} fits with a focal length {:.3g} times the given one: its zoom (or a "
-                       "crop) was likely changed; calibrate its lens again.",
+    return fmt::format("{} fits with {:.3g} times the given focal length: its zoom or crop was "
+                       "probably changed; calibrate its intrinsics again.",
                        name(0), fault.value);
   case CalibrationFault::WrongResolution:
     return fmt::format("The lens data of {} are likely for another resolution: its images are "

@@ -16,7 +16,7 @@ Result<CameraRig> loadCalibration(const std::filesystem::path& file) {
   }
   if (!calibration->hasPoses) {
     return failure(ErrorCode::MissingKey, file.string(), "pose",
-                   "the file knows the lens only, not where the camera stands");
+                   "the file contains only the intrinsics, not the pose of the camera");
   }
   return std::move(calibration->rig);
 }

@@ -81,14 +81,14 @@ Status doubtUnit(const CameraRig& rig, const std::string& file) {
   const double spread = cameraSpread(rig);
   if (spread > kWidestRoom) {
     return failure(ErrorCode::BadValue, file, "translation",
-                   fmt::format("the cameras would be {:.0f} m apart; the lengths are likely in mm, "
-                               "then convert with --unit mm",
+                   fmt::format("the cameras would be {:.0f} m apart; the lengths are probably in "
+                               "mm: convert with --unit mm",
                                spread));
   }
   if (rig.size() > 1 && spread < kNarrowestRoom && spread > 0.0) {
     return failure(ErrorCode::BadValue, file, "translation",
-                   fmt::format("the cameras would be {:.2g} mm apart; the lengths are likely in "
-                               "meters already, then convert with --unit m",
+                   fmt::format("the cameras would be {:.2g} mm apart; the lengths are probably "
+                               "already in meters: convert with --unit m",
                                inMillimeters(spread)));
   }
   return {};
@@ -97,9 +97,9 @@ Status doubtUnit(const CameraRig& rig, const std::string& file) {
 Status doubtDirection(const CameraRig& rig, const std::string& file) {
   if (rig.size() >= 2 && kClearlyBetter * missedBy(withInvertedPoses(rig)) < missedBy(rig)) {
     return failure(ErrorCode::BadValue, file, "rotation",
-                   "the cameras look past each other, but with inverted poses all look at one "
-                   "place: the poses are likely world from camera; convert with --poses "
-                   "world-from-camera, or with --poses camera-from-world if they are right");
+                   "the lines of sight diverge, but with inverted poses they meet: the poses are "
+                   "probably world from camera; convert with --poses world-from-camera, or with "
+                   "--poses camera-from-world if they are right");
   }
   return {};
 }

@@ -33,16 +33,17 @@ Result<const CalibrationFormat*> targetFormat(const CalibrationTarget& target) {
         return &format;
       }
       if (only != nullptr) {
-        return failure(ErrorCode::BadValue, target.path.string(), "",
-                       fmt::format("several formats have the ending {}; say --to {} or another",
-                                   format.extension, only->name));
+        return failure(
+            ErrorCode::BadValue, target.path.string(), "",
+            fmt::format("several formats use the extension {}; use --to {} or another format",
+                        format.extension, only->name));
       }
       only = &format;
     }
   }
   if (only == nullptr) {
     return failure(ErrorCode::BadValue, target.path.string(), "",
-                   "its ending is that of no format; say --to FORMAT");
+                   "no format uses its extension; use --to FORMAT");
   }
   return only;
 }
@@ -50,7 +51,7 @@ Result<const CalibrationFormat*> targetFormat(const CalibrationTarget& target) {
 Status holdsRig(const CalibrationFormat& format, const CameraRig& rig, const std::string& file) {
   if (format.write == nullptr) {
     return failure(ErrorCode::BadValue, file, "",
-                   fmt::format("{} is only read here, not written", format.title));
+                   fmt::format("{} can only be read, not written", format.title));
   }
   if (rig.empty()) {
     return failure(ErrorCode::MissingKey, file, "", "there is no camera to write");
@@ -81,9 +82,8 @@ CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
     conversion.cameras.push_back({camera.name, refit.refitted, 0.0, 0});
     if (refit.refitted) {
       conversion.decisions.push_back(
-          fmt::format("{} has no such lens as that of {}: focal lengths, principal point and {} "
-                      "coefficients were fitted to it by least squares over the image (RMS "
-                      "{:.3g} px).",
+          fmt::format("{} has no lens model like that of {}: focal lengths, principal point and {} "
+                      "coefficients were fitted by least squares over the image (RMS {:.3g} px).",
                       format.title, camera.name, format.lenses.pinholeCoefficients,
                       refit.rootMeanSquarePixels));
     }
@@ -91,7 +91,8 @@ CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
   if (format.firstCameraIsWorld) {
     result.front().cameraFromWorld.setIdentity(); // exactly
     conversion.decisions.push_back(
-        fmt::format("{} has no world: the axes of the first camera take its place.", format.title));
+        fmt::format("{} has no world coordinates: the axes of the first camera are used instead.",
+                    format.title));
   }
   return result;
 }
@@ -115,7 +116,7 @@ void warnOfTangential(const CalibrationFormat& format, const CameraRig& rig,
       Camera plain = camera;
       plain.distortion[2] = plain.distortion[3] = 0.0;
       conversion.decisions.push_back(fmt::format(
-          "Anipose passes over p1 and p2 when it projects: up to {:.3g} px in {}.",
+          "Anipose ignores p1 and p2 when it projects: errors up to {:.3g} px in {}.",
           difference(camera, plain, Eigen::Isometry3d::Identity()).largestPixels, camera.name));
     }
   }
@@ -127,7 +128,7 @@ Status writeFiles(const std::vector<CalibrationText>& files, const CalibrationTa
   for (const CalibrationText& file : files) {
     if (!target.replace && std::filesystem::exists(file.file, problem)) {
       return failure(ErrorCode::FileUnwritable, file.file.string(), "",
-                     "it exists already; --force replaces it");
+                     "it already exists; use --force to replace it");
     }
   }
   for (const CalibrationText& file : files) {

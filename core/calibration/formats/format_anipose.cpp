@@ -49,9 +49,9 @@ Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHin
   calibration.decisions = {"Poses are camera from world, as here."};
   if (hints.lens) {
     setLens(calibration.rig, *hints.lens);
-    calibration.decisions.emplace_back(*hints.lens == LensModel::Fisheye
-                                           ? "Coefficients are those of a fisheye, as asked."
-                                           : "Coefficients are those of a pinhole, as asked.");
+    calibration.decisions.emplace_back(
+        *hints.lens == LensModel::Fisheye ? "The coefficients are those of a fisheye, as requested."
+                                          : "Coefficients are those of a pinhole, as asked.");
   } else if (std::ranges::any_of(calibration.rig, [](const Camera& camera) {
                return camera.lens == LensModel::Fisheye;
              })) {

@@ -42,10 +42,8 @@ Status readCamera(const std::string& key, const toml::table& table, const std::s
   }
   if (const auto* turns = table["rotation_count"].as_integer();
       turns != nullptr && turns->get() != 0) {
-    calibration.decisions.push_back(
-        fmt::format("Camera {} is shown turned there; its calibration is that of the unturned "
-                    "image.",
-                    key));
+    calibration.decisions.push_back(fmt::format(
+        "Caliscope shows camera {} rotated; its calibration is for the unrotated image.", key));
   }
   calibration.rig.push_back(std::move(*camera));
   return {};

@@ -47,10 +47,10 @@ Result<RecognizedFormat> recognizeFormat(const CalibrationText& source) {
   if (found.size() == 1) {
     return found.front();
   }
-  std::string detail = "no calibration of a tool that is known here";
+  std::string detail = "not a calibration of a known tool";
   if (found.size() > 1) {
-    detail = fmt::format("it may be of {} or of {}; say which with --from", found[0].format->title,
-                         found[1].format->title);
+    detail = fmt::format("it could be from {} or {}; select one with --from",
+                         found[0].format->title, found[1].format->title);
   }
   return failure(ErrorCode::NotParsed, source.file.string(), "", detail);
 }

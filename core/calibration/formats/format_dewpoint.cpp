@@ -36,7 +36,7 @@ Result<std::optional<double>> metadataUnit(const CalibrationText& source) {
     return meters;
   }
   return failure(ErrorCode::BadValue, file, "metadata.unit",
-                 fmt::format("\"{}\" is no unit of length; m, mm, cm, in or ft is expected", name));
+                 fmt::format("\"{}\" is not a unit of length; expected m, mm, cm, in or ft", name));
 }
 
 Result<ReadCalibration> read(const CalibrationText& source, const CalibrationHints&) {

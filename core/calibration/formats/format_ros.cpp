@@ -64,7 +64,7 @@ Result<std::optional<Eigen::Isometry3d>> worldFrom(const std::string& child,
     const Eigen::Quaterniond rotation = quaternion(turn);
     const Eigen::Vector3d translation(shift.number("x"), shift.number("y"), shift.number("z"));
     if (!entry.error() && !(std::abs(rotation.norm() - 1.0) < 1e-3)) {
-      turn.fail(ErrorCode::BadValue, "w", "the quaternion x y z w has no length of 1");
+      turn.fail(ErrorCode::BadValue, "w", "the quaternion x y z w does not have length 1");
     }
     if (entry.error()) {
       return tl::make_unexpected(*entry.error());

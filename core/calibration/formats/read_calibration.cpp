@@ -44,7 +44,7 @@ Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
     return failure(ErrorCode::NotParsed, source.file.string(), "",
                    fmt::format("it does not look like {}", (*requested)->title));
   }
-  reason = fmt::format("Read as {}, as asked.", (*requested)->title);
+  reason = fmt::format("Read as {}, as requested.", (*requested)->title);
   return requested;
 }
 
@@ -62,9 +62,9 @@ Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
   if (known && hints.unit && std::abs(*hints.unit / *known - 1.0) > 1e-9) {
     return failure(
         ErrorCode::BadValue, file, "unit",
-        fmt::format("{} is asked for, but this file's lengths are in units of {} m; leave "
-                    "the unit out",
-                    *hints.unit, *known));
+        fmt::format(
+            "{} was requested, but the lengths of this file are in units of {} m; omit the unit",
+            *hints.unit, *known));
   }
   const auto unit = known ? known : hints.unit;
   const double spread = cameraSpread(calibration.rig);
@@ -99,7 +99,7 @@ Status finish(const CalibrationFormat& format, const CalibrationHints& hints,
     if (calibration.rig.size() > 1) {
       return failure(
           ErrorCode::MissingKey, file, "pose",
-          fmt::format("{} cameras, and no pose of them in these files", calibration.rig.size()));
+          fmt::format("these files contain {} cameras, but no poses", calibration.rig.size()));
     }
     calibration.decisions.emplace_back("There is no pose: the camera's axes are the world.");
   }

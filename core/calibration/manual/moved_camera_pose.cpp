@@ -191,8 +191,8 @@ Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMoti
   }
   if (2 * std::size_t(moved.used) < sightings.size()) {
     return failure(ErrorCode::Mismatch, "", camera.name,
-                   fmt::format("only {} of {} sightings agree with any pose near the old one; "
-                               "calibrate this camera again",
+                   fmt::format("only {} of {} detections agree with any pose near the previous "
+                               "one; calibrate this camera again",
                                moved.used, sightings.size()));
   }
   return moved;

@@ -190,8 +190,8 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const AccuracyKnowledge& known) {
   const PositionErrors errors = propagateToPositions(problem, result, kPositions);
   if (result.covariance.columns.empty() || errors.positions.size() < 4) {
-    return failure(ErrorCode::Undetermined, "", "verdict",
-                   "no cameras were adjusted, or too few places are seen by two of them");
+    return failure(ErrorCode::Undetermined, "", "accuracy",
+                   "no cameras were adjusted, or two cameras saw too few common positions");
   }
   const bool sizeless = result.covariance.gaugeFreedoms % 2 == 1; // 1 or 7: size is a convention
   const Eigen::MatrixXd perCamera =

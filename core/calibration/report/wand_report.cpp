@@ -59,8 +59,8 @@ std::vector<SpaceLine> wayOf(const WandResult& result) {
 void addFigures(std::string& html, const WandReport& report) {
   const WandResult& result = report.result;
   html += "<table><tr><th>camera</th><th>views</th><th>dropped</th><th>rms px</th>"
-          "<th>median px</th><th>moved cm</th><th>turned</th>";
-  html += report.offsetsFound ? "<th>late ms</th></tr>\n" : "</tr>\n";
+          "<th>median px</th><th>moved cm</th><th>rotated</th>";
+  html += report.offsetsFound ? "<th>delay ms</th></tr>\n" : "</tr>\n";
   auto out = std::back_inserter(html);
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
@@ -81,12 +81,13 @@ void addFigures(std::string& html, const WandReport& report) {
 
 void addCamera(std::string& html, const Camera& camera, const std::vector<ImageResidual>& residuals,
                const BoardCoverage& coverage) {
-  fmt::format_to(std::back_inserter(html),
-                 "<h2>{}</h2>\n<h3>Residuals</h3><p>From where a ball is projected to where it was "
-                 "seen.</p>\n",
-                 escaped(camera.name));
+  fmt::format_to(
+      std::back_inserter(html),
+      "<h2>{}</h2>\n<h3>Residuals</h3><p>Arrows from the projected to the detected positions of "
+      "the ball.</p>\n",
+      escaped(camera.name));
   html += residualDrawing(camera.intrinsics, residuals);
-  html += "<h3>Coverage</h3><p>Balls seen in each part of the image.</p>\n";
+  html += "<h3>Coverage</h3><p>Detections of balls in each part of the image.</p>\n";
   html += coverageDrawing(camera.intrinsics, coverage,
                           {fmt::format("{:.0f} % of the image", inPercent(coverage.imagePart()))});
 }
@@ -96,7 +97,7 @@ void addCamera(std::string& html, const Camera& camera, const std::vector<ImageR
 std::string htmlText(const WandReport& report) {
   const WandResult& result = report.result;
   const std::string title =
-      fmt::format("Poses of {} cameras from a waved target", result.cameras.size());
+      fmt::format("Poses of {} cameras, calibrated with a wand", result.cameras.size());
   std::string html = pageHead(title);
   html += fmt::format("<h1>{}</h1>\n<p><strong>{}</strong></p>\n", escaped(title),
                       escaped(report.accuracy));
@@ -104,8 +105,8 @@ std::string htmlText(const WandReport& report) {
     html += fmt::format("<p class=\"notice\">{}</p>\n", escaped(fault.sentence));
   }
   addFigures(html, report);
-  html += "<h2>In space</h2>\n" +
-          spaceDrawing(result.cameras, wayOf(result), "cameras and the waved target");
+  html +=
+      "<h2>In space</h2>\n" + spaceDrawing(result.cameras, wayOf(result), "cameras and the wand");
   const auto residuals = residualsOf(result);
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     addCamera(html, result.cameras[c], residuals[c], report.coverage.at(c));

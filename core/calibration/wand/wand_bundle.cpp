@@ -58,7 +58,7 @@ Status checkViews(const WandProblem& problem) {
   for (std::size_t c = 0; c < problem.views.size(); ++c) {
     if (problem.views[c].empty()) {
       return failure(ErrorCode::Undetermined, "", problem.initialRig[c].name,
-                     "the target is in none of its images");
+                     "the target was not found in any of its images");
     }
     for (const MarkerObservation& view : problem.views[c]) {
       if (!view.pixel.allFinite() || !std::isfinite(view.time) || !(view.sigma > 0.0) ||
@@ -75,7 +75,7 @@ Status checkViews(const WandProblem& problem) {
     });
     if (!seen) {
       return failure(ErrorCode::Undetermined, "", "stick",
-                     fmt::format("its {} ball is in no image: learn its color first",
+                     fmt::format("its {} ball was found in no image: learn its color first",
                                  ball == 0 ? "first" : "second"));
     }
   }

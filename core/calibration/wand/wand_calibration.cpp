@@ -35,7 +35,7 @@ constexpr std::array<double, 3> kStartWidths{30.0, 8.0, 3.0};
 /// Of an adjustment that fails as a whole: what a person can do about it.
 Error withAdvice(Error error) {
   if (error.code == ErrorCode::Undetermined && error.field.empty()) {
-    error.detail += "; wave through more of the volume, or ask for less at once";
+    error.detail += "; wave through more of the volume, or calibrate fewer values at once";
   }
   return error;
 }
@@ -117,7 +117,7 @@ private:
   Result<BundleResult> solveStart(BundleProblem bundle, int start) {
     const CameraRig rig = startRig(start);
     Result<BundleResult> now =
-        failure(ErrorCode::Undetermined, "", "", "no start led to a solution");
+        failure(ErrorCode::Undetermined, "", "", "no initial guess led to a solution");
     for (std::size_t c = 0; c < rig.size(); ++c) {
       bundle.cameras[c].camera = rig[c];
     }

@@ -97,7 +97,7 @@ Result<WandDrop> fall(const std::array<double, 2>& when, const BundleResult& now
   }
   if (seen.size() < kFewestOfFall) {
     return failure(ErrorCode::Undetermined, "", "drop",
-                   fmt::format("{} instants of the fall are seen by two cameras, {} are needed",
+                   fmt::format("two cameras see the ball in {} frames of the fall; {} are needed",
                                seen.size(), kFewestOfFall));
   }
   const auto rows = static_cast<Eigen::Index>(seen.size());
@@ -138,7 +138,7 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
     const auto eigen = geometry::symmetricEigen3(scatter);
     if (!(std::sqrt(eigen.values[1]) > kFlatEnough)) {
       return failure(ErrorCode::Undetermined, "", "floor",
-                     "the touched places lie on a line; spread them over the floor");
+                     "the touched positions lie on a line; spread them over the floor");
     }
     up = eigen.vectors.col(0);
     double above = 0.0;

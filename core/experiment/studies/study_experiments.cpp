@@ -28,7 +28,7 @@ Status sugandiRmse(const ExperimentOptions& options) {
     }
     if (recorded->empty()) {
       return failure(ErrorCode::NotFound, options.recordings.string(), "",
-                     "neither juggle1 nor otb is there");
+                     "the folder contains neither juggle1 nor otb");
     }
     std::ranges::move(*recorded, std::back_inserter(clips));
   }

@@ -47,7 +47,7 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
         personAtPixel(finding, rig, parameters, correction.click->camera, correction.click->pixel);
     if (!change.newPerson && camera < rig.size()) {
       refusals.push_back({ErrorCode::Undetermined, "", rig[camera].name,
-                          "nobody who stands on the watched floor would be seen at this pixel"});
+                          "a person on the tracked floor cannot appear at this pixel"});
     }
   }
   return change;

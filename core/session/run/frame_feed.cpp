@@ -53,8 +53,8 @@ Status FrameFeed::checkImages(const std::vector<cv::Mat>& images) const {
       continue;
     }
     if (image.type() != CV_8UC3) {
-      return wrongStep("images",
-                       fmt::format("that of {} has no three channels of 8 bits", rig[k].name));
+      return wrongStep(
+          "images", fmt::format("the image of {} does not have three 8-bit channels", rig[k].name));
     }
     if (image.cols != in.width || image.rows != in.height) {
       return wrongStep("images",

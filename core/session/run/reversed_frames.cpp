@@ -71,8 +71,7 @@ Status ReversedFrames::readBlock() {
       return tl::make_unexpected(frames.error());
     }
     if (!*frames) {
-      return failure(ErrorCode::EndedEarly, "", "frame",
-                     "the recording ends before a frame that was there");
+      return failure(ErrorCode::EndedEarly, "", "frame", "the recording ends earlier than before");
     }
     for (const FramePtr& frame : (*frames)->frames) {
       bytes += frame ? frame->image.total() * frame->image.elemSize() : 0;

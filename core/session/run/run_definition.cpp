@@ -104,7 +104,7 @@ std::string differences(const RunDefinition& before, const RunDefinition& after)
       add((*after.rig)[k].name, "another calibration");
     }
     if (before.backgroundImageFiles[k] != after.backgroundImageFiles[k]) {
-      add((*after.rig)[k].name, "another empty room");
+      add((*after.rig)[k].name, "another background image");
     }
   }
   if (before.people != after.people) {

@@ -33,10 +33,10 @@ Result<TrackerPtr> trackerAt(const Eigen::Vector3d& position, ParameterValues pa
   for (std::size_t axis = 0; axis < kStart.size(); ++axis) {
     const double value = position[static_cast<Eigen::Index>(axis)];
     if (const auto set = parameters.set(kStart[axis], value); !set) {
-      return failure(ErrorCode::BadValue, "", kColumns[axis],
-                     fmt::format("{:g} is farther away than a filter may start; meters are "
-                                 "expected",
-                                 value));
+      return failure(
+          ErrorCode::BadValue, "", kColumns[axis],
+          fmt::format("{:g} is too far away for the start of a filter; the unit must be meters",
+                      value));
     }
   }
   auto tracker = std::make_unique<DynamicsTracker>(parameters, CameraRig{}, Target{});

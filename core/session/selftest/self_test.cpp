@@ -67,13 +67,14 @@ void addDisk(const SelfTestParts& parts, SelfTestLines& lines) {
 
 void addCameras(const SelfTestParts& parts, SelfTestLines& lines) {
   if (parts.cameras.empty()) {
-    lines.push_back({Note, "cameras", "none is connected (/dev/video*); recordings work"});
+    lines.push_back(
+        {Note, "cameras", "no camera is connected (/dev/video*); recordings can still be used"});
   }
   for (const std::string& camera : parts.cameras) {
     const bool isAllowed = ::access(camera.c_str(), R_OK | W_OK) == 0;
     lines.push_back({isAllowed ? Ok : Problem, "camera " + camera,
                      isAllowed ? "it is connected (it was not opened)"
-                               : "you may not open it; add yourself to the group video"});
+                               : "no permission to open it; add yourself to the group video"});
   }
 }
 
@@ -82,7 +83,7 @@ void addCodecs(const SelfTestParts& parts, SelfTestLines& lines) {
     SelfTestLine line{Ok, "codec " + codec.name, "written and read back"};
     if (codec.isMissing) {
       line.level = Note;
-      line.text = "this computer cannot write it; whether it can read it was not tried";
+      line.text = "this computer cannot write it; reading was not tested";
     } else if (!codec.problem.empty()) {
       line.level = codec.isNeeded ? Problem : Note;
       line.text = codec.problem;

@@ -139,8 +139,7 @@ std::vector<Error> CameraMotionWatch::notices() const {
     const double degrees = inDegrees(report.event.turn.turn.norm());
     notices.push_back(
         {ErrorCode::Mismatch, "", rig_[report.event.camera].name,
-         fmt::format("the camera was turned by {:.2f} degrees, frame {}; calibrate it "
-                     "again",
+         fmt::format("the camera was rotated by {:.2f} degrees in frame {}; calibrate it again",
                      degrees, report.event.frame)});
   }
   return notices;

@@ -70,7 +70,7 @@ Result<IntrinsicsResult> lensOf(const SeenBoards::PerCamera& camera,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
     return failure(ErrorCode::Undetermined, "", "",
-                   fmt::format("it never saw the board, in {} pictures", camera.searched));
+                   fmt::format("it never saw the board in {} images", camera.searched));
   }
   IntrinsicsRequest lensRequest;
   lensRequest.board = request.board;
@@ -138,7 +138,7 @@ Result<SeenBoards> findBoards(const Project& project, FrameSetSource& source,
   const auto total = source.frameCount();
   if (!total) {
     return failure(ErrorCode::BadValue, project.file.string(), "camera",
-                   "they are live; the board is looked for in a recording");
+                   "the cameras are live, but a recording is needed");
   }
   SeenBoards seen;
   for (const ProjectCamera& camera : project.cameras) {
@@ -305,7 +305,7 @@ BoardReport reportOf(const SeenBoards& seen, const BoardCalibrationRequest& requ
 }
 
 std::string keptSentence(const Error& kept) {
-  return fmt::format("{} keeps its lens: {}", kept.field, kept.detail);
+  return fmt::format("{} keeps its intrinsics: {}", kept.field, kept.detail);
 }
 
 } // namespace dewpoint::setup

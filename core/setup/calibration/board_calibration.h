@@ -63,8 +63,8 @@ struct LensesFromBoards {
 };
 
 /// The intrinsics of each camera of `seen`, from views chosen by chooseViews(). A camera that did
-/// not see the board well keeps its lens; the error, which names the camera, is returned when that
-/// is so of all of them, and Canceled.
+/// not see the board well keeps its intrinsics; the error, which names the camera, is returned when
+/// that is so of all of them, and Canceled.
 Result<LensesFromBoards> intrinsicsFromBoards(const SeenBoards& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
@@ -78,7 +78,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Seen
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
-/// Returns a sentence like "camera 2 keeps its lens: it never saw the board, in 60 pictures".
+/// Returns a sentence like "camera 2 keeps its intrinsics: it never saw the board in 60 images".
 std::string keptSentence(const Error& kept);
 
 /// Returns the report on intrinsics.

@@ -103,7 +103,7 @@ std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
     }
   }
   if (outcome.extrinsicsError) {
-    remarks.push_back("The places were not found: " + sentence(*outcome.extrinsicsError) + ".");
+    remarks.push_back("The positions were not found: " + sentence(*outcome.extrinsicsError) + ".");
   }
   if (outcome.extrinsics) {
     for (const std::string& notice : outcome.extrinsics->notices) {

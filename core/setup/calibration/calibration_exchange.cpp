@@ -48,8 +48,8 @@ Result<std::size_t> cameraOfFile(const Project& project, const ImportRequest& re
       project.cameras, [&](const ProjectCamera& one) { return one.camera.name == name; });
   if (found == project.cameras.end()) {
     return failure(ErrorCode::Mismatch, request.path.string(), "camera",
-                   fmt::format("one camera called \"{}\", but none of the project's {} is called "
-                               "so: say which one it is",
+                   fmt::format("the file has one camera \"{}\", but none of the project's {} "
+                               "cameras has this name: select the camera",
                                name, project.cameras.size()));
   }
   return static_cast<std::size_t>(found - project.cameras.begin());

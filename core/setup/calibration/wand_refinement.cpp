@@ -55,8 +55,9 @@ std::string htmlText(const WandRefinement& refinement) {
   WandReport report;
   report.before = refinement.before;
   report.result = refinement.result;
-  report.accuracy = refinement.accuracy ? accuracySentence(*refinement.accuracy)
-                                        : "No verdict: " + sentence(refinement.accuracy.error());
+  report.accuracy = refinement.accuracy
+                        ? accuracySentence(*refinement.accuracy)
+                        : "Accuracy unknown: " + sentence(refinement.accuracy.error());
   report.coverage = coverageOf(refinement.result);
   report.offsetsFound = refinement.options.findOffsets;
   return htmlText(report);

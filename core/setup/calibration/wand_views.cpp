@@ -25,13 +25,14 @@ Result<std::vector<const Target*>> ballsOf(const Project& project, const WandOpt
     balls.push_back(&project.targets.front());
   }
   if (balls.empty()) {
-    return failure(ErrorCode::MissingKey, project.file.string(), "target",
-                   fmt::format("the project has {} targets; name the ball, or both of a stick",
-                               project.targets.size()));
+    return failure(
+        ErrorCode::MissingKey, project.file.string(), "target",
+        fmt::format("the project has {} targets; select the ball, or both balls of a wand",
+                    project.targets.size()));
   }
   if (balls.size() > 2 || (balls.size() == 2) != (options.stickLength > 0.0)) {
     return failure(ErrorCode::BadValue, project.file.string(), "target",
-                   "a stick is two balls and the length between their middles, in meters");
+                   "a wand needs two balls and the distance between their centers, in meters");
   }
   return balls;
 }
@@ -45,7 +46,7 @@ searchThrough(const Project& project, FrameSetSource& source, const WandOptions&
   }
   if (source.isLive()) {
     return failure(ErrorCode::BadValue, project.file.string(), "camera",
-                   "its cameras are live; record the waving first");
+                   "its cameras are live; record the wand first");
   }
   if (auto sought = source.seek(options.firstFrame); !sought) {
     return tl::make_unexpected(sought.error());

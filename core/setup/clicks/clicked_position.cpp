@@ -40,7 +40,7 @@ Result<ClickRay> rayOf(const CameraRig& rig, const PointClick& click) {
   const auto ray = Unprojector(camera).ray(click.pixel);
   if (!ray) {
     return failure(ErrorCode::Undetermined, "", camera.name,
-                   "its lens shows nothing at this pixel");
+                   "the lens model gives no ray at this pixel");
   }
   const double focal = std::min(camera.intrinsics.focalX, camera.intrinsics.focalY);
   return ClickRay{*ray, kClickSigmaPx / focal};
@@ -128,7 +128,7 @@ Result<Gaussian3> pointOnRay(const CameraRig& rig, const PointClick& click, cons
   const auto part = partSeenByOthers(rig, click, ray.ray);
   if (!part) {
     return failure(ErrorCode::Undetermined, "", rig[static_cast<std::size_t>(click.camera)].name,
-                   "no other camera sees what is at this pixel, which leaves its depth open");
+                   "no other camera sees the object at this pixel, so its depth is unknown");
   }
   const double middle = 2.0 / (part->nearest + part->farthest);
   const double sigma = middle * middle * (part->nearest - part->farthest) / std::sqrt(12.0);

@@ -23,8 +23,8 @@ Status readImages(FrameSetSource& source, std::int64_t frame, FrameImages& image
   }
   const auto total = source.frameCount();
   const auto tooLate = [&] {
-    const std::string detail =
-        fmt::format("frame {} is asked for, the last is {}", frame, total.value_or(0) - 1);
+    const std::string detail = fmt::format("frame {} was requested, but the last frame is {}",
+                                           frame, total.value_or(0) - 1);
     return failure(ErrorCode::BadValue, "", "frame", detail);
   };
   if (total && frame >= *total) {
@@ -51,7 +51,7 @@ Result<FrameImages> takeSamples(FrameSetSource& source, std::vector<ColorSample>
   FrameImages images;
   if (source.isLive()) {
     return failure(ErrorCode::BadValue, "", "camera",
-                   "the cameras are live; a color is learned from a recording here");
+                   "the cameras are live, but a recording is needed to learn a color");
   }
   for (ColorSample& marked : samples) {
     if (const auto read = readImages(source, marked.frame, images); !read) {

@@ -85,9 +85,10 @@ Result<CameraRig> matched(const std::vector<ProjectCamera>& cameras, const Camer
     byOrder = true;
     return rig;
   }
-  return failure(ErrorCode::Mismatch, file, "",
-                 fmt::format("{} cameras, of which {} are called as the {} of the project",
-                             rig.size(), ordered.size(), cameras.size()));
+  return failure(
+      ErrorCode::Mismatch, file, "",
+      fmt::format("{} cameras, of which {} have the names of the {} cameras of the project",
+                  rig.size(), ordered.size(), cameras.size()));
 }
 
 /// The size of a recording's images, whatever its calibration and its times say.

@@ -51,7 +51,7 @@ Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y) {
   const auto box = clickBox(bgr, {x, y});
   if (!box || !checkBox(bgr, *box)) {
     return failure(ErrorCode::Undetermined, {}, "pixel",
-                   "nothing stands out there; give a box instead");
+                   "no object stands out there; give a box instead");
   }
   return *box;
 }

@@ -41,7 +41,7 @@ std::string boxText(const Target& target) {
 }
 
 std::string lackOfTargets(std::string_view /*method*/) {
-  return "at least one [[target]] is needed; learn-color makes one";
+  return "at least one [[target]] is needed; learn-color creates one";
 }
 
 std::string lackOfBoxes(std::string_view method) {

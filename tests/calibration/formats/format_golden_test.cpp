@@ -147,10 +147,10 @@ TEST(FormatGolden, WhatAFileDoesNotSayIsAskedFor) {
 TEST(FormatGolden, WrongUnitsAreNamedWithTheLikelyCause) {
   // Pose2Sim's meters written in mm: one camera hundreds of "m" away.
   expectSentence(errorOfGolden("pose2sim.toml", "0.37092653", "370.92653"), "translation",
-                 "likely in mm");
+                 "probably in mm");
   // Ours reads meters; the same file in mm without Anipose's mark.
   expectSentence(errorOfGolden("anipose_mm.toml", "adjusted", "remark"), "translation",
-                 "likely in mm");
+                 "probably in mm");
   // Qualisys' mm, of a file that somebody scaled to meters.
   auto scaled = readCalibration(kGolden / "session.qca.txt", unit(0.001));
   ASSERT_TRUE(scaled);
@@ -161,7 +161,7 @@ TEST(FormatGolden, WrongUnitsAreNamedWithTheLikelyCause) {
   ASSERT_TRUE(saveCalibration(scaled->rig, file));
   const auto calibration = loadCalibration(file);
   ASSERT_FALSE(calibration);
-  expectSentence(calibration.error(), "translation", "likely in meters already");
+  expectSentence(calibration.error(), "translation", "probably already in meters");
 }
 
 TEST(FormatGolden, PosesTheWrongWayRoundAreSuspected) {
@@ -214,7 +214,7 @@ TEST(FormatGolden, AFormatThatWasAskedForMustFit) {
             ErrorCode::NotFound);
   const auto other = readCalibration(kGolden / "expected.csv");
   ASSERT_FALSE(other);
-  EXPECT_NE(other.error().detail.find("no calibration"), std::string::npos);
+  EXPECT_NE(other.error().detail.find("not a calibration"), std::string::npos);
 }
 
 } // namespace

@@ -51,11 +51,11 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   EXPECT_NE(html.find("<strong>In this volume +-3.1 mm (95 %)</strong>"), std::string::npos);
   EXPECT_NE(html.find("<p class=\"notice\">camera 2 is late</p>"), std::string::npos);
   EXPECT_NE(html.find("<h2>left &amp; &lt;right&gt;</h2>"), std::string::npos);
-  EXPECT_NE(html.find("<th>late ms</th>"), std::string::npos);
+  EXPECT_NE(html.find("<th>delay ms</th>"), std::string::npos);
   // Per camera residuals and coverage; two views of the space.
   EXPECT_EQ(count(html, "aria-label=\"residuals\""), 3U);
   EXPECT_EQ(count(html, "aria-label=\"coverage\""), 3U);
-  EXPECT_EQ(count(html, "aria-label=\"cameras and the waved target\""), 1U);
+  EXPECT_EQ(count(html, "aria-label=\"cameras and the wand\""), 1U);
   EXPECT_EQ(count(html, "aria-label=\"from above\""), 1U);
   EXPECT_EQ(count(html, "<svg"), count(html, "</svg>"));
   // A stick is a line of two points, in each of the two views once.

@@ -106,7 +106,7 @@ TEST(RunDefinition, SaysWhatIsOtherwise) {
   ASSERT_TRUE(after.parameters.set("start_x", 0.61));
   after.backgroundImageFiles[1] = "room.png";
   EXPECT_EQ(differences(before, after),
-            "start_x = 0.61; " + (*before.rig)[1].name + " = another empty room");
+            "start_x = 0.61; " + (*before.rig)[1].name + " = another background image");
   after = before;
   after.targets[0].color.hueMax = 10.0;
   EXPECT_TRUE(differences(before, after).starts_with(before.targets[0].name + " = hue "));
@@ -169,7 +169,7 @@ TEST(BackgroundImagesOfARun, AreSaidWhereTheyChange) {
     return !entries.empty() && entries.back().first == "changed_at_frame_20";
   }));
   const std::string said = session.trajectory().header.entries.back().second;
-  EXPECT_NE(said.find("another empty room"), std::string::npos) << said;
+  EXPECT_NE(said.find("another background image"), std::string::npos) << said;
 }
 
 class FilterThreads : public testing::TestWithParam<const char*> {};

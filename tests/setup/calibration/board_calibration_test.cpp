@@ -165,7 +165,7 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
             blind.recorded.project.cameras[1].camera.intrinsics);
   const auto remarks = remarksOn(*outcome);
   ASSERT_EQ(remarks.size(), 2U);
-  EXPECT_EQ(remarks[0], "door keeps its lens: it never saw the board, in 14 pictures.");
+  EXPECT_EQ(remarks[0], "door keeps its intrinsics: it never saw the board in 14 images.");
   EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
   EXPECT_TRUE(outcome->extrinsics->fits[0].views.empty());
   EXPECT_GE(outcome->extrinsics->fits[2].views.size(), 10U);
@@ -174,7 +174,7 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
       (outcome->project.cameras[1].camera.center() - outcome->project.cameras[2].camera.center())
           .norm();
   EXPECT_NEAR(apart, 0.35, 0.003);
-  EXPECT_NE(outcome->report.find("door keeps its lens"), std::string::npos);
+  EXPECT_NE(outcome->report.find("door keeps its intrinsics"), std::string::npos);
 }
 
 TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {

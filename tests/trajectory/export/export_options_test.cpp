@@ -107,7 +107,7 @@ TEST(ExportOptions, ChoosesAndNamesFormats) {
     const auto preview = previewExport(exportExample(), exportAs(std::string(format.id)), "a");
     ASSERT_TRUE(preview) << format.id;
     EXPECT_NE(preview->units.find("right-handed"), std::string::npos);
-    EXPECT_NE(preview->size.find("2 targets, 4 rows at 10 per second, 1 places unknown"),
+    EXPECT_NE(preview->size.find("2 targets, 4 rows at 10 per second, 1 positions unknown"),
               std::string::npos)
         << preview->size;
     EXPECT_GT(preview->text.size(), 40U) << preview->text;
