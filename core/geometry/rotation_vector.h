@@ -14,7 +14,7 @@ Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector);
 /// Rotation vector of a rotation matrix; its length is between 0 and pi.
 Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation);
 
-/// The angle (radians, 0 to pi) by which one rotation has to be turned on to be the other.
+/// The angle between two rotations: that of the rotation from one to the other, radians, 0 to pi.
 double angleBetween(const Eigen::Matrix3d& one, const Eigen::Matrix3d& other);
 
 } // namespace dewpoint::geometry

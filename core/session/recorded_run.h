@@ -47,7 +47,7 @@ struct RunOrder {
   FrameRange frames;
   int threads = 1;            ///< never change the result
   int particleLimit = 0;      ///< of each target in each frame; 0: none is kept
-  FrameObservers observers{}; ///< are told of the frames, too, before those that make the notices
+  FrameObservers observers{}; ///< receive the frames before those that make the notices
 };
 
 /// Receives the number of finished frames and, if known, their total; returning false ends the run.

@@ -10,12 +10,12 @@
 
 namespace dewpoint::setup {
 
-/// How many targets are missing to follow all the things that have the color and size of a target,
+/// How many targets are missing to follow all objects with the color and size of a target,
 /// as an assessment of its color found them: those with its colors count as theirs. 0 unless the
 /// assessment suggests to follow all.
 int missingTargets(const Project& project, std::size_t target, const ColorAssessment& assessment);
 
-/// Adds so many targets like one, each without samples and with the name that `nameOf` gives it in
+/// Adds `count` targets like one, each without samples and with the name that `nameOf` gives it in
 /// the project as it is then.
 void addTargetsLike(Project& project, std::size_t target, int count,
                     const std::function<std::string(const Project&)>& nameOf);

@@ -29,7 +29,7 @@ public:
   void abandon();
   /// Somebody waits no longer: says so in place of the preview.
   void stop();
-  /// An export begins, which ends the preview under way, or is over, and it is made anew.
+  /// Ends the current preview when an export begins, and makes it again when the export is over.
   void setExporting(bool exporting);
   /// A request is dropped; what is under way goes on.
   void dropRequest();

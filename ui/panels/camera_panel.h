@@ -28,7 +28,7 @@ class CameraListModel;
 class Document;
 class Selection;
 
-/// The cameras: name, where the images come from, how they are turned, and what is known of their
+/// The cameras: name, where the images come from, how they are rotated, and what is known of their
 /// calibration.
 class CameraPanel : public QWidget {
   Q_OBJECT

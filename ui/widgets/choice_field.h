@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 /// Creates a combo box with this object name that may be narrower than its longest text.
 QComboBox* makeChoice(const char* name, QWidget* parent);
 
-/// Gives a choice other texts, which nobody is told; the same row stays chosen, or the first.
+/// Gives a choice other texts without emitting signals; the same row stays chosen, or the first.
 void setChoices(QComboBox& box, const QStringList& texts);
 /// The same of texts with data.
 using ChoicesWithData = std::vector<std::pair<QString, QVariant>>;

@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 class Document;
 
 /// The arrangement that the window begins with: where each dock stands, and which sizes suit the
-/// window. It moves the docks when it is told to; when that is, DockManager decides.
+/// window. It moves the docks when DockManager calls it.
 class DockArrangement {
 public:
   DockArrangement(QMainWindow& window, const Document& document)

@@ -77,7 +77,7 @@ protected:
 
 private:
   void arrange();
-  /// Cameras stand in so many columns from now on; what is hidden or in front stays so.
+  /// Arranges the cameras in this number of columns; docks that are hidden or in front stay so.
   void rearrange(int columns);
   void distributeDockSizes();
   QByteArray save() const;

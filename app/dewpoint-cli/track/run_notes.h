@@ -14,8 +14,8 @@
 
 namespace dewpoint::app {
 
-/// Says on stderr what is worth saying of a run that goes on, each thing once: notices of the
-/// source, cameras that are moved, and cameras that cannot agree.
+/// Prints notes about a run in progress on stderr, each once: notices of the source, cameras that
+/// were moved, and cameras that cannot agree.
 class RunNotes final : public FrameObserver {
 public:
   /// `source` must outlive it.
@@ -30,7 +30,7 @@ public:
   void taken(const FrameSet& /*frames*/) override { takeNotices(); }
   Status tracked(const TrackingRun& run) override;
 
-  /// All that was said.
+  /// All notes that were printed.
   const std::vector<std::string>& said() const { return said_; }
 
 private:

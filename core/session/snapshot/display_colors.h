@@ -33,7 +33,7 @@ DisplayColor legibleOn(const DisplayColor& color, bool darkGround);
 /// with half weight for lightness.
 bool areAlike(const DisplayColor& one, const DisplayColor& other);
 
-/// One color for each target: the middle of the first range it was learned with, legible on the
+/// One color for each target: the center of the first range it was learned with, legible on the
 /// ground. Targets that would look alike, and those without a clear color, have that of their index
 /// in `palette` (not empty; used cyclically), or the next one that no other target has.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,

@@ -38,7 +38,7 @@ struct CameraFootage {
   double rate = 0.0; ///< as stated in the recording; 0: not stated
   cv::Size size;     ///< after the rotation
   std::vector<std::int64_t> sequenceNumbers = {};
-  std::vector<cv::Mat> images = {}; ///< the first, the middle and the last, CV_8UC3, rotated
+  std::vector<cv::Mat> images = {}; ///< first, middle and last one, CV_8UC3, rotated
   std::optional<CaptureTimes> times = {};
 };
 

@@ -22,8 +22,8 @@ struct PeopleArea {
   }
 };
 
-/// The mean score that a piece of a body (see bodyScore()) has at least where somebody's position
-/// is weighed. A judgment.
+/// Lower limit of the mean score of a piece of a body (see bodyScore()) when the position of a
+/// person is weighted. Chosen by judgment.
 inline constexpr double kPieceFloor = -0.25;
 
 /// What all methods for people have in common.
