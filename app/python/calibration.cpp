@@ -104,7 +104,7 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
                             const std::optional<std::int64_t>& worldFrame, bool refineLenses,
                             const py::object& progress) {
   if (!lenses && !poses) {
-    raiseBadValue("lenses", "lenses or poses are to be found, or both");
+    raiseBadValue("lenses", "at least one of lenses and poses must be True");
   }
   if (frameLimit < 1 || views < 3 || instants < 1 || worldFrame.value_or(0) < 0) {
     raiseBadValue("looks", "looks and instants from 1, views from 3, world_frame from 0 on");
@@ -140,15 +140,16 @@ std::vector<std::optional<double>> lensErrors(const BoardOutcome& outcome) {
 void bindResults(py::module_& module) {
   py::class_<CalibrationImport>(module, "CalibrationImport",
                                 "What Project.import_calibration() read.")
-      .def_readonly("format", &CalibrationImport::formatTitle, "Whose format it is.")
+      .def_readonly("format", &CalibrationImport::formatTitle, "The name of the format.")
       .def_readonly("decisions", &CalibrationImport::decisions,
-                    "What was decided about units, axes and directions, in sentences.")
+                    "The assumptions about units, axes and directions, in sentences.")
       .def_readonly("matched_by_order", &CalibrationImport::matchedByOrder,
-                    "Whether no names fit, and the order of the cameras was used.")
+                    "Whether the cameras were matched by order because no names match.")
       .def_readonly("lens_only", &CalibrationImport::lensOnly,
-                    "Whether the file has no poses; the project's stay.")
-      .def_readonly("largest_pixels", &CalibrationImport::largestPixels,
-                    "Greatest difference between the file's cameras and the project's, pixels.");
+                    "Whether the file has no poses, so that those of the project are kept.")
+      .def_readonly(
+          "largest_pixels", &CalibrationImport::largestPixels,
+          "Largest difference between the cameras of the file and of the project, pixels.");
   py::class_<BoardOutcome>(module, "BoardCalibration", "What Project.calibrate_board() found.")
       .def_property_readonly(
           "lens_rms", lensErrors,
@@ -182,9 +183,8 @@ void bindCalibration(py::module_& module, ProjectClass& project) {
            "height), lens (pinhole, fisheye) and poses (camera-from-world, world-from-camera).")
       .def("export_calibration", exportTo, py::arg("path"), py::kw_only(), py::arg("format") = "",
            py::arg("unit") = py::none(), py::arg("replace") = false,
-           "Writes the calibration of its cameras in the format of a tool; returns what was "
-           "decided, "
-           "in sentences.")
+           "Writes the calibration of its cameras in the format of a tool; returns the assumptions "
+           "that were made, in sentences.")
       .def(
           "calibrate_board", calibrateBoard, py::arg("board"), py::kw_only(),
           py::arg("lenses") = true, py::arg("poses") = true, py::arg("model") = "5",

@@ -76,7 +76,7 @@ setup::FootageClicks clicksFrom(const Project& project, const CameraKey& camera,
                                 const std::optional<PixelBox>& box, const std::vector<Click>& more,
                                 const std::vector<Click>& exclude) {
   if (pixel.has_value() == box.has_value()) {
-    raiseBadValue("pixel", "a pixel on the target or a box around it is expected, one of both");
+    raiseBadValue("pixel", "expected either a pixel on the target or a box around it");
   }
   setup::FootageClicks clicks;
   const Pixel at = pixel.value_or(box ? Pixel{(*box)[0], (*box)[1]} : Pixel{});
@@ -150,7 +150,7 @@ void bindLearning(py::module_& module, ProjectClass& project) {
   py::class_<ColorLesson>(module, "ColorLesson", "What Project.learn_color() found.")
       .def_readonly("target", &ColorLesson::target, "The target with its new color.")
       .def_readonly("found", &ColorLesson::found,
-                    "Where other cameras show it: (camera, x, y) each.")
+                    "Where other cameras show it: (camera, x, y) for each.")
       .def_readonly("radius", &ColorLesson::radius,
                     "The radius that the images show, meters, or None.")
       .def_readonly("score", &ColorLesson::score,
@@ -158,7 +158,7 @@ void bindLearning(py::module_& module, ProjectClass& project) {
       .def_readonly("target_share", &ColorLesson::targetShare,
                     "Share of the sampled colors that match, 0 to 1.")
       .def_readonly("background_share", &ColorLesson::backgroundShare,
-                    "Share of all else in the images that matches too.")
+                    "Share of the background that also matches.")
       .def("__repr__", [](const ColorLesson& lesson) {
         return fmt::format("<dewpoint.ColorLesson {}, {} of 100>", lesson.target.name,
                            lesson.score);

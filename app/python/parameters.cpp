@@ -108,7 +108,8 @@ void bindParameters(py::module_& module, ProjectClass& project) {
             neededDeclaration(handle, key);
             resetParameter(handle.project->project, key);
           },
-          py::arg("key"), "Takes the value back to its default, or to what the cameras show.")
+          py::arg("key"),
+          "Resets the value to its default, or to the value derived from the cameras.")
       .def("__repr__", [](const ParametersHandle& handle) {
         return fmt::format("<dewpoint.Parameters {}>",
                            py::repr(valuesInUse(handle)).cast<std::string>());

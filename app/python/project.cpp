@@ -130,7 +130,7 @@ void setVolume(ProjectHandle& handle, const std::optional<Volume>& corners) {
 void save(ProjectHandle& handle, const std::optional<std::filesystem::path>& wanted) {
   const std::filesystem::path file = wanted.value_or(handle.project.file);
   if (file.empty()) {
-    raise(Error{ErrorCode::MissingKey, "", "file", "the project is in no file yet"});
+    raise(Error{ErrorCode::MissingKey, "", "file", "the project has no file yet"});
   }
   if (const auto saved = saveProject(handle.project, file); !saved) {
     raise(saved.error());
@@ -165,7 +165,7 @@ void bindFields(ProjectClass& project) {
           "name", [](const ProjectHandle& handle) { return handle.project.name; },
           [](ProjectHandle& handle, const std::string& name) { handle.project.name = name; },
           "Its name.")
-      .def_property_readonly("file", fileOf, "Its file, or None of one that is in none.")
+      .def_property_readonly("file", fileOf, "Its file, or None if it was never saved.")
       .def_property(
           "method", [](const ProjectHandle& handle) { return handle.project.method; }, setMethod,
           methodsText().c_str())
@@ -220,7 +220,7 @@ void bindProject(py::module_& module) {
             return std::make_shared<RecordingHandle>(openedInputs(handle));
           },
           "Opens its cameras to read their images.")
-      .def("truth", truthOf, "Where its targets truly are, if that is known, or None.")
+      .def("truth", truthOf, "The true positions of its targets, or None if they are unknown.")
       .def("save", save, py::arg("file") = py::none(),
            "Writes it to a file (TOML), by default its own, which is replaced.")
       .def("__repr__", [](const ProjectHandle& handle) {
@@ -229,12 +229,12 @@ void bindProject(py::module_& module) {
       });
   module.def("open", openNamed, py::arg("name"),
              "Opens a project file, or a built-in scene by its name: demo.");
-  module.def(
-      "make", makeNew, py::arg("cameras"), py::kw_only(), py::arg("calibration") = py::none(),
-      py::arg("name") = "", py::arg("frames_per_second") = 0.0,
-      "Makes a project of videos, folders of images, devices or streams: a dict of names and "
-      "sources, or a list of sources. calibration: a file whose cameras are matched by name, "
-      "else by order; frames_per_second: of folders of images, 30 unless given.");
+  module.def("make", makeNew, py::arg("cameras"), py::kw_only(),
+             py::arg("calibration") = py::none(), py::arg("name") = "",
+             py::arg("frames_per_second") = 0.0,
+             "Makes a project of videos, folders of images, devices or streams: a dict of names "
+             "and sources, or a list of sources. calibration: a file whose cameras are matched by "
+             "name, otherwise by order; frames_per_second: of folders of images (default: 30).");
 }
 
 } // namespace dewpoint::app

@@ -9,9 +9,9 @@ namespace dewpoint::app {
 namespace {
 
 constexpr const char* kErrorDoc =
-    "What went wrong, in the very sentence of the command line.\n\n"
-    "code: an ErrorCode; file, field, detail: the parts of the sentence, perhaps empty;\n"
-    "result: what Project.track() found before the recording broke off, else None.";
+    "What went wrong, in the same sentence as on the command line.\n\ncode: an ErrorCode; file, "
+    "field, detail: the parts of the sentence, possibly empty;\nresult: what Project.track() found "
+    "before the recording failed, otherwise None.";
 
 /// Lives as long as the interpreter.
 PyObject* errorType = nullptr;

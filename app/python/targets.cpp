@@ -108,7 +108,7 @@ void bindTargets(py::module_& module) {
                              "intensity)).")
       .def_property_readonly(
           "shape", [](const Target& target) { return nameOf(target.shape); },
-          "What it is taken for: auto, ball or any.")
+          "Its shape: auto (determined from the images), ball or any.")
       .def_property_readonly("box", boxOf,
                              "Its first box, (camera, frame, x, y, width, height), or None.")
       .def("replace", replaced, py::kw_only(), py::arg("name") = py::none(),

@@ -142,8 +142,8 @@ py::object boxOfEstimate(const Estimate& estimate) {
 void bindEstimate(py::module_& module) {
   using Sample = TrajectorySample;
   py::class_<Estimate>(module, "Estimate",
-                       "What is believed of a target after a step: a position in the room, or a "
-                       "box in an image; None for what there is not.")
+                       "The estimate of a target after a step: a position in the room, or a box in "
+                       "an image; what does not apply is None.")
       .def_readonly("target", &Estimate::target, "The name of the target.")
       .def_property_readonly("position",
                              ofSample([](const Sample& s) { return arrayOf(s.position); }),
@@ -162,19 +162,19 @@ void bindEstimate(py::module_& module) {
           },
           "Whether the cameras confirm the target.")
       .def_property_readonly("ambiguous", ofSample([](const Sample& s) { return s.ambiguous; }),
-                             "Whether something else may be the target about as well.")
+                             "Whether another object may equally well be the target.")
       .def_property_readonly("cameras", ofSample([](const Sample& s) { return s.cameras; }),
                              "How many cameras show the target.")
       .def_property_readonly("effective_sample_size",
                              ofSample([](const Sample& s) { return s.effectiveSampleSize; }),
-                             "How many particles of equal weight stand for the estimate.")
+                             "Effective sample size of the particles.")
       .def_property_readonly("box", boxOfEstimate, "x, y, width, height in pixels.")
       .def_property_readonly(
           "similarity",
           [](const Estimate& estimate) {
             return estimate.box ? std::optional(estimate.box->estimate.similarity) : std::nullopt;
           },
-          "Of the colors in the box to those of the first box, 0 to 1.")
+          "Similarity of the colors in the box to those in the first box, 0 to 1.")
       .def("__repr__", [](const Estimate& estimate) {
         return fmt::format("<dewpoint.Estimate {}>", estimate.target);
       });

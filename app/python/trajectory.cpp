@@ -85,7 +85,7 @@ void bindTrack(py::module_& module) {
           [](const TrackHandle& track) {
             return columnOf(track, track.columns().effectiveSampleSize);
           },
-          "How many particles of equal weight stand for the estimate.")
+          "Effective sample size of the particles.")
       .def_property_readonly(
           "cameras",
           [](const TrackHandle& track) { return columnOf(track, track.columns().cameras); },
@@ -96,7 +96,7 @@ void bindTrack(py::module_& module) {
       .def_property_readonly(
           "ambiguous",
           [](const TrackHandle& track) { return truthsOf(track, track.columns().ambiguous); },
-          "Whether something else may be the target about as well.")
+          "Whether another object may equally well be the target.")
       .def("__repr__", [](const TrackHandle& track) {
         return fmt::format("<dewpoint.Track {}, {} frames>", track.columns().target,
                            track.owner->columns.frames.size());
