@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 QString exportFormatName(std::string_view id);
 /// "Lengths in mm, times in s. Y points up: ..."
 QString exportUnitsText(const ExportPreview& preview);
-/// "2 targets, 180 rows at 30 per second, 12 places unknown".
+/// "2 targets, 180 rows at 30 per second, 12 positions unknown".
 QString exportSizeText(const ExportPreview& preview);
 /// "Exported 180 rows to trajectory.csv."; the summary must have at least one file.
 QString exportedText(const ExportSummary& summary);

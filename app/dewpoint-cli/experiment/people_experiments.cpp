@@ -122,7 +122,7 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
     auto options = std::make_shared<StudyOptions>();
     options->scenario = scenario;
     command->add_option("--seed", options->seed,
-                        fmt::format("The first seed; {} unless given, with --record {}",
+                        fmt::format("The first seed (default: {}, with --record {})",
                                     kFirstReportingSeed, kFirstTuningSeed));
     command->add_option("--seeds", options->seeds, "How many")
         ->check(CLI::Range(1, 10000))
@@ -139,10 +139,10 @@ void addPeopleExperiments(CLI::App& group, int& exitCode) {
         ->delimiter(',')
         ->check(CLI::IsMember(PeopleStudySetup().methods));
     command->add_option("--set", options->settings,
-                        "Set a parameter, of the methods that have it: key=value");
-    command->add_option(
-        "--out", options->folder,
-        "Folder for report.html, its pictures, runs.csv and people.csv; it is made");
+                        "Set a parameter of the methods that have it: key=value");
+    command->add_option("--out", options->folder,
+                        "Folder for report.html, its pictures, runs.csv and people.csv; created if "
+                        "it does not exist");
     command
         ->add_option("--record", options->record,
                      "Only write the scene of --seed to this folder, as a project with grade ideal")

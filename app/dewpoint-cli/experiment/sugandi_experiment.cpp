@@ -78,14 +78,15 @@ void addSugandiExperiment(CLI::App& group, int& exitCode) {
   auto options = std::make_shared<SugandiOptions>();
   command->add_option("--out", options->folder, "Folder to write")->required();
   command
-      ->add_option("--data", options->data,
-                   "Folder with the recordings juggle1 and otb; without, the rendered clip only")
+      ->add_option(
+          "--data", options->data,
+          "Folder with the recordings juggle1 and otb; if omitted, only the rendered clip is used")
       ->envname("DEWPOINT_DATA");
   command->add_option("--scene", options->scene, "Seed of the rendered clip")
       ->capture_default_str();
-  command->add_option("--seed", options->first, "The first seed of our methods")
+  command->add_option("--seed", options->first, "The first seed of Dewpoint's methods")
       ->capture_default_str();
-  command->add_option("--seeds", options->seeds, "Runs of each of our methods")
+  command->add_option("--seeds", options->seeds, "Runs of each of Dewpoint's methods")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--sloppy", options->perturbed,

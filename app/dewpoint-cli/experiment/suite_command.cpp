@@ -287,7 +287,7 @@ void addSuiteCommand(CLI::App& app, int& exitCode) {
       "suite", "Measure all methods on scenes with ground truth, and write a report.");
   auto options = std::make_shared<SuiteOptions>();
   command->add_flag("--list", options->list, "Only list the scenarios and methods");
-  command->add_option("--scenario", options->scenarios, "Family (S0) or scenario; all unless given")
+  command->add_option("--scenario", options->scenarios, "Family (S0) or scenario; all if omitted")
       ->delimiter(',');
   command->add_option("--method", options->methods, "Method; all if omitted")->delimiter(',');
   command

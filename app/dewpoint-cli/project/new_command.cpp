@@ -175,7 +175,7 @@ void addNewCommand(CLI::App& app, int& exitCode) {
   command->add_option("--name", options->project.name, "Name of the project");
   command->add_option("--rate", options->project.framesPerSecond, "Images per second of folders")
       ->check(CLI::Range(0.1, 10000.0));
-  command->add_flag("--force", options->force, "Replace a file that exists");
+  command->add_flag("--force", options->force, "Replace an existing file");
   command->callback([options, &exitCode] { exitCode = makeNew(*options); });
 }
 

@@ -152,7 +152,7 @@ int simulate(const SimulateOptions& options) {
 
 void addSimulateCommand(CLI::App& app, int& exitCode) {
   auto* command =
-      app.add_subcommand("simulate", "Render a scene with known truth to disk, ready to track.");
+      app.add_subcommand("simulate", "Render a scene with ground truth to disk, ready to track.");
   auto options = std::make_shared<SimulateOptions>();
   command
       ->add_option(

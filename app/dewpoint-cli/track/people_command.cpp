@@ -267,7 +267,7 @@ void addPeopleCommand(CLI::App& app, int& exitCode) {
       ->add_option("--method", options->method,
                    "Method (default: the project's method if it is for people, otherwise people)")
       ->check(CLI::IsMember(peopleMethods()));
-  command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
+  command->add_option("--seed", options->seed, "Seed of the run (default: the project's)");
   command
       ->add_option("--threads", options->threads, "Number of threads; does not change the result")
       ->check(CLI::Range(1, 256))

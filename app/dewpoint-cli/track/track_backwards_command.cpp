@@ -36,7 +36,7 @@ void printFound(const Project& before, const Project& after) {
     const std::string& name = after.targets.at(static_cast<std::size_t>(said.target)).name;
     fmt::print("{}, frame {}: {}.\n", name, said.frame,
                first == after.corrections.end()
-                   ? "what was believed before is right"
+                   ? "the earlier estimate was right"
                    : fmt::format("followed back to frame {}", first->frame));
   }
 }

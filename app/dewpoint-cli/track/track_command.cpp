@@ -135,7 +135,7 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
   command->add_option("--out", options->job.folder, "Folder to write")->required();
   command->add_option("--method", options->method, "Tracking method")
       ->check(CLI::IsMember(trackableMethods()));
-  command->add_option("--seed", options->seed, "Seed of the run (the project's unless given)");
+  command->add_option("--seed", options->seed, "Seed of the run (default: the project's)");
   command
       ->add_option("--threads", options->job.threads,
                    "Number of threads of the filter; does not change the result")
@@ -148,8 +148,7 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
                     "Also write reasons.csv: when and why targets were held or not");
   command->add_option(
       "--volume", options->volume,
-      "Track only in this box, as x0,y0,z0,x1,y1,z1 in meters (the project's unless "
-      "given)");
+      "Track only in this box, as x0,y0,z0,x1,y1,z1 in meters (default: the project's)");
   command->add_option("--set", options->settings, "Set a parameter of the method: key=value");
   addJobOptions(*command, options->repeated);
   command->callback([options, &exitCode] { exitCode = track(*options); });

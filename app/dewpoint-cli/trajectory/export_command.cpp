@@ -72,7 +72,7 @@ Result<std::string> formatFor(const std::string& wanted, const std::filesystem::
   const auto format = exportFormat(wanted);
   if (format && isKnown && (*format)->suffix != ending) {
     return failure(ErrorCode::BadValue, "", "--out",
-                   fmt::format("{} is the ending of format {}, but --format is {}", ending,
+                   fmt::format("the extension {} is that of format {}, but --format is {}", ending,
                                ofEnding->id, wanted));
   }
   return wanted;
@@ -221,7 +221,7 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   command->add_option("--out", arguments->file, "File to write");
   command->add_option("--figure", arguments->figure,
                       "Figure to write (SVG): positions over time, and from above");
-  command->add_option("--targets", options.targets, "Targets; all unless given")->delimiter(',');
+  command->add_option("--targets", options.targets, "Targets; all if omitted")->delimiter(',');
   command->add_option("--from", arguments->from, "First time in seconds, or frame as 75f");
   command->add_option("--to", arguments->to, "Last time in seconds, or frame as 150f");
   command->add_option("--rate", options.rate, "Rows per second; as recorded if omitted")

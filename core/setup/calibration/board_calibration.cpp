@@ -195,7 +195,7 @@ Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures
     }
     const cv::Mat picture = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
     if (picture.empty()) {
-      return failure(ErrorCode::FileUnreadable, file.string(), "", "not a picture");
+      return failure(ErrorCode::FileUnreadable, file.string(), "", "it is not an image");
     }
     if (camera.searched == 0) {
       camera.width = picture.cols;
@@ -203,7 +203,7 @@ Result<SeenBoards> findBoards(const std::vector<std::filesystem::path>& pictures
     }
     if (picture.cols != camera.width || picture.rows != camera.height) {
       return failure(ErrorCode::Mismatch, file.string(), "",
-                     fmt::format("{} x {} pixels, the first picture has {} x {}", picture.cols,
+                     fmt::format("{} x {} pixels, but the first image has {} x {}", picture.cols,
                                  picture.rows, camera.width, camera.height));
     }
     if (auto found = detector.detect(picture, effort)) {

@@ -175,7 +175,8 @@ std::string sizeSentence(const ExportTable& table) {
   const std::size_t gaps = table.gapCount();
   return fmt::format("{} target{}, {} rows at {:.4g} per second, {}.", table.targets.size(),
                      table.targets.size() == 1 ? "" : "s", table.rowCount(), table.rate,
-                     gaps == 0 ? std::string("no gaps") : fmt::format("{} places unknown", gaps));
+                     gaps == 0 ? std::string("no gaps")
+                               : fmt::format("{} positions unknown", gaps));
 }
 
 /// The first places of a file that is no text.
