@@ -22,9 +22,9 @@ class CameraDocks;
 class CorrectionTool;
 class TrajectoryPanel;
 
-/// Mode for correcting positions: the user drags targets in the images ("Correct position") and removes
-/// corrections. Each correction is a step of the document; the tracker then tracks again what
-/// depends on it.
+/// Mode for correcting positions: the user drags targets in the images ("Correct position") and
+/// removes corrections. Each correction is a step of the document; the tracker then tracks again
+/// what depends on it.
 class CorrectionMode : public QObject {
   Q_OBJECT
 public:

@@ -18,11 +18,11 @@ class BirdsEyeView;
 class CameraView;
 class ImagePickOverlay;
 
-/// Tool "Correct position". While it is active, the user drags a target in a camera image to its true
-/// position in the frame shown, or uses the keyboard cross of the camera views. It moves the target
-/// whose estimate is pressed, else the selected one, else the only one. Other images show the ray
-/// through the pointer and the resulting position, also after the drag, so that a second image can
-/// fix the depth. A playing run is paused.
+/// Tool "Correct position". While it is active, the user drags a target in a camera image to its
+/// true position in the frame shown, or uses the keyboard cross of the camera views. It moves the
+/// target whose estimate is pressed, else the selected one, else the only one. Other images show
+/// the ray through the pointer and the resulting position, also after the drag, so that a second
+/// image can fix the depth. A playing run is paused.
 class CorrectionTool : public QObject {
   Q_OBJECT
 public:

@@ -228,8 +228,8 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
 }
 
 // The target was followed as something of another shape, and is taken for a ball again: its
-// hypothesis and those that are created beside it must not be taken for each other. One camera sees it
-// covered, so that it is searched for elsewhere.
+// hypothesis and those that are created beside it must not be taken for each other. One camera sees
+// it covered, so that it is searched for elsewhere.
 TEST_F(BernoulliTrackTest, AHypothesisFromElsewhereSharesItsNumberWithNone) {
   drawn::RegionScene scene(rig_);
   scene.show({drawn::ellipsoid(kThere, Eigen::Vector3d::Constant(kRadius), 0.0)});
