@@ -10,7 +10,7 @@
 #include "core/session/run/background_images.h"
 #include "core/session/run/tracking_run.h"
 #include "core/setup/new_project/new_project.h"
-#include "core/setup/project_recording.h"
+#include "core/setup/new_project/project_recording.h"
 #include "core/simulation/people/office_day.h"
 #include "core/simulation/scene/scene_catalog.h"
 #include "core/simulation/scene/scene_renderer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/run/target_speed.h"
+#include "core/session/snapshot/target_speed.h"
 #include "ui/style/theme.h"
 
 #include <QString>

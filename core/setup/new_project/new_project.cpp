@@ -5,7 +5,7 @@
 #include "core/capture/recording.h"
 #include "core/geometry/camera_name.h"
 #include "core/project/project_check.h"
-#include "core/setup/project_recording.h"
+#include "core/setup/new_project/project_recording.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/target_speed.h"
 #include "core/session/snapshot/snapshot.h"
+#include "core/session/snapshot/target_speed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run/target_speed.h"
+#include "core/session/snapshot/target_speed.h"
 
 #include "core/session/snapshot/snapshot.h"
 #include "core/trajectory/motion.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/setup/project_recording.h"
+#include "core/setup/new_project/project_recording.h"
 
 #include <gtest/gtest.h>
 
