@@ -144,7 +144,7 @@ void BoardPageTest::aRecordingCalibratesInOneStep() {
   const double apart =
       (project().cameras[0].camera.center() - project().cameras[1].camera.center()).norm();
   QVERIFY(std::abs(apart - 0.1) < 0.002); // as the cameras of the scene stand
-  for (const char* part : {"left", "right", "rms", "95 %"}) {
+  for (const char* part : {"left", "right", "RMS", "95 %"}) {
     QVERIFY2(result().contains(QLatin1String(part)), qPrintable(result()));
   }
   scrollTo(find<QPushButton>(QStringLiteral("boardReport")));
