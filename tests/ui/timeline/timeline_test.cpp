@@ -168,7 +168,7 @@ void TimelineTest::markersAreStepsOfTheDocument() {
   trigger("actionPreviousMark");
   QVERIFY(showsFrame(17));
   window_->document().undoStack()->undo();
-  QCOMPARE(project().markers[0].name, std::string("Mark 1"));
+  QCOMPARE(project().markers[0].name, std::string("Marker 1"));
   window_->document().undoStack()->undo();
   QVERIFY(project().markers.empty());
   window_->document().undoStack()->redo();
