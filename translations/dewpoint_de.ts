@@ -232,7 +232,7 @@
         <translation>Voriges Bild</translation>
     </message>
     <message>
-        <source>Show the previous frame as it was tracked</source>
+        <source>Step back one frame and show its tracking result</source>
         <translation>Das vorige Bild zeigen, wie es verfolgt wurde</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Bestes Partikel zeigen</translation>
     </message>
     <message>
-        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <source>Mark each target&apos;s highest-weight particle (MAP) with a triangle in all views</source>
         <translation>Das Partikel mit dem höchsten Gewicht (MAP) jedes Ziels in allen Ansichten mit einem Dreieck markieren</translation>
     </message>
     <message>
@@ -616,7 +616,7 @@
         <translation>Lupe zeigen</translation>
     </message>
     <message>
-        <source>Show an enlarged inset when the particles of a target are too close together to see</source>
+        <source>Show an enlarged inset when a target&apos;s particles are too close together to tell apart</source>
         <translation>Einen vergrößerten Ausschnitt zeigen, wenn die Partikel eines Ziels zu dicht beieinander liegen</translation>
     </message>
     <message>
@@ -664,7 +664,7 @@
         <translation>3D-Ansicht</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view in perspective, free to orbit</source>
+        <source>Bird&apos;s-eye view in perspective; drag to orbit</source>
         <translation>Vogelperspektive in Perspektive, frei drehbar</translation>
     </message>
     <message>
@@ -1067,7 +1067,7 @@
         <translation>%1 blickt etwa %2 neben ihre Kalibrierung.</translation>
     </message>
     <message>
-        <source>%1 and %2 do not see the target at one position. Calibrate them again.</source>
+        <source>%1 and %2 disagree about where the target is. Calibrate them again.</source>
         <translation>%1 und %2 sehen das Ziel nicht an derselben Position. Kalibrieren Sie sie neu.</translation>
     </message>
     <message>
@@ -2217,7 +2217,7 @@
         <translation>Wie bewegte Bereiche gefunden werden: 0 eine Normalverteilung je Pixel (schnell), 1 MOG2 von OpenCV, 2 KNN von OpenCV.</translation>
     </message>
     <message>
-        <source>How much a camera that sees a whole person counts: larger values trust the masks more.</source>
+        <source>Weight of a camera that sees a whole person: larger values rely more on the masks.</source>
         <translation>Wie viel eine Kamera zählt, die eine ganze Person sieht: Größere Werte vertrauen den Masken mehr.</translation>
     </message>
     <message>
@@ -3384,7 +3384,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Breite, px</translation>
     </message>
     <message>
-        <source>Width of the box, pixels</source>
+        <source>Box width (pixels)</source>
         <translation>Breite des Rahmens, Pixel</translation>
     </message>
     <message>
@@ -3392,7 +3392,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Höhe, px</translation>
     </message>
     <message>
-        <source>Height of the box, pixels</source>
+        <source>Box height (pixels)</source>
         <translation>Höhe des Rahmens, Pixel</translation>
     </message>
     <message>
@@ -3492,7 +3492,7 @@ Von %2 bis %3%4; was die Kameras sehen, solange Sie es nicht ändern.</translati
         <translation>Nicht erkannt. Dewpoint liest: %1.</translation>
     </message>
     <message>
-        <source>Recognized: %1. Its cameras do not match the cameras above: %2.</source>
+        <source>Recognized as %1, but its cameras do not match those above: %2.</source>
         <translation>Erkannt: %1. Ihre Kameras passen nicht zu denen oben: %2.</translation>
     </message>
     <message numerus="yes">
@@ -4089,7 +4089,7 @@ bei %4, %5, %6</translation>
         <translation>Einen Ordner mit Bildern wählen</translation>
     </message>
     <message>
-        <source>Choose the video of this camera</source>
+        <source>Choose the video for this camera</source>
         <translation>Das Video dieser Kamera wählen</translation>
     </message>
     <message>
@@ -4716,7 +4716,7 @@ bei %4, %5, %6</translation>
         <translation>Ausführen</translation>
     </message>
     <message>
-        <source>Folder of the recordings</source>
+        <source>Recordings folder</source>
         <translation>Ordner der Aufnahmen</translation>
     </message>
     <message>
@@ -5584,7 +5584,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Bilder aus</translation>
     </message>
     <message>
-        <source>Cameras of the new project</source>
+        <source>Cameras in the new project</source>
         <translation>Kameras des neuen Projekts</translation>
     </message>
     <message>
@@ -6047,7 +6047,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Kurven</translation>
     </message>
     <message>
-        <source>Choose the plots shown; copy or save them</source>
+        <source>Choose which plots to show; copy or save plots</source>
         <translation>Gezeigte Kurven wählen; kopieren oder speichern</translation>
     </message>
     <message>
@@ -6256,7 +6256,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Brennweiten berechnen</translation>
     </message>
     <message>
-        <source>For cameras with six points or more</source>
+        <source>For cameras with six or more points</source>
         <translation>Für Kameras mit sechs oder mehr Punkten</translation>
     </message>
     <message>
@@ -6760,7 +6760,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Farbige Objekte mit gewöhnlichen Kameras in 3D verfolgen.</translation>
     </message>
     <message>
-        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
+        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, go back, change anything: you cannot break it.</source>
         <translation>Zwei simulierte Kameras sehen einen rosa Ball; ein Partikelfilter findet ihn und verfolgt ihn durch den Raum. Anhalten, zurückblicken, alles ändern: Nichts kann kaputtgehen.</translation>
     </message>
     <message>
@@ -6914,7 +6914,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Name of the target, in views and files</source>
+        <source>Target name, as shown in views and files</source>
         <translation>Name des Ziels, in Ansichten und Dateien</translation>
     </message>
     <message>
@@ -6954,7 +6954,7 @@ Alt-Klick oder Strg+Umschalt-Klick geht jederzeit.</translation>
         <translation>Ball: Der Umriss ist in jedem Bild ein Kreis. Beliebig: Die Größe wird gelernt, und der Mittelpunkt ist der Mittelpunkt der Farbe. Automatisch: aus den Bildern bestimmt. Nur das Verfahren dewpoint verwendet dies.</translation>
     </message>
     <message>
-        <source>No target yet: click the object to track in any camera image.</source>
+        <source>No target yet. In any camera image, click the object to track.</source>
         <translation>Noch kein Ziel: Klicken Sie in einem Kamerabild das Objekt an, das verfolgt werden soll.</translation>
     </message>
     <message>
@@ -7484,7 +7484,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Obere Ecke des Suchraums, in Metern; Ziele werden nur in ihm gesucht</translation>
     </message>
     <message>
-        <source>From the cameras</source>
+        <source>Compute from cameras</source>
         <translation>Aus den Kameras</translation>
     </message>
     <message>

@@ -232,7 +232,7 @@
         <translation>Fotograma anterior</translation>
     </message>
     <message>
-        <source>Show the previous frame as it was tracked</source>
+        <source>Step back one frame and show its tracking result</source>
         <translation>Mostrar el fotograma anterior tal como se siguió</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Mostrar la mejor partícula</translation>
     </message>
     <message>
-        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <source>Mark each target&apos;s highest-weight particle (MAP) with a triangle in all views</source>
         <translation>Marcar con un triángulo, en todas las vistas, la partícula de mayor peso (MAP) de cada objetivo</translation>
     </message>
     <message>
@@ -616,7 +616,7 @@
         <translation>Mostrar lupa</translation>
     </message>
     <message>
-        <source>Show an enlarged inset when the particles of a target are too close together to see</source>
+        <source>Show an enlarged inset when a target&apos;s particles are too close together to tell apart</source>
         <translation>Mostrar un recuadro ampliado cuando las partículas de un objetivo están demasiado juntas</translation>
     </message>
     <message>
@@ -664,7 +664,7 @@
         <translation>Vista 3D</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view in perspective, free to orbit</source>
+        <source>Bird&apos;s-eye view in perspective; drag to orbit</source>
         <translation>Vista de pájaro en perspectiva, con giro libre</translation>
     </message>
     <message>
@@ -1067,7 +1067,7 @@
         <translation>%1 mira unos %2 fuera de su calibración.</translation>
     </message>
     <message>
-        <source>%1 and %2 do not see the target at one position. Calibrate them again.</source>
+        <source>%1 and %2 disagree about where the target is. Calibrate them again.</source>
         <translation>%1 y %2 no ven el objetivo en la misma posición. Calíbrelas de nuevo.</translation>
     </message>
     <message>
@@ -2217,7 +2217,7 @@
         <translation>Cómo se hallan las zonas en movimiento: 0 una gaussiana por píxel (rápido), 1 MOG2 de OpenCV, 2 KNN de OpenCV.</translation>
     </message>
     <message>
-        <source>How much a camera that sees a whole person counts: larger values trust the masks more.</source>
+        <source>Weight of a camera that sees a whole person: larger values rely more on the masks.</source>
         <translation>Cuánto cuenta una cámara que ve a una persona entera: valores mayores confían más en las máscaras.</translation>
     </message>
     <message>
@@ -3384,7 +3384,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>anchura, px</translation>
     </message>
     <message>
-        <source>Width of the box, pixels</source>
+        <source>Box width (pixels)</source>
         <translation>Anchura del recuadro, píxeles</translation>
     </message>
     <message>
@@ -3392,7 +3392,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>altura, px</translation>
     </message>
     <message>
-        <source>Height of the box, pixels</source>
+        <source>Box height (pixels)</source>
         <translation>Altura del recuadro, píxeles</translation>
     </message>
     <message>
@@ -3492,7 +3492,7 @@ De %2 a %3%4; lo que ven las cámaras mientras no lo cambie.</translation>
         <translation>No reconocido. Dewpoint lee: %1.</translation>
     </message>
     <message>
-        <source>Recognized: %1. Its cameras do not match the cameras above: %2.</source>
+        <source>Recognized as %1, but its cameras do not match those above: %2.</source>
         <translation>Reconocido: %1. Sus cámaras no concuerdan con las de arriba: %2.</translation>
     </message>
     <message numerus="yes">
@@ -4089,7 +4089,7 @@ en %4, %5, %6</translation>
         <translation>Elija una carpeta de imágenes</translation>
     </message>
     <message>
-        <source>Choose the video of this camera</source>
+        <source>Choose the video for this camera</source>
         <translation>Elija el vídeo de esta cámara</translation>
     </message>
     <message>
@@ -4716,7 +4716,7 @@ en %4, %5, %6</translation>
         <translation>Ejecutar</translation>
     </message>
     <message>
-        <source>Folder of the recordings</source>
+        <source>Recordings folder</source>
         <translation>Carpeta de las grabaciones</translation>
     </message>
     <message>
@@ -5584,7 +5584,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Imágenes de</translation>
     </message>
     <message>
-        <source>Cameras of the new project</source>
+        <source>Cameras in the new project</source>
         <translation>Cámaras del proyecto nuevo</translation>
     </message>
     <message>
@@ -6047,7 +6047,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Gráficos</translation>
     </message>
     <message>
-        <source>Choose the plots shown; copy or save them</source>
+        <source>Choose which plots to show; copy or save plots</source>
         <translation>Elegir los gráficos mostrados; copiarlos o guardarlos</translation>
     </message>
     <message>
@@ -6256,7 +6256,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Calcular distancias focales</translation>
     </message>
     <message>
-        <source>For cameras with six points or more</source>
+        <source>For cameras with six or more points</source>
         <translation>Para cámaras con seis puntos o más</translation>
     </message>
     <message>
@@ -6760,7 +6760,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Siga objetos de color en 3D con cámaras corrientes.</translation>
     </message>
     <message>
-        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
+        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, go back, change anything: you cannot break it.</source>
         <translation>Dos cámaras simuladas ven una pelota rosa; un filtro de partículas la encuentra y la sigue por el espacio. Pause, mire atrás, cámbielo todo: nada se puede estropear.</translation>
     </message>
     <message>
@@ -6914,7 +6914,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>Name of the target, in views and files</source>
+        <source>Target name, as shown in views and files</source>
         <translation>Nombre del objetivo, en vistas y archivos</translation>
     </message>
     <message>
@@ -6954,7 +6954,7 @@ Alt-clic o Ctrl+Mayús-clic funciona en cualquier momento.</translation>
         <translation>Bola: el contorno es un círculo en cada imagen. Cualquiera: se aprende el tamaño, y el centro es el centro del color. Automática: se determina con las imágenes. Solo el método dewpoint lo usa.</translation>
     </message>
     <message>
-        <source>No target yet: click the object to track in any camera image.</source>
+        <source>No target yet. In any camera image, click the object to track.</source>
         <translation>Aún no hay objetivo: haga clic en cualquier imagen en el objeto que quiere seguir.</translation>
     </message>
     <message>
@@ -7484,7 +7484,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Esquina superior del volumen de interés, en metros; los objetivos se buscan solo en él</translation>
     </message>
     <message>
-        <source>From the cameras</source>
+        <source>Compute from cameras</source>
         <translation>De las cámaras</translation>
     </message>
     <message>

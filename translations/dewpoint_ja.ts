@@ -232,7 +232,7 @@
         <translation>前のフレーム</translation>
     </message>
     <message>
-        <source>Show the previous frame as it was tracked</source>
+        <source>Step back one frame and show its tracking result</source>
         <translation>前のフレームを追跡時の状態で表示します</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>最良のパーティクルを表示</translation>
     </message>
     <message>
-        <source>Mark the particle of highest weight (MAP) of each target with a triangle, in all views</source>
+        <source>Mark each target&apos;s highest-weight particle (MAP) with a triangle in all views</source>
         <translation>各ターゲットの重みが最大のパーティクル(MAP)を、すべてのビューで三角形で示します</translation>
     </message>
     <message>
@@ -616,7 +616,7 @@
         <translation>拡大鏡を表示</translation>
     </message>
     <message>
-        <source>Show an enlarged inset when the particles of a target are too close together to see</source>
+        <source>Show an enlarged inset when a target&apos;s particles are too close together to tell apart</source>
         <translation>ターゲットの粒子が密集して見えないとき、拡大図を表示します</translation>
     </message>
     <message>
@@ -664,7 +664,7 @@
         <translation>3D 表示</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view in perspective, free to orbit</source>
+        <source>Bird&apos;s-eye view in perspective; drag to orbit</source>
         <translation>透視図の鳥瞰図、自由に回転</translation>
     </message>
     <message>
@@ -1067,7 +1067,7 @@
         <translation>%1 の向きが、キャリブレーションから約 %2 ずれています。</translation>
     </message>
     <message>
-        <source>%1 and %2 do not see the target at one position. Calibrate them again.</source>
+        <source>%1 and %2 disagree about where the target is. Calibrate them again.</source>
         <translation>%1 と %2 では、ターゲットの位置が一致しません。キャリブレーションをやり直してください。</translation>
     </message>
     <message>
@@ -2216,7 +2216,7 @@
         <translation>動く領域の見つけ方：0 画素ごとに 1 つのガウス分布（高速）、1 OpenCV の MOG2、2 OpenCV の KNN。</translation>
     </message>
     <message>
-        <source>How much a camera that sees a whole person counts: larger values trust the masks more.</source>
+        <source>Weight of a camera that sees a whole person: larger values rely more on the masks.</source>
         <translation>全身が写ったカメラの重み。大きいほどマスクを信用します。</translation>
     </message>
     <message>
@@ -3383,7 +3383,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>幅, px</translation>
     </message>
     <message>
-        <source>Width of the box, pixels</source>
+        <source>Box width (pixels)</source>
         <translation>枠の幅、ピクセル</translation>
     </message>
     <message>
@@ -3391,7 +3391,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>高さ, px</translation>
     </message>
     <message>
-        <source>Height of the box, pixels</source>
+        <source>Box height (pixels)</source>
         <translation>枠の高さ、ピクセル</translation>
     </message>
     <message>
@@ -3490,7 +3490,7 @@ From %2 to %3%4; what the cameras see unless you change it.</source>
         <translation>判別できません。Dewpoint が読める形式: %1。</translation>
     </message>
     <message>
-        <source>Recognized: %1. Its cameras do not match the cameras above: %2.</source>
+        <source>Recognized as %1, but its cameras do not match those above: %2.</source>
         <translation>判別: %1。カメラが上のものと合いません: %2。</translation>
     </message>
     <message numerus="yes">
@@ -4086,7 +4086,7 @@ at %4, %5, %6</source>
         <translation>画像フォルダーを選択</translation>
     </message>
     <message>
-        <source>Choose the video of this camera</source>
+        <source>Choose the video for this camera</source>
         <translation>このカメラの動画を選択</translation>
     </message>
     <message>
@@ -4710,7 +4710,7 @@ at %4, %5, %6</source>
         <translation>実行</translation>
     </message>
     <message>
-        <source>Folder of the recordings</source>
+        <source>Recordings folder</source>
         <translation>記録のフォルダー</translation>
     </message>
     <message>
@@ -5575,7 +5575,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>画像の元</translation>
     </message>
     <message>
-        <source>Cameras of the new project</source>
+        <source>Cameras in the new project</source>
         <translation>新しいプロジェクトのカメラ</translation>
     </message>
     <message>
@@ -6038,7 +6038,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>グラフ</translation>
     </message>
     <message>
-        <source>Choose the plots shown; copy or save them</source>
+        <source>Choose which plots to show; copy or save plots</source>
         <translation>表示するグラフの選択、コピー、保存</translation>
     </message>
     <message>
@@ -6247,7 +6247,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>焦点距離も求める</translation>
     </message>
     <message>
-        <source>For cameras with six points or more</source>
+        <source>For cameras with six or more points</source>
         <translation>六点以上あるカメラだけ</translation>
     </message>
     <message>
@@ -6751,7 +6751,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>普通のカメラで、色の付いた物体を 3D で追跡します。</translation>
     </message>
     <message>
-        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, look back, change everything: nothing can break.</source>
+        <source>Two simulated cameras see a pink ball; a particle filter finds it and follows it through space. Pause, go back, change anything: you cannot break it.</source>
         <translation>2 台のシミュレーションのカメラがピンクのボールを見ています。パーティクルフィルタがそれを見つけ、空間を追跡します。一時停止しても、過去を表示しても、何を変えても、壊れることはありません。</translation>
     </message>
     <message>
@@ -6905,7 +6905,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>名前</translation>
     </message>
     <message>
-        <source>Name of the target, in views and files</source>
+        <source>Target name, as shown in views and files</source>
         <translation>表示やファイルで使うターゲットの名前</translation>
     </message>
     <message>
@@ -6945,7 +6945,7 @@ Alt クリックまたは Ctrl+Shift クリックはいつでも使えます。<
         <translation>ボール: どの画像でも輪郭は円です。任意: 大きさを学習し、中心はその色の中心です。自動: 画像から判断します。手法 dewpoint だけが使います。</translation>
     </message>
     <message>
-        <source>No target yet: click the object to track in any camera image.</source>
+        <source>No target yet. In any camera image, click the object to track.</source>
         <translation>ターゲットはまだありません。カメラ画像で追跡したい物体をクリックしてください。</translation>
     </message>
     <message>
@@ -7472,7 +7472,7 @@ Effective sample size %8 of %9</source>
         <translation>探索範囲の終点（メートル）。ターゲットはこの中だけで探します</translation>
     </message>
     <message>
-        <source>From the cameras</source>
+        <source>Compute from cameras</source>
         <translation>カメラから</translation>
     </message>
     <message>

@@ -142,8 +142,8 @@ std::vector<ActionDeclaration> runActions() {
        QT_TRANSLATE_NOOP("Actions", "Run one filter iteration on the current frame and pause"),
        "iteration", Qt::Key_I},
       {"actionPreviousFrame", group, QT_TRANSLATE_NOOP("Actions", "Previous frame"),
-       QT_TRANSLATE_NOOP("Actions", "Show the previous frame as it was tracked"), "previous-frame",
-       Qt::Key_Comma},
+       QT_TRANSLATE_NOOP("Actions", "Step back one frame and show its tracking result"),
+       "previous-frame", Qt::Key_Comma},
       {"actionNow", group, QT_TRANSLATE_NOOP("Actions", "Go to latest frame"),
        QT_TRANSLATE_NOOP("Actions", "Stop looking back and show the latest tracked frame"), "now",
        Qt::Key_N},
@@ -208,13 +208,14 @@ std::vector<ActionDeclaration> viewActions() {
            "Show the likelihood of each position around the target, and the candidate positions"),
        "evidence", Qt::Key_E, true},
       {"actionShowBest", group, QT_TRANSLATE_NOOP("Actions", "Show best particle"),
-       QT_TRANSLATE_NOOP("Actions", "Mark the particle of highest weight (MAP) of each target with "
-                                    "a triangle, in all views"),
+       QT_TRANSLATE_NOOP(
+           "Actions",
+           "Mark each target's highest-weight particle (MAP) with a triangle in all views"),
        nullptr, Qt::SHIFT | Qt::Key_E, true},
       {"actionShowMagnifier", group, QT_TRANSLATE_NOOP("Actions", "Show magnifier"),
        QT_TRANSLATE_NOOP(
            "Actions",
-           "Show an enlarged inset when the particles of a target are too close together to see"),
+           "Show an enlarged inset when a target's particles are too close together to tell apart"),
        nullptr, Qt::SHIFT | Qt::Key_I, true},
       {"actionShowRays", group, QT_TRANSLATE_NOOP("Actions", "Show lines of sight"),
        QT_TRANSLATE_NOOP("Actions", "Draw a line from each camera to the target in the bird's-eye "
@@ -252,7 +253,7 @@ std::vector<ActionDeclaration> viewActions() {
        QT_TRANSLATE_NOOP("Actions", "Bird's-eye view from the front: the XZ plane"), "front",
        Qt::Key_F},
       {"actionLookFree", group, QT_TRANSLATE_NOOP("Actions", "3D view"),
-       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view in perspective, free to orbit"), "free",
+       QT_TRANSLATE_NOOP("Actions", "Bird's-eye view in perspective; drag to orbit"), "free",
        Qt::Key_V},
       {"actionFitScene", group, QT_TRANSLATE_NOOP("Actions", "Fit everything in view"),
        QT_TRANSLATE_NOOP("Actions", "Show the whole room in the bird's-eye view (or double-click)"),

@@ -51,7 +51,7 @@ ExperimentDialog::ExperimentDialog(QWidget* parent)
   connect(browse_, &QPushButton::clicked, this,
           [this] { chooseFolder(folder_, tr("Folder of the report")); });
   connect(browseRecordings_, &QPushButton::clicked, this,
-          [this] { chooseFolder(recordings_, tr("Folder of the recordings")); });
+          [this] { chooseFolder(recordings_, tr("Recordings folder")); });
   connect(cancel_, &QPushButton::clicked, job_, &BackgroundJob::cancel);
   connect(open_, &QPushButton::clicked, this, &ExperimentDialog::openReport);
   connect(job_, &BackgroundJob::progressChanged, this, [this](double part) {

@@ -255,7 +255,7 @@ void CameraPanel::relocate() {
   const QString file =
       camera.source == SourceKind::Images
           ? QFileDialog::getExistingDirectory(this, tr("Choose a folder of images"), old)
-          : QFileDialog::getOpenFileName(this, tr("Choose the video of this camera"), old);
+          : QFileDialog::getOpenFileName(this, tr("Choose the video for this camera"), old);
   if (!file.isEmpty()) {
     edit(tr("Change source of images"),
          [&](ProjectCamera& changed) { changed.location = file.toStdString(); });

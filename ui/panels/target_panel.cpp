@@ -155,7 +155,7 @@ void TargetPanel::addTools(QAction* add, QAction* remove, QAction* learn) {
 void TargetPanel::retranslateUi() {
   list_->setAccessibleName(tr("Targets"));
   nameLabel_->setText(tr("Name"));
-  name_->setToolTip(tr("Name of the target, in views and files"));
+  name_->setToolTip(tr("Target name, as shown in views and files"));
   radiusLabel_->setText(tr("Radius"));
   radius_->setSuffix(tr(" mm"));
   radius_->setSpecialValueText(tr("unknown"));
@@ -202,7 +202,7 @@ void TargetPanel::refresh() {
   hint_->setText(boxes ? tr("Click the object or drag a box around it in any camera view. It is "
                             "tracked from there.")
                  : targets.empty()
-                     ? tr("No target yet: click the object to track in any camera image.")
+                     ? tr("No target yet. In any camera image, click the object to track.")
                      : tr("Click a target in a camera image to learn its color."));
   showChosen();
   showRows();

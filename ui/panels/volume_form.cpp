@@ -65,7 +65,7 @@ void VolumeForm::build() {
     }
     labels[corner]->setBuddy(fields_[corner][0]);
   }
-  fromCameras_->setText(tr("From the cameras"));
+  fromCameras_->setText(tr("Compute from cameras"));
   fromCameras_->setToolTip(
       tr("Search for targets in the box around the region that at least two cameras see"));
   none_->setText(tr("None"));

@@ -163,7 +163,7 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   choice->setMenu(menu);
   onRetranslate(choice, [choice] {
     choice->setText(tr("Plots"));
-    choice->setToolTip(tr("Choose the plots shown; copy or save them"));
+    choice->setToolTip(tr("Choose which plots to show; copy or save plots"));
     choice->setAccessibleName(tr("Choose the plots shown"));
   });
   return tools;

@@ -115,7 +115,7 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
     for (const std::string& camera : checked.cameras) {
       names << QString::fromStdString(camera);
     }
-    return tr("Recognized: %1. Its cameras do not match the cameras above: %2.")
+    return tr("Recognized as %1, but its cameras do not match those above: %2.")
         .arg(title, names.join(QStringLiteral(", ")));
   }
   good = true;

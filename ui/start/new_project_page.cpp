@@ -150,7 +150,7 @@ void NewProjectPage::retranslateUi() {
   rateLabel_->setText(tr("Images per second:"));
   rate_->setToolTip(tr("Frame rate of image folders, 0.1 to 10,000 per second"));
   cameras_->setHorizontalHeaderLabels({tr("Camera"), tr("Images from"), tr("Found")});
-  cameras_->setAccessibleName(tr("Cameras of the new project"));
+  cameras_->setAccessibleName(tr("Cameras in the new project"));
   refresh();
 }
 

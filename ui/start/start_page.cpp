@@ -171,10 +171,10 @@ void StartPage::arrange() {
 void StartPage::retranslateUi() {
   title_->setText(tr("Dewpoint"));
   lead_->setText(tr("Follow colored objects in 3D with ordinary cameras."));
-  demo_->setTexts(tr("Try the demo"),
-                  tr("Two simulated cameras see a pink ball; a particle filter finds it and "
-                     "follows it through space. Pause, look back, change everything: nothing "
-                     "can break."));
+  demo_->setTexts(
+      tr("Try the demo"),
+      tr("Two simulated cameras see a pink ball; a particle filter finds it and follows it through "
+         "space. Pause, go back, change anything: you cannot break it."));
   for (std::size_t k = 0; k < scenes_.size(); ++k) {
     scenes_[k]->setTexts(tr(kGallery[k].title), tr(kGallery[k].line));
   }

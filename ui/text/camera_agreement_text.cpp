@@ -54,9 +54,9 @@ QString rotatedText(const CameraDisagreement& found, const QStringList& names) {
 
 QString unknownText(const CameraDisagreement& found, const QStringList& names) {
   if (found.cameras.size() > 1) {
-    return translated(QT_TRANSLATE_NOOP("CameraAgreement",
-                                        "%1 and %2 do not see the target at one position. "
-                                        "Calibrate them again."))
+    return translated(QT_TRANSLATE_NOOP(
+                          "CameraAgreement",
+                          "%1 and %2 disagree about where the target is. Calibrate them again."))
         .arg(nameAt(found, 0, names), nameAt(found, 1, names));
   }
   return translated(QT_TRANSLATE_NOOP("CameraAgreement",

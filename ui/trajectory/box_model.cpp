@@ -101,9 +101,9 @@ QVariant BoxModel::headerData(int section, Qt::Orientation orientation, int role
   case Y:
     return name ? tr("y, px") : tr("Center of the box, pixels from the upper edge of the image");
   case Width:
-    return name ? tr("width, px") : tr("Width of the box, pixels");
+    return name ? tr("width, px") : tr("Box width (pixels)");
   case Height:
-    return name ? tr("height, px") : tr("Height of the box, pixels");
+    return name ? tr("height, px") : tr("Box height (pixels)");
   case Similarity:
     return name ? tr("similarity")
                 : tr("Similarity of the colors in the box to the initial colors, 0 to 1");

@@ -121,8 +121,7 @@ Declarations ours() {
       {"acceleration_sigma", kReal, "Acceleration sigma", "m/s²", 0.05, 50.0, 0.05, 3.0,
        "How strongly people accelerate, brake and turn.", true},
       {"evidence", kReal, "Weight per camera", "", 0.1, 100.0, 0.1, 8.0,
-       "How much a camera that sees a whole person counts: larger values trust the masks more.",
-       true},
+       "Weight of a camera that sees a whole person: larger values rely more on the masks.", true},
       {"color_weight", kReal, "Color weight", "", 0.0, 10.0, 0.05, 1.0,
        "How much the colors of clothes count compared with the masks when people are close to each "
        "other.",

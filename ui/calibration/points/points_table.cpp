@@ -102,7 +102,7 @@ void PointsTable::retranslateUi() {
             "fraction of a pixel (Alt: exactly where you click). Press Esc to finish."));
   button(forget_, tr("Remove click"), tr("Remove the click on this point in the selected camera"));
   focal_->setText(tr("Compute focal lengths"));
-  focal_->setToolTip(tr("For cameras with six points or more"));
+  focal_->setToolTip(tr("For cameras with six or more points"));
   button(solve_, tr("Compute cameras"),
          tr("Compute the poses of all cameras in which points were clicked; each needs at least "
             "four points"));
