@@ -7,7 +7,7 @@
 
 namespace dewpoint::base {
 
-/// Radians in a degree.
+/// One degree in radians.
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 } // namespace dewpoint::base

@@ -9,7 +9,7 @@
 
 namespace dewpoint::base {
 
-/// Two independent numbers in double precision.
+/// Pair of independent standard normal numbers, in double precision.
 struct NormalPair {
   double first;
   double second;
@@ -18,13 +18,13 @@ struct NormalPair {
 /// Returns two independent standard normal numbers from two random words (Box & Muller 1958).
 [[gnu::always_inline]] inline NormalPair boxMuller(std::uint32_t radiusWord,
                                                    std::uint32_t angleWord) {
-  // Half a step away from 0, where the logarithm is not finite.
+  // Half a step away from 0, where the logarithm is infinite.
   const double radius = std::sqrt(-2.0 * logarithm((radiusWord + 0.5) * 0x1.0p-32));
   const auto [cosine, sine] = cosineSine(angleWord);
   return {radius * cosine, radius * sine};
 }
 
-/// Two independent numbers in single precision.
+/// Pair of independent standard normal numbers, in single precision.
 struct NormalPairSingle {
   float first;
   float second;
@@ -38,8 +38,8 @@ struct NormalPairSingle {
   return {radius * cosine, radius * sine};
 }
 
-/// Returns an exponentially distributed number of mean 1 from a random word, by inverting the
-/// distribution function.
+/// Returns an exponentially distributed number with mean 1, computed from a random word by
+/// inverting the distribution function.
 [[gnu::always_inline]] inline float exponentialVariate(std::uint32_t word) {
   return 0.0F - logarithm(unitInterval(word)); // never minus zero
 }

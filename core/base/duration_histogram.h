@@ -8,16 +8,16 @@
 
 namespace dewpoint::base {
 
-/// Histogram of any number of durations in fixed memory. Quantiles are off by at most half a
-/// percent. Buckets grow by one percent from 1 ns to 20 minutes; durations outside that range fall
-/// into the first or the last bucket. The longest duration is exact.
+/// Histogram that holds any number of durations in a fixed amount of memory. Quantiles are accurate
+/// to half a percent. Buckets grow by one percent from 1 ns to 20 minutes. Durations outside that
+/// range fall into the first or last bucket. The longest duration is exact.
 class DurationHistogram {
 public:
   /// Adds a duration in seconds. Negative durations and NaN are not counted.
   void add(double seconds);
   std::int64_t count() const { return count_; }
-  /// Duration in seconds that the given share (0 to 1) of all durations does not exceed; 0 when
-  /// there are none.
+  /// Returns the duration in seconds that the given fraction (0 to 1) of all durations does not
+  /// exceed. Returns 0 if the histogram is empty.
   double quantile(double share) const;
   double longest() const { return longest_; }
 

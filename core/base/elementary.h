@@ -10,8 +10,8 @@
 #include <numbers>
 
 /// Elementary functions built from additions and multiplications in a fixed order, without
-/// branches. A loop over them compiles to vector code, and every processor and library gives the
-/// same bits, which std::log, std::sin and std::exp do not guarantee. Errors are a few units in the
+/// branches. Loops over them compile to vector code, and every processor and library produces the
+/// same bits. std::log, std::sin and std::exp do not guarantee that. Errors are a few units in the
 /// last place.
 namespace dewpoint::base {
 
@@ -25,17 +25,18 @@ template <std::size_t Count>
   return sum;
 }
 
-/// Natural logarithm of a positive normal number. x = 2^k m with m between sqrt(1/2) and sqrt(2);
-/// log m = 2 artanh((m - 1) / (m + 1)), a series that is truncated below 1e-17.
+/// Returns the natural logarithm of a positive normal number. x = 2^k m with m between sqrt(1/2)
+/// and sqrt(2). The series log m = 2 artanh((m - 1) / (m + 1)) is truncated below 1e-17.
 [[gnu::always_inline]] inline double logarithm(double x) {
   constexpr std::array<double, 11> kArtanh{1.0,        1.0 / 3.0,  1.0 / 5.0,  1.0 / 7.0,
                                            1.0 / 9.0,  1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0,
                                            1.0 / 17.0, 1.0 / 19.0, 1.0 / 21.0};
   constexpr auto kRootHalf = std::bit_cast<std::uint64_t>(std::numbers::sqrt2 / 2.0);
   constexpr std::uint64_t kBias = 1023;
-  constexpr std::uint64_t kTwoTo52 = 0x4330000000000000; // adds its low bits as an integer
+  constexpr std::uint64_t kTwoTo52 =
+      0x4330000000000000; // an integer in its low bits is added to 2^52
   const auto bits = std::bit_cast<std::uint64_t>(x);
-  // Biased, so that it is not negative: vector units shift no signed numbers of 64 bits.
+  // Biased to keep it nonnegative: vector units cannot shift signed 64-bit numbers.
   const std::uint64_t exponent = (bits - kRootHalf + (kBias << 52U)) >> 52U;
   const double k = std::bit_cast<double>(kTwoTo52 | exponent) - (0x1.0p52 + double(kBias));
   const double m = std::bit_cast<double>(bits - ((exponent - kBias) << 52U));
@@ -43,15 +44,15 @@ template <std::size_t Count>
   return k * std::numbers::ln2 + 2.0 * s * polynomial(s * s, kArtanh);
 }
 
-/// Cosine and sine of one angle.
+/// Cosine and sine of an angle.
 struct CosineSine {
   double cosine;
   double sine;
 };
 
-/// Cosine and sine of the angle turn / 2^32 of a full turn. The nearest multiple of a quarter turn
-/// is subtracted exactly, in integers; the remainder is at most an eighth of a turn, for which the
-/// Taylor series are truncated below 1e-16.
+/// Returns the cosine and sine of the angle turn / 2^32 of a full turn. The nearest multiple of a
+/// quarter turn is subtracted exactly, using integers. The remainder is at most an eighth of a
+/// turn, for which the Taylor series are truncated below 1e-16.
 [[gnu::always_inline]] inline CosineSine cosineSine(std::uint32_t turn) {
   constexpr std::array<double, 9> kSine{1.0,
                                         -1.0 / 6.0,
@@ -71,7 +72,7 @@ struct CosineSine {
                                           1.0 / 479001600.0,
                                           -1.0 / 87178291200.0,
                                           1.0 / 20922789888000.0};
-  const std::uint32_t quarter = (turn + (1U << 29U)) >> 30U; // 4 is 0
+  const std::uint32_t quarter = (turn + (1U << 29U)) >> 30U; // 0 to 4, where 4 is equivalent to 0
   const auto rest = static_cast<std::int32_t>(turn - (quarter << 30U));
   const double angle = rest * (0x1.0p-31 * std::numbers::pi);
   const double square = angle * angle;
@@ -85,8 +86,8 @@ struct CosineSine {
   return {cosineSign * first, sineSign * second};
 }
 
-/// e^x for x <= 0; zero below -700, and for minus infinity and NaN. x = k ln 2 + r with |r| <= ln 2
-/// / 2, for which the Taylor series is truncated below 1e-17.
+/// Returns e^x for x <= 0. Returns 0 below -700, for minus infinity and for NaN. x = k ln 2 + r
+/// with |r| <= ln 2 / 2, for which the Taylor series is truncated below 1e-17.
 [[gnu::always_inline]] inline double exponential(double x) {
   constexpr std::array<double, 14> kExp{1.0,
                                         1.0,
@@ -102,9 +103,10 @@ struct CosineSine {
                                         1.0 / 39916800.0,
                                         1.0 / 479001600.0,
                                         1.0 / 6227020800.0};
-  constexpr double kLn2High = 0x1.62e42fee00000p-1; // ends in zeros: its products with k are exact
+  constexpr double kLn2High =
+      0x1.62e42fee00000p-1; // ends in zeros, so its products with k are exact
   constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
-  constexpr double kRounding = 0x1.8p52; // numbers beside it are integers
+  constexpr double kRounding = 0x1.8p52; // doubles of this size have no fractional bits
   const bool normal = x >= -700.0;
   const double safe = normal ? x : 0.0;
   const double shifted = safe * std::numbers::log2e + kRounding;

@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <numbers>
 
-/// The functions of elementary.h in single precision, for random numbers by the million. Numbers
-/// have half the size and series half the terms, so that vector units process four times as many.
-/// Errors are a few units in the last place, and again every processor gives the same bits.
+/// The functions of elementary.h in single precision, for generating millions of random numbers.
+/// Numbers have half the size and the series have half the terms, so vector units process four
+/// times as many per second. Errors are a few units in the last place, and every processor produces
+/// the same bits.
 namespace dewpoint::base {
 
 /// Evaluates the polynomial c[0] + c[1] x + c[2] x^2 + ...
@@ -24,7 +25,7 @@ template <std::size_t Count>
   return sum;
 }
 
-/// Natural logarithm of a positive normal number; see the version in double precision.
+/// Returns the natural logarithm of a positive normal number; see the double-precision version.
 [[gnu::always_inline]] inline float logarithm(float x) {
   constexpr std::array<float, 5> kArtanh{1.0F, 1.0F / 3.0F, 1.0F / 5.0F, 1.0F / 7.0F, 1.0F / 9.0F};
   constexpr auto kRootHalf = std::bit_cast<std::uint32_t>(std::numbers::sqrt2_v<float> / 2.0F);
@@ -36,20 +37,21 @@ template <std::size_t Count>
          2.0F * s * polynomial(s * s, kArtanh);
 }
 
-/// Cosine and sine of one angle, in single precision.
+/// Cosine and sine of an angle, in single precision.
 struct CosineSineSingle {
   float cosine;
   float sine;
 };
 
-/// Cosine and sine of the angle turn / 2^32 of a full turn; see the version in double precision.
+/// Returns the cosine and sine of the angle turn / 2^32 of a full turn; see the double-precision
+/// version.
 [[gnu::always_inline]] inline CosineSineSingle cosineSineSingle(std::uint32_t turn) {
   constexpr std::array<float, 5> kSine{1.0F, -1.0F / 6.0F, 1.0F / 120.0F, -1.0F / 5040.0F,
                                        1.0F / 362880.0F};
   constexpr std::array<float, 5> kCosine{1.0F, -1.0F / 2.0F, 1.0F / 24.0F, -1.0F / 720.0F,
                                          1.0F / 40320.0F};
   constexpr float kAnglePerTurn = 0x1.0p-31F * std::numbers::pi_v<float>;
-  const std::uint32_t quarter = (turn + (1U << 29U)) >> 30U; // 4 is 0
+  const std::uint32_t quarter = (turn + (1U << 29U)) >> 30U; // 0 to 4, where 4 is equivalent to 0
   const float angle =
       static_cast<float>(static_cast<std::int32_t>(turn - (quarter << 30U))) * kAnglePerTurn;
   const float square = angle * angle;
@@ -63,8 +65,9 @@ struct CosineSineSingle {
   return {std::bit_cast<float>(first ^ cosineSign), std::bit_cast<float>(second ^ sineSign)};
 }
 
-/// (word + 1/2) / 2^32, rounded: above 0 and at most 1. Computed from two halves of the word,
-/// because vector units of every kind can convert such small integers to floating point.
+/// Returns (word + 1/2) / 2^32, rounded. The result is above 0 and at most 1. It is computed from
+/// two halves of the word because all vector units can convert such small integers to floating
+/// point.
 [[gnu::always_inline]] inline float unitInterval(std::uint32_t word) {
   const auto high = static_cast<float>(static_cast<std::int32_t>(word >> 16U));
   const auto low = static_cast<float>(static_cast<std::int32_t>(word & 0xFFFFU));

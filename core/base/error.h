@@ -10,8 +10,8 @@
 
 namespace dewpoint::base {
 
-/// Kind of a failure, as far as a caller can act on it. Each code has its own sentence (phrase()),
-/// which the window translates.
+/// Kind of failure, as far as callers need to distinguish them. Each code has its own phrase
+/// (phrase()), which the user interface translates.
 enum class ErrorCode {
   FileMissing,
   FileUnreadable,
@@ -30,8 +30,8 @@ enum class ErrorCode {
   Canceled,
 };
 
-/// A failure as a value: the file (or device, or network address), the field in it, and details.
-/// `file` and `field` may be empty where they do not apply.
+/// Failure as a value: the file (or device, or network address), the field in it, and details.
+/// `file` and `field` are empty where they do not apply.
 struct Error {
   ErrorCode code = ErrorCode::BadValue;
   std::string file;
@@ -39,22 +39,23 @@ struct Error {
   std::string detail;
 };
 
-/// A value, or the error that prevented it.
+/// A value, or the error that prevented computing it.
 template <class T> using Result = tl::expected<T, Error>;
 /// Success, or an error.
 using Status = Result<void>;
 
-/// Shorthand for returning a failure from a function that returns a Result.
+/// Builds the failure value for a function that returns a Result.
 inline tl::unexpected<Error> failure(ErrorCode code, std::string file, std::string field,
                                      std::string detail) {
   return tl::make_unexpected(Error{code, std::move(file), std::move(field), std::move(detail)});
 }
 
-/// Plain English phrase for a code, without file, field or detail ("the file does not exist").
+/// Returns the plain English phrase for a code, without file, field or detail: "the file does not
+/// exist".
 const char* phrase(ErrorCode code);
 
-/// One clear sentence for the user: "project.toml: camera 1.video: the file does not exist
-/// (a.mkv)".
+/// Returns the error as one sentence for the user: "project.toml: camera 1.video: the file does not
+/// exist (a.mkv)".
 std::string sentence(const Error& error);
 
 } // namespace dewpoint::base

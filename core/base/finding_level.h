@@ -8,14 +8,14 @@
 
 namespace dewpoint::base {
 
-/// Severity of a finding of a check, the most severe last.
+/// Severity of a finding, in ascending order.
 enum class FindingLevel {
-  Ok,     ///< as it should be
+  Ok,     ///< no problem
   Note,   ///< works, but may not be what you want
   Problem ///< must be fixed
 };
 
-/// Name of a level as lines of output and files show it: "ok", "note" or "problem".
+/// Returns the name of a level as used in output lines and files: "ok", "note" or "problem".
 constexpr const char* levelName(FindingLevel level) {
   switch (level) {
   case FindingLevel::Ok:
@@ -28,7 +28,8 @@ constexpr const char* levelName(FindingLevel level) {
   return "problem";
 }
 
-/// The worst level of what was found, `level` being the member that says it; Ok of none.
+/// Returns the most severe level among `found`, or Ok if it is empty. `level` is the member that
+/// holds the level of an element.
 template <class Range, class Level> FindingLevel worstLevel(const Range& found, Level level) {
   FindingLevel worst = FindingLevel::Ok;
   for (const auto& one : found) {

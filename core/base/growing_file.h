@@ -12,15 +12,15 @@
 
 namespace dewpoint::base {
 
-/// A file that is written piece by piece while the program runs. Each piece goes to the operating
-/// system at once, so that the file can be read even if the program is killed. Errors are
+/// File that is written piece by piece while the program runs. Each piece is passed to the
+/// operating system immediately, so the file is readable even if the program is killed. Errors are
 /// FileUnwritable with the reason, for instance a full disk.
 class GrowingFile {
 public:
   /// Creates the file, or truncates an existing one.
   static Result<GrowingFile> create(const std::filesystem::path& path);
 
-  /// Appends text and passes it to the operating system at once.
+  /// Appends text and passes it to the operating system immediately.
   Status append(std::string_view text);
   /// Closes the file. Nothing may be appended afterwards.
   Status close();

@@ -5,16 +5,16 @@
 
 namespace dewpoint::base {
 
-/// Width of the vector instructions that a kernel may use. Every processor has the baseline of its
-/// architecture; the other two are 256 and 512 bits wide on x86-64.
+/// Width of the vector instructions that a kernel may use. Every processor supports the baseline of
+/// its architecture. On x86-64, the other two are 256 and 512 bits wide.
 enum class InstructionSet { Baseline, Avx2, Avx512 };
 
-/// Widest instruction set of this processor, or the limit that a test or a benchmark has set if
-/// that is lower.
+/// Returns the widest instruction set of this processor, or a lower limit set by a test or
+/// benchmark.
 InstructionSet instructionSet();
 
-/// Limits kernels to an instruction set during its lifetime. Tests and benchmarks use it to compare
-/// the versions of a kernel.
+/// Limits kernels to an instruction set for the lifetime of this object. Tests and benchmarks use
+/// it to compare the compiled versions of a kernel.
 class InstructionSetLimit {
 public:
   explicit InstructionSetLimit(InstructionSet limit);

@@ -8,7 +8,7 @@
 
 namespace dewpoint::base {
 
-/// A text with small letters for the capitals A to Z, to compare names and endings of files.
+/// Returns the text with the letters A to Z in lower case, for comparing names and file extensions.
 std::string inLowerCase(std::string_view text);
 
 } // namespace dewpoint::base

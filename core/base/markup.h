@@ -7,7 +7,7 @@
 
 namespace dewpoint::base {
 
-/// Escapes text for HTML and SVG, also for attributes in double quotes.
+/// Escapes text for HTML and SVG, including attributes in double quotes.
 std::string escaped(const std::string& text);
 
 } // namespace dewpoint::base

@@ -9,12 +9,13 @@
 
 namespace dewpoint::base {
 
-/// Number of bytes of the UTF-8 character at the beginning of a text, which is not empty; 0 when
-/// the bytes are not valid UTF-8.
+/// Returns the number of bytes in the first UTF-8 character of a nonempty text, or 0 if the bytes
+/// are not valid UTF-8.
 std::size_t utf8Bytes(std::string_view text);
 
-/// Puts a part of a message on one line. Line breaks, other control characters and invalid UTF-8,
-/// which a file may contain, become question marks. Texts of more than 4000 bytes are truncated.
+/// Makes part of a message fit on one line. Line breaks, other control characters and invalid
+/// UTF-8, which files may contain, become question marks. Text of more than 4000 bytes is
+/// truncated.
 std::string onOneLine(std::string_view text);
 
 } // namespace dewpoint::base

@@ -3,8 +3,8 @@
 
 namespace dewpoint::base {
 
-/// Visitor made of one function per alternative of a variant. Compilation fails if an alternative
-/// has no function, and the compiler names it.
+/// Visitor with one function per alternative of a variant. If an alternative has no function,
+/// compilation fails with an error that names the alternative.
 template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
 template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>; // for Clang 14
 

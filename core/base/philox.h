@@ -8,22 +8,22 @@
 
 namespace dewpoint::base {
 
-/// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011): four
-/// random words that depend only on counter and key. Any thread can draw any number in any order,
-/// and the number is always the same.
+/// Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011). Generates
+/// four random words that depend only on the counter and the key. Threads can draw any number in
+/// any order and always get the same value.
 struct Philox {
   using Counter = std::array<std::uint32_t, 4>;
   using Key = std::array<std::uint32_t, 2>;
   static constexpr int kRounds = 10;
 
-  /// Turns the four words of a counter into four random words, in place. A word may be stored in 64
-  /// bits with its upper half zero: then the products need no lanes of twice the size, which suits
-  /// vector units that multiply 64 bits at once. On return only the lower halves are valid.
+  /// Replaces the four words of a counter with four random words. A word may be stored in 64 bits
+  /// with its upper half zero; then the products need no wider lanes, which suits vector units with
+  /// 64-bit multiplication. On return, only the lower halves are valid.
   template <class Word, int Round = 0>
   [[gnu::always_inline]] static inline void mix(Word& c0, Word& c1, Word& c2, Word& c3,
                                                 std::uint32_t key0, std::uint32_t key1) {
     if constexpr (Round < kRounds) {
-      // Multipliers and key increments: table 2 of the paper.
+      // Multipliers and key increments from table 2 of the paper.
       const std::uint64_t product0 = std::uint64_t{c0} * std::uint64_t{0xD2511F53};
       const std::uint64_t product1 = std::uint64_t{c2} * std::uint64_t{0xCD9E8D57};
       constexpr std::uint64_t kLower = 0xFFFFFFFF;

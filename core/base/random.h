@@ -8,11 +8,11 @@
 
 namespace dewpoint::base {
 
-/// Four random words as a pure function of counter and key; see Philox.
+/// Returns four random words as a pure function of counter and key; see Philox.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
-/// Purpose of random numbers. Each purpose has a stream of its own.
+/// Purpose of random numbers. Each purpose has its own stream.
 enum class RandomPurpose : std::uint32_t {
   Start,
   Motion,
@@ -24,31 +24,32 @@ enum class RandomPurpose : std::uint32_t {
   Search
 };
 
-/// Random numbers of one filter iteration. Element i of a stream is a pure function of (seed,
+/// Random numbers for one filter iteration. Element i of a stream is a pure function of (seed,
 /// frame, iteration, purpose, i).
 class RandomStream {
 public:
   RandomStream(std::uint64_t seed, std::uint32_t frame, std::uint32_t iteration,
                RandomPurpose purpose);
 
-  /// Four uniform words for element `index`; other values of `block` give further words for the
-  /// same element.
+  /// Returns four uniform words for element `index`. Other values of `block` yield additional words
+  /// for the same element.
   std::array<std::uint32_t, 4> words(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Uniform number in [0, 1) with 53 bits.
+  /// Returns a uniform number in [0, 1) with 53 bits.
   double uniform(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Three uniform numbers in [0, 1) with 32 bits each.
+  /// Returns three uniform numbers in [0, 1) with 32 bits each.
   std::array<double, 3> uniform3(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Four independent standard normal numbers (Box-Muller, with the functions of elementary.h).
+  /// Returns four independent standard normal numbers (Box-Muller, with the functions of
+  /// elementary.h).
   std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
 
-  /// First three numbers of normal4(), computed in single precision.
+  /// Returns the first three numbers of normal4(), computed in single precision.
   std::array<float, 3> normal3(std::uint32_t index) const;
 
-  /// Four independent exponentially distributed numbers of mean 1, in single precision.
+  /// Returns four independent exponentially distributed numbers with mean 1, in single precision.
   std::array<float, 4> exponential4(std::uint32_t index) const;
 
-  /// Writes normal3(i) for `count` elements from `firstIndex` on into three columns, which must not
-  /// overlap.
+  /// Writes normal3(i) for `count` elements, starting at `firstIndex`, into three columns, which
+  /// must not overlap.
   void normals(std::uint32_t firstIndex, std::int64_t count,
                const std::array<double*, 3>& columns) const;
   /// Writes normal4(i, block) for `count` elements into four columns, which must not overlap.
@@ -67,8 +68,7 @@ private:
   std::uint32_t purpose_;
 };
 
-/// Derives a seed for part `index` of a computation that is seeded with `seed`; part 0 keeps the
-/// seed itself.
+/// Derives a seed for part `index` of a computation with seed `seed`. Part 0 uses `seed` unchanged.
 std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index);
 
 } // namespace dewpoint::base

@@ -12,13 +12,13 @@
 
 namespace dewpoint::base {
 
-/// SHA-256 checksum (FIPS 180-4) of bytes that are added in pieces. Shows whether two contents are
-/// the same.
+/// SHA-256 checksum (FIPS 180-4) of bytes that are added in pieces. Used to detect whether two
+/// contents are the same.
 class Sha256 {
 public:
   /// Adds bytes to the checksum.
   void add(std::string_view bytes);
-  /// Checksum of all bytes that were added, as 64 hexadecimal digits. Nothing may be added
+  /// Returns the checksum of all bytes added so far, as 64 hexadecimal digits. Nothing may be added
   /// afterwards.
   std::string text();
 
@@ -34,9 +34,9 @@ private:
   std::uint64_t allBytes_ = 0;
 };
 
-/// SHA-256 checksum of a text, as 64 hexadecimal digits.
+/// Returns the SHA-256 checksum of a string, as 64 hexadecimal digits.
 std::string sha256(std::string_view text);
-/// SHA-256 checksum of a file's content, which is read in pieces. Errors: FileMissing,
+/// Returns the SHA-256 checksum of a file's content, which is read in pieces. Errors: FileMissing,
 /// FileUnreadable.
 Result<std::string> sha256OfFile(const std::filesystem::path& file);
 

@@ -8,19 +8,20 @@
 
 namespace dewpoint::base {
 
-/// Upper median of the values, which must not be NaN: for an even count, the upper of the two
-/// central values, so that the result is always one of the values. 0 when there are none.
+/// Returns the upper median of the values, none of which may be NaN. For an even count, this is the
+/// larger of the two central values, so the result is always one of the values. Returns 0 if there
+/// are no values.
 double upperMedian(std::vector<double> values);
 
-/// Upper median without a copy: reorders `values`.
+/// Returns the upper median without making a copy; reorders `values`.
 double upperMedianInPlace(std::span<double> values);
 
-/// Median of the values: for an even count, the mean of the two central values. 0 when there are
-/// none.
+/// Returns the median of the values. For an even count, this is the mean of the two central values.
+/// Returns 0 if there are no values.
 double median(std::vector<double> values);
 
-/// Quantile of ascending values (at least one), linearly interpolated between order statistics;
-/// `fraction` is in [0, 1].
+/// Returns a quantile of values in ascending order (at least one), linearly interpolated between
+/// order statistics. `fraction` is in [0, 1].
 double quantile(const std::vector<double>& sorted, double fraction);
 
 } // namespace dewpoint::base

@@ -17,8 +17,8 @@
 
 namespace dewpoint::base {
 
-/// Value of a TOML number; nothing if the node is not a number. Integers are rounded to the nearest
-/// double, whereas node::value<double>() returns nothing for integers above 2^53.
+/// Returns the value of a TOML number, or nothing if the node is not a number. Integers are rounded
+/// to the nearest double, whereas node::value<double>() returns nothing for integers above 2^53.
 inline std::optional<double> tomlNumber(const toml::node& node) {
   if (const auto* whole = node.as_integer()) {
     return static_cast<double>(whole->get());
@@ -27,9 +27,9 @@ inline std::optional<double> tomlNumber(const toml::node& node) {
   return real != nullptr ? std::optional(real->get()) : std::nullopt;
 }
 
-/// Reads the known keys of one TOML table and keeps the first error, with its line. Keys that were
-/// never requested are an error, because they are typing mistakes. An absent key leaves the value
-/// unchanged; use require() for keys that must be there.
+/// Reads the known keys of a TOML table and keeps the first error, with its line. Keys that were
+/// never requested are reported as errors because they are typing mistakes. An absent key leaves
+/// the value unchanged; use require() for mandatory keys.
 class TableReader {
 public:
   TableReader(const toml::table& table, std::string file, std::string prefix)
@@ -37,7 +37,7 @@ public:
 
   bool has(const char* key) const { return table_.contains(key); }
 
-  /// Reads a finite number between `low` and `high`, both included.
+  /// Reads a finite number between `low` and `high`, inclusive.
   void number(const char* key, double& value, double low, double high) {
     const toml::node* node = find(key);
     if (node == nullptr) {
@@ -51,7 +51,7 @@ public:
     }
   }
 
-  /// Reads an integer between `low` and `high`, both included.
+  /// Reads an integer between `low` and `high`, inclusive.
   template <class Integer>
   void integer(const char* key, Integer& value, std::int64_t low, std::int64_t high) {
     const toml::node* node = find(key);
@@ -90,7 +90,8 @@ public:
     }
   }
 
-  /// Table under a key; null when the key is absent or not a table (an error).
+  /// Returns the table under a key, or null if the key is absent. A value that is not a table is an
+  /// error, and null is returned.
   const toml::table* table(const char* key) {
     const toml::node* node = find(key);
     if (node != nullptr && !node->is_table()) {
@@ -99,13 +100,13 @@ public:
     return node != nullptr ? node->as_table() : nullptr;
   }
 
-  /// Any node under a key, for values with a structure of their own; null when absent. Marks the
+  /// Returns the node under a key, for values with their own structure; null if absent. Marks the
   /// key as known.
   const toml::node* node(const char* key) { return find(key); }
 
   bool failed() const { return error_.has_value(); }
 
-  /// Records the error of a part, unless an earlier error is recorded.
+  /// Records an error found in a part of the table, unless an earlier error is recorded.
   void recordError(std::optional<Error> error) {
     if (!error_) {
       error_ = std::move(error);
@@ -134,8 +135,8 @@ public:
     return true;
   }
 
-  /// Tables of an array of tables; empty when the key is absent. More than `most` tables are an
-  /// error.
+  /// Returns the tables in an array of tables; empty if the key is absent. More than `most` tables
+  /// are an error.
   std::vector<const toml::table*> tables(const char* key,
                                          std::size_t most = std::size_t{1} << 20U) {
     std::vector<const toml::table*> result;
@@ -167,7 +168,7 @@ public:
     }
   }
 
-  /// Records an error at a key, with its line, unless an earlier error is recorded.
+  /// Records an error for a key, with its line, unless an earlier error is recorded.
   void fail(ErrorCode code, const std::string& key, std::string detail) {
     if (error_) {
       return;
@@ -180,11 +181,11 @@ public:
     error_ = Error{code, file_, prefix_ + key, std::move(detail)};
   }
 
-  /// Returns the first error; without one, reports the first key that was never requested.
+  /// Returns the first error. If there is none, reports the first key that was never requested.
   std::optional<Error> finish() {
     for (const auto& [key, node] : table_) {
       if (std::ranges::find(known_, key.str()) == known_.end()) {
-        // A mistyped key makes another key missing: report the mistake, not its consequence.
+        // A misspelled key also makes the correct key missing: report the misspelling instead.
         if (error_ && error_->code == ErrorCode::MissingKey) {
           error_.reset();
         }

@@ -8,8 +8,8 @@
 
 namespace dewpoint::base {
 
-/// Reads a whole text file like readTextFile(), with a larger limit for tables with one row per
-/// frame: limits::kMostTableBytes.
+/// Reads a whole text file like readTextFile(), but with the larger limit limits::kMostTableBytes,
+/// for tables with one row per frame.
 Result<std::string> readTableText(const std::filesystem::path& file);
 
 } // namespace dewpoint::base

@@ -10,9 +10,9 @@
 
 namespace dewpoint::base {
 
-/// The number that a whole text is, in any locale with a point; nothing where a part of it is none,
-/// as a space or a plus sign before it, or where it is too large for the type. Of a floating-point
-/// type also infinity and NaN are numbers.
+/// Parses an entire text as a number with a decimal point, regardless of the locale. Returns
+/// nothing if any part is not numeric (such as a leading space or plus sign) or the number is out
+/// of range for the type. Floating-point types also accept infinity and NaN.
 template <class Number> std::optional<Number> numberFrom(std::string_view text) {
   Number number{};
   const char* const end = text.data() + text.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Number of threads that share a job. Results never depend on it.
+// Number of threads that share a job. It never affects results.
 #pragma once
 
 #include "core/base/floors.h"
@@ -8,12 +8,12 @@
 
 namespace dewpoint::base {
 
-/// Number of threads for the filter when `wanted` are requested. 0 means all hardware threads but
-/// one, which is left for cameras and the window.
+/// Returns the number of threads for the filter when `wanted` are requested. 0 means all hardware
+/// threads except one, which is left for the cameras and the user interface.
 int filterThreads(int wanted);
 
-/// Number of threads for `tasks` independent tasks: one per task, at most the number of hardware
-/// threads, at least 1.
+/// Returns the number of threads for `tasks` independent tasks: one per task, but at least 1 and at
+/// most the number of hardware threads.
 int threadsForTasks(std::size_t tasks);
 
 } // namespace dewpoint::base

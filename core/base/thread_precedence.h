@@ -5,15 +5,15 @@
 
 namespace dewpoint::base {
 
-/// Priority of a thread among threads that share a processor.
+/// Priority of a thread relative to other threads on the same processor.
 enum class Precedence {
   Prompt, ///< the normal behavior: runs as soon as it wakes up
   Patient ///< waits until a running thread pauses or its time slice ends; new threads inherit it
 };
 
-/// Sets the priority of the calling thread (Linux; has no effect elsewhere or where it is not
-/// permitted). The window's threads are patient, so that drawing one iteration does not interrupt
-/// the next filter iteration for milliseconds.
+/// Sets the priority of the calling thread (Linux only; elsewhere, or without permission, it has no
+/// effect). User interface threads are patient, so that drawing one iteration does not delay the
+/// next filter iteration by milliseconds.
 void setPrecedence(Precedence precedence);
 
 } // namespace dewpoint::base

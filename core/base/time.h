@@ -7,16 +7,17 @@
 
 namespace dewpoint::base {
 
-/// Capture time of a frame: nanoseconds since the zero of the run (the first frame of a recording,
-/// the start of a live session). An integer, so that times compare and print exactly.
+/// Capture time of a frame, in nanoseconds since the start of the run (the first frame of a
+/// recording, or the start of a live session). Stored as an integer, so that times compare and
+/// print exactly.
 using TimeStamp = std::chrono::nanoseconds;
 
-/// Converts a time stamp to seconds, for mathematics and files.
+/// Converts a time stamp to seconds, for calculations and files.
 inline double seconds(TimeStamp time) {
   return std::chrono::duration<double>(time).count();
 }
 
-/// Time stamp nearest to a time in seconds.
+/// Returns the time stamp closest to a time in seconds.
 inline TimeStamp timeStamp(double seconds) {
   return std::chrono::round<TimeStamp>(std::chrono::duration<double>(seconds));
 }

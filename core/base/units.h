@@ -6,8 +6,8 @@
 
 namespace dewpoint::base {
 
-// Conversions to the units that users read. Everywhere else lengths are in meters, times in
-// seconds, angles in radians, and shares are between 0 and 1.
+// Conversions to the units shown to users. Everywhere else, lengths are in meters, times in
+// seconds, angles in radians, and fractions between 0 and 1.
 
 inline constexpr double inMillimeters(double meters) {
   return 1000.0 * meters;
@@ -25,7 +25,7 @@ inline constexpr double inPercent(double share) {
   return 100.0 * share;
 }
 
-// And back.
+// Conversions back to the internal units.
 inline constexpr double fromMillimeters(double millimeters) {
   return millimeters / 1000.0;
 }

@@ -3,7 +3,7 @@
 
 #include "core/base/instruction_set.h"
 
-/// Marks the body of a kernel, which must be inlined into each compiled version of it.
+/// Marks the body of a kernel, which must be inlined into each of its compiled versions.
 #define DEWPOINT_KERNEL [[gnu::always_inline]] static inline
 
 #if defined(__x86_64__)
@@ -29,10 +29,10 @@ template <class Kernel, class... Arguments>
 #endif
 
 /// Runs `Kernel::run(arguments...)`, a plain loop without intrinsics, in the version compiled for
-/// this processor. All versions, one per instruction set, are compiled from one source and chosen
-/// at run time. Their floating-point results agree to the bit: the compiler may neither reorder
-/// sums nor contract products (-ffp-contract=off), and a kernel uses only the basic operations and
-/// the square root, whose rounding IEEE 754 defines.
+/// this processor. All versions (one per instruction set) are compiled from the same source, and
+/// one is chosen at run time. Their floating-point results are identical to the bit: the compiler
+/// may neither reorder sums nor contract products (-ffp-contract=off), and kernels use only basic
+/// operations and the square root, whose rounding is defined by IEEE 754.
 template <class Kernel, class... Arguments> void runKernel(Arguments... arguments) {
 #if defined(__x86_64__)
   switch (instructionSet()) {

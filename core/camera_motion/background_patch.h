@@ -11,40 +11,41 @@
 
 namespace dewpoint::camera_motion {
 
-/// A small patch of the background that is located again in later images to a fraction of a pixel,
-/// independent of the light: gray levels count relative to their mean and contrast within the
+/// Small patch of the background that can be located in later images with subpixel accuracy,
+/// independent of lighting. Gray levels are used relative to the mean and contrast within the
 /// patch.
 class BackgroundPatch {
 public:
   static constexpr int kSide = 19; ///< pixels
 
-  /// Creates the patch centered on a pixel of an image (CV_8UC3). Nothing if the pixel is too close
-  /// to the border, or if the image has too little structure in some direction to locate the patch
-  /// along it.
+  /// Creates a patch centered on a pixel of an image (CV_8UC3). Returns nothing if the pixel is too
+  /// close to the border, or if the image has too little structure in some direction to locate the
+  /// patch in that direction.
   static std::optional<BackgroundPatch> at(const cv::Mat& image, const cv::Point& center);
 
   /// Position of the patch in another image.
   struct Match {
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< from center(), in pixels
+    Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement from center(), pixels
     double likeness = 0.0;                           ///< normalized correlation, -1 to 1
   };
-  /// Locates the patch in an image, near `guess` (pixels from center()), by inverse compositional
+  /// Locates the patch in an image, near `guess` (pixels from center()). Uses inverse compositional
   /// alignment (Baker and Matthews 2004, "Lucas-Kanade 20 years on") of a shift, normalized for
-  /// mean and contrast. Nothing if the search diverges or leaves the image.
+  /// mean and contrast. Returns nothing if the search diverges or leaves the image.
   std::optional<Match> find(const cv::Mat& image, const Eigen::Vector2d& guess) const;
 
   const cv::Point& center() const { return center_; }
-  /// How well the patch can be located: smaller eigenvalue of the summed squared gradients, in
-  /// squared gray levels.
+  /// Returns how well the patch can be located: the smaller eigenvalue of the summed squared
+  /// gradients, in squared gray levels.
   double structure() const { return structure_; }
-  /// Covariance of a measured shift due to image noise, in square pixels: large along an edge.
+  /// Returns the covariance of a measured shift due to image noise, in square pixels. It is large
+  /// along an edge.
   const Eigen::Matrix2d& shiftCovariance() const { return shiftCovariance_; }
 
 private:
   BackgroundPatch() = default;
 
   cv::Point center_;
-  std::vector<float> values_; ///< kSide x kSide, mean 0, sum of squares 1
+  std::vector<float> values_; ///< kSide x kSide values with mean 0 and sum of squares 1
   std::vector<float> gradientX_, gradientY_;
   Eigen::Matrix2d inverseHessian_;
   Eigen::Matrix2d shiftCovariance_;

@@ -12,46 +12,49 @@
 
 namespace dewpoint::camera_motion {
 
-/// Report that a camera has moved since its calibration.
+/// Report that a camera has moved since it was calibrated.
 struct CameraMotionEvent {
   std::size_t camera = 0;
   std::int64_t frame = 0; ///< frame in which the motion became certain
   TimeStamp time{};
-  CameraRotation turn; ///< rotation since the reference, as known at that time
+  CameraRotation turn; ///< rotation relative to the reference, as known at that time
 };
 
 /// Current state of one camera.
 struct CameraMotionState {
-  CameraRotation turn;   ///< since the reference: the median over the last second or so
-  bool assessed = false; ///< the last image showed enough of the background
-  bool moved = false;    ///< reported; stays until the camera is back or accept()
+  CameraRotation
+      turn; ///< rotation relative to the reference: the median over about the last second
+  bool assessed = false; ///< true if the last image showed enough of the background
+  bool moved =
+      false; ///< true once reported; stays true until the camera is back or accept() is called
 };
 
-/// Detects camera motion during tracking. Patches of the background are located again in each
-/// camera's images a few times a second, and the camera rotation that most of them agree on is
-/// fitted. Moving objects, shadows and occluded patches do not agree and are ignored. A rotation by
-/// more than 0.05 degrees over half of the last checks is an event: one of 0.1 degrees is reported
+/// Detects camera motion during tracking. A few times per second, patches of the background are
+/// located in each camera's images, and the camera rotation that most of them agree on is fitted.
+/// Moving objects, shadows and occluded patches do not agree and are ignored. A rotation by more
+/// than 0.05 degrees in half of the last checks is an event. A rotation of 0.1 degrees is reported
 /// within about a second.
 ///
-/// The reference are the first images it is given; images are taken as of the calibrated cameras
-/// then. What does not move for a long time becomes part of the background by and by. A camera
-/// whose picture has hardly any structure cannot be watched (CameraMotionState::assessed).
+/// The first images received are the reference; they are assumed to match the calibration. Objects
+/// that do not move for a long time gradually become part of the background. A camera whose image
+/// has hardly any structure cannot be monitored (CameraMotionState::assessed).
 class CameraMotionDetector {
 public:
   explicit CameraMotionDetector(const CameraRig& rig);
 
-  /// Checks the cameras that are due at the time of the frame set. Frame sets older than the last
-  /// one are ignored.
+  /// Checks the cameras that are due at the time of the frame set. Frame sets older than the
+  /// previous one are ignored.
   void watch(const FrameSet& frames);
 
-  /// All events since the beginning.
+  /// Returns all events since the start.
   const std::vector<CameraMotionEvent>& events() const { return events_; }
+  /// Returns the current state of a camera.
   const CameraMotionState& camera(std::size_t camera) const { return watched_[camera].state; }
   std::size_t cameraCount() const { return watched_.size(); }
 
-  /// Accepts the current pose `now` of a camera: its next images are the reference.
+  /// Accepts the current pose `now` of a camera. Its next images become the reference.
   void accept(std::size_t camera, const Camera& now);
-  /// Makes the next images of all cameras the reference, and discards the events.
+  /// Makes the next images of all cameras the reference and discards the events.
   void restart();
 
 private:
@@ -68,11 +71,11 @@ private:
     double due = 0.0;                  ///< time of the next check, seconds
     double learned = 0.0;              ///< time of the last search for pieces, seconds
     int nextPart = 0;                  ///< part of the image to be searched for a piece next
-    cv::Mat thumbnail;                 ///< of the reference image, for large motions
+    cv::Mat thumbnail;                 ///< thumbnail of the reference image, for large motions
     CameraMotionState state;
   };
   void check(std::size_t camera, const Frame& frame, const FrameSet& frames);
-  /// Searches for pieces in the next `parts` parts of the image that have none.
+  /// Searches the next `parts` image parts without pieces for new pieces.
   static void learn(Watched& watched, const cv::Mat& image, double time,
                     const Eigen::Vector3d& turn, int parts);
   static std::optional<CameraRotation> measure(Watched& watched, const cv::Mat& image, double time,

@@ -14,50 +14,51 @@
 
 namespace dewpoint::camera_motion {
 
-/// A target as one camera sees it, compared with its position from the other cameras.
+/// Target as seen by one camera, compared with its position from the other cameras.
 struct ReprojectionResidual {
   double time = 0.0; ///< seconds
   Eigen::Vector3d world =
-      Eigen::Vector3d::Zero(); ///< position from the other cameras alone; meters
+      Eigen::Vector3d::Zero(); ///< position derived from the other cameras alone; meters
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the target in the image
   Eigen::Vector2d residual =
       Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
-  double othersOff =
-      0.0; ///< disagreement of the other cameras about `world` among themselves, pixels
+  double othersOff = 0.0;      ///< disagreement among the other cameras about `world`, pixels
 };
 
-/// Centroid (pixels) of the pixels in the target's color around its expected position in an image
-/// (CV_8UC3). Nothing if their number differs too much from the area of the target's outline, or if
-/// they reach the edge of the searched region: then the target is partly hidden, or another object
-/// has its color.
+/// Returns the centroid (pixels) of the pixels in the target's color around its expected position
+/// in an image (CV_8UC3). Returns nothing if the number of pixels differs too much from the area of
+/// the target's outline, or if they reach the edge of the search region. In those cases, the target
+/// is partly hidden or another object has its color.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
                                              const SphereImage& expected);
 
-/// Collects, for each camera, the disagreement between tracked targets and the other cameras. A
-/// camera that was moved has a residual that its sightings share; without it, the other cameras
-/// agree among themselves as before. For any camera that was not moved, the others do not agree.
+/// Collects, for each camera, the disagreement between its view of tracked targets and that of the
+/// other cameras. If a camera was moved, its sightings share a common residual, and the other
+/// cameras still agree with each other without it. For a camera that was not moved, the others do
+/// not agree.
 class ReprojectionResiduals {
 public:
-  static constexpr std::size_t kMost = 300; ///< maximum number for each camera; the newest are kept
+  static constexpr std::size_t kMost = 300; ///< maximum number per camera; the newest are kept
   explicit ReprojectionResiduals(const CameraRig& rig);
 
-  /// Adds the targets after the iterations of a frame. A target that is not held, or has no radius,
-  /// is ignored. A position needs three cameras; in a rig of only two, two are enough, and each is
-  /// compared with the estimate itself.
+  /// Adds the targets after the iterations for a frame. Targets without a valid estimate, or
+  /// without a radius, are ignored. A position requires three cameras. In a rig of only two, two
+  /// are enough, and each camera is compared with the estimate itself.
   void add(const FrameSet& frames, const std::vector<Target>& targets,
            const std::vector<SphereEstimate>& estimates);
-  /// Sightings of a camera, oldest first.
+  /// Returns the sightings of a camera, oldest first.
   const std::deque<ReprojectionResidual>& of(std::size_t camera) const {
     return sightings_[camera];
   }
-  /// Componentwise medians over sightings of a camera.
+  /// Component-wise medians over the sightings of a camera.
   struct Summary {
-    Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< component by component, pixels
+    Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< per component, pixels
     double othersOff = 0.0;                             ///< pixels
   };
-  /// Summary of the sightings of a camera since a time (seconds); nothing if there are fewer than
-  /// `fewest`.
+  /// Returns a summary of a camera's sightings since a time (seconds). Returns nothing if there are
+  /// fewer than `fewest` sightings.
   std::optional<Summary> summary(std::size_t camera, double since, std::size_t fewest) const;
+  /// Discards all sightings.
   void restart();
 
 private:

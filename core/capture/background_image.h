@@ -9,12 +9,13 @@
 
 namespace dewpoint::capture {
 
-/// What a camera shows when no target is there (CV_8UC3, rotated): the picture in a file, or the
-/// median, pixel by pixel, of up to kBackgroundImagePictures evenly picked ones of a video or of a
-/// folder of pictures. FileMissing, FileUnreadable or Mismatch name the file and the camera.
+/// Reads the background image of a camera, which shows the scene without targets (CV_8UC3,
+/// rotated). `location` is an image file, a video or a folder of images. For a video or folder, the
+/// result is the pixel-by-pixel median of up to kBackgroundImagePictures evenly spaced images.
+/// FileMissing, FileUnreadable and Mismatch errors name the file and the camera.
 Result<cv::Mat> readBackgroundImage(const std::string& location, const PictureShape& camera);
 
-/// Pictures that a median is taken of.
+/// Maximum number of images from which the median is computed.
 inline constexpr int kBackgroundImagePictures = 15;
 
 } // namespace dewpoint::capture

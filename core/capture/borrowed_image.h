@@ -11,10 +11,10 @@
 
 namespace dewpoint::capture {
 
-/// Image (CV_8UC3) over pixels owned by someone else, without copying them. `owner` is released
-/// together with the last cv::Mat that uses the pixels, in whatever thread that happens. `stride`
-/// is the distance between rows in bytes, at least 3 * width. The pixels must not be written while
-/// an image uses them.
+/// Returns an image (CV_8UC3) that uses pixels owned by `owner`, without copying them. `owner` is
+/// released together with the last cv::Mat that uses the pixels, on whichever thread that happens.
+/// `stride` is the distance between rows in bytes, at least 3 * width. The pixels must not be
+/// modified while an image uses them.
 cv::Mat borrowedImage(int width, int height, std::uint8_t* pixels, std::size_t stride,
                       std::shared_ptr<void> owner);
 

@@ -9,44 +9,46 @@
 
 namespace dewpoint::capture {
 
-/// Assigns the images of each camera of a recording to frame sets.
+/// Assigns the images of each camera in a recording to frame sets.
 ///
-/// Frame set k belongs to the time k / rate. Without capture times, image k of a camera was
-/// delivered at that time and shows the scene `delay` earlier. With capture times, the image
-/// nearest in time belongs to the frame set; if it is more than half a frame away, the camera has
-/// no image in the set. Frame set 0 is at the time when the last camera begins.
+/// Frame set k is at time k / rate. Without capture times, image k of a camera was delivered at
+/// that time and shows the scene `delay` earlier. With capture times, each frame set gets the image
+/// closest in time. If that image is more than half a frame away, the camera has no image in the
+/// set. Frame set 0 is at the time when the last camera starts.
 class CaptureSchedule {
 public:
   /// Images of one camera.
   struct CameraPictures {
     std::int64_t count = 0; ///< number of images, > 0
-    double delay = 0.0;     ///< seconds by which the images are delayed
-    /// Capture times by a common clock, one for each image. Either all cameras have them or none.
+    double delay = 0.0;     ///< delay of the images, seconds
+    /// Capture time of each image, by a common clock. Either all cameras have capture times or
+    /// none.
     std::optional<CaptureTimes> times = std::nullopt;
-    /// Where each picture stands among those that should be there, from 0 on, rising; empty: none
-    /// is missing. Not used when there are times.
+    /// Position of each image in the complete sequence, from 0, ascending. Empty if no image is
+    /// missing. Not used if there are capture times.
     std::vector<std::int64_t> sequenceNumbers = {};
   };
   /// `rate`: frame sets per second, > 0. `cameras`: at least one.
   CaptureSchedule(std::vector<CameraPictures> cameras, double rate);
 
-  /// Number of frame sets, until the first camera ends. Each camera has an image in each of them,
-  /// except where one is missing.
+  /// Returns the number of frame sets. The last set is where the first camera ends. Except for
+  /// missing images, each camera has an image in every set.
   std::int64_t frameCount() const { return count_; }
 
   /// Image of one camera in a frame set.
   struct Picture {
     std::int64_t number = 0; ///< index of the image
-    double time = 0.0;       ///< capture time of the scene it shows, seconds since frame set 0
+    double time = 0.0; ///< time at which the scene looked like this, seconds since frame set 0
   };
-  /// Image of a camera in a frame set; nothing if the camera has none.
+  /// Returns the image of a camera in a frame set, or nothing if the camera has none.
   std::optional<Picture> pictureOf(std::size_t camera, std::int64_t frame) const;
 
-  /// Number of frame sets that the images of a camera span, missing images included.
+  /// Returns the number of frame sets spanned by the images of a camera, including missing images.
   static std::int64_t lengthOf(const CameraPictures& camera) {
     return camera.sequenceNumbers.empty() ? camera.count : camera.sequenceNumbers.back() + 1;
   }
-  /// Rate in images per second from the capture times, that of the fastest camera; 0 if unknown.
+  /// Returns the frame rate of the fastest camera in images per second, computed from the capture
+  /// times; 0 if unknown.
   static double rateOf(const std::vector<CameraPictures>& cameras);
 
 private:
@@ -55,7 +57,7 @@ private:
 
   std::vector<CameraPictures> cameras_;
   double rate_;
-  double origin_ = 0.0; ///< of the capture times, seconds
+  double origin_ = 0.0; ///< zero point of the capture times, seconds
   std::int64_t count_ = 0;
 };
 

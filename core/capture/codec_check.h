@@ -9,20 +9,21 @@
 
 namespace dewpoint::capture {
 
-/// Result of checking whether this computer can write and read one kind of recording.
+/// Result of checking whether this computer can write and read one type of recording.
 struct CodecOutcome {
   std::string name; ///< for example "FFV1"
-  /// Whether recordings of this program need the codec; without the others, only recordings of
-  /// other programs cannot be read.
+  /// True if this program needs the codec for its own recordings. Otherwise the codec is only
+  /// needed to read recordings from other programs.
   bool isNeeded = false;
   bool isLossless = false;
-  std::string problem = {}; ///< what went wrong; empty if nothing did
-  bool isMissing = false;   ///< this computer cannot write it, so reading was not tried
-  double difference = 0.0;  ///< mean absolute difference after reading back, in gray levels
+  std::string problem = {}; ///< what went wrong; empty if there was no problem
+  bool isMissing = false;   ///< this computer cannot write it, so reading was not tested
+  double difference =
+      0.0; ///< mean absolute difference between written and read images, in gray levels
 };
 
-/// Writes a short moving sequence as Motion JPEG, FFV1 and H.264 videos and as a folder of PNG
-/// images into an existing folder, and reads each back. The files are kept.
+/// Writes a short moving sequence to an existing folder as Motion JPEG, FFV1 and H.264 videos and
+/// as a folder of PNG images, then reads each of them back. The files are kept.
 std::vector<CodecOutcome> checkCodecs(const std::filesystem::path& folder);
 
 } // namespace dewpoint::capture

@@ -11,8 +11,8 @@
 
 namespace dewpoint::capture {
 
-/// One image of one camera. The frame owns its pixels, and nobody writes them once the frame is
-/// published.
+/// One image from one camera. The frame owns its pixels, which must not be modified after the frame
+/// is published.
 struct Frame {
   std::int64_t index = 0;  ///< frame number of this camera, from 0
   TimeStamp captureTime{}; ///< capture time by the camera's own clock
@@ -20,7 +20,7 @@ struct Frame {
 };
 using FramePtr = std::shared_ptr<const Frame>;
 
-/// Images of all cameras at one time, in the order of the rig; null where a camera has none.
+/// Images from all cameras at one time, in rig order; null for cameras without an image.
 struct FrameSet {
   std::int64_t index = 0;
   TimeStamp time{};

@@ -12,12 +12,11 @@
 
 namespace dewpoint::capture {
 
-/// Queue that passes the frames of one camera from its thread to the reader, in order. If the
-/// reader falls behind, the oldest frames are dropped. Every function may be called from any
-/// thread.
+/// Queue that passes frames of one camera from its thread to a reader, in order. If the reader
+/// falls behind, the oldest frames are dropped. All functions may be called from any thread.
 class FrameQueue {
 public:
-  /// `capacity`: maximum number of waiting frames.
+  /// Creates an empty queue. `capacity`: maximum number of waiting frames.
   explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}
 
   void put(FramePtr frame) {
@@ -37,7 +36,7 @@ public:
     return taken;
   }
 
-  /// Number of frames dropped so far.
+  /// Returns the number of frames dropped so far.
   std::int64_t dropped() const {
     std::scoped_lock lock(mutex_);
     return dropped_;

@@ -15,21 +15,23 @@ class VideoWriter;
 
 namespace dewpoint::capture {
 
-/// Writes the images of one camera losslessly: reading them back gives the same bytes.
+/// Writes the images of one camera losslessly: reading them back yields the same bytes.
 class FrameWriter {
 public:
-  /// Writer for a folder of PNG files 000000.png, 000001.png, ... The folder is created if needed.
+  /// Creates a writer for a folder of PNG files 000000.png, 000001.png, ... The folder is created
+  /// if needed.
   static Result<FrameWriter> images(const std::string& folder);
-  /// Writer for an FFV1 video; the file name should end in .mkv. The first image sets the size.
+  /// Creates a writer for an FFV1 video; the file name should end in .mkv. The first image
+  /// determines the size.
   static Result<FrameWriter> video(const std::string& file, double framesPerSecond);
 
   FrameWriter(FrameWriter&&) noexcept;
   FrameWriter& operator=(FrameWriter&&) noexcept;
   ~FrameWriter();
 
-  /// Writes one image: CV_8UC3 (blue, green, red), all of the same size.
+  /// Writes one image: CV_8UC3 (blue, green, red). All images must have the same size.
   Status write(const cv::Mat& image);
-  /// Closes the output and checks that it exists. Writing afterwards fails.
+  /// Closes the output and checks that it exists. Later writes fail.
   Status finish();
   std::int64_t framesWritten() const { return frames_; }
 
@@ -39,7 +41,7 @@ private:
   Status writeVideo(const cv::Mat& image);
 
   std::string path_;
-  double framesPerSecond_ = 0; ///< 0: a folder of images
+  double framesPerSecond_ = 0; ///< 0 if writing a folder of images
   std::unique_ptr<cv::VideoWriter> video_;
   cv::Size size_;
   std::int64_t frames_ = 0;

@@ -8,8 +8,8 @@
 
 namespace dewpoint::capture {
 
-/// Reader for the images that RecordedCamera::generate makes. `field` names the camera in errors:
-/// BadValue when the camera has no such function.
+/// Opens a reader for the images created by RecordedCamera::generate. `field` names the camera in
+/// errors. Error: BadValue if the camera has no such function.
 Result<PictureReaderPtr> openGeneratedReader(const RecordedCamera& camera,
                                              const std::string& field);
 

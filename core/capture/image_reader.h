@@ -7,14 +7,14 @@
 
 namespace dewpoint::capture {
 
-/// Returns whether a file is an image, by its file name extension.
+/// Returns whether a file is an image, based on its file name extension.
 bool isPictureFile(const std::string& path);
 
-/// Reader for the images of a folder, in the order of naturallyBefore(). `field` names the camera
-/// in errors: FileMissing, FileUnreadable.
+/// Opens a reader for the images in a folder, in the order of naturallyBefore(). `field` names the
+/// camera in errors. Errors: FileMissing, FileUnreadable.
 Result<PictureReaderPtr> openImageReader(const std::string& folder, const std::string& field);
 
-/// Reader for a single image file. Whether the file can be read is found out by the first read.
+/// Opens a reader for a single image file. An unreadable file is not detected until the first read.
 Result<PictureReaderPtr> openPictureReader(const std::string& file, const std::string& field);
 
 } // namespace dewpoint::capture

@@ -18,15 +18,16 @@
 
 namespace dewpoint::capture {
 
-/// Wakes up the reader of several cameras whenever one of them has a new frame or changes its
-/// state.
+/// Wakes up the reader of several cameras whenever one of them has a new frame or changes state.
 class Bell {
 public:
   using Clock = std::chrono::steady_clock;
 
+  /// Rings the bell and wakes up the waiting reader.
   void ring();
+  /// Returns the number of rings so far.
   std::uint64_t rings() const;
-  /// Waits until there were more rings than `known`, or until the deadline.
+  /// Waits until the bell has rung more than `known` times, or until the deadline.
   void waitBeyond(std::uint64_t known, Clock::time_point deadline);
 
 private:
@@ -35,36 +36,37 @@ private:
   std::uint64_t rings_ = 0;
 };
 
-/// Opens one camera in a thread of its own, reads it, and opens it again when the connection is
-/// lost. The thread shares ownership of the data it uses, so that it can be abandoned if a read
-/// never returns.
+/// Opens and reads one camera in its own thread, and reopens it when the connection is lost. The
+/// thread shares ownership of its data, so that it can be abandoned if a read never returns.
 class LiveCameraThread {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// `bell` rings on each new frame and each change of state; times count from `zero`.
+  /// Rings `bell` for each new frame and each change of state. Times are measured from `zero`.
   LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory, std::shared_ptr<Bell> bell,
                    Clock::time_point zero);
   ~LiveCameraThread();
   LiveCameraThread(LiveCameraThread&&) noexcept = default;
   LiveCameraThread& operator=(LiveCameraThread&&) = delete;
 
+  /// Asks the thread to stop, without waiting for it.
   void requestStop();
-  /// Waits for the thread until the deadline, then abandons it.
+  /// Waits for the thread to end. Abandons it at the deadline.
   void joinUntil(Clock::time_point deadline);
 
   /// Removes and returns the frames since the last call, oldest first.
   std::vector<FramePtr> takeFrames() { return shared_->frames.takeAll(); }
+  /// Returns the number of frames dropped because they were not read in time.
   std::int64_t dropped() const { return shared_->frames.dropped(); }
-  /// Returns whether frames can be expected from the camera.
+  /// Returns whether the camera is expected to deliver frames.
   bool delivers() const;
-  /// Current problem of the camera; nothing if there is none.
+  /// Returns the camera's current problem, or nothing if there is none.
   std::optional<Error> problem() const;
-  /// Smoothed rate in images per second; 0 before the second image.
+  /// Returns the smoothed frame rate in images per second; 0 before the second image.
   double framesPerSecond() const { return shared_->rate; }
 
 private:
-  /// Maximum number of waiting frames: more than a camera sends between two reads.
+  /// Maximum number of waiting frames, more than a camera sends between two reads.
   static constexpr std::size_t kMostFrames = 16;
 
   struct Shared {
@@ -82,7 +84,8 @@ private:
     bool connected = false;
     bool everDelivered = false;
     bool finished = false;
-    Clock::time_point openingSince{}; ///< start of the current attempt to open, while not connected
+    Clock::time_point
+        openingSince{}; ///< start of the current connection attempt, while not connected
     Clock::time_point lastGrab{};
     std::optional<Error> problem;
   };

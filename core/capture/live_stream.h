@@ -12,15 +12,15 @@
 
 namespace dewpoint::capture {
 
-/// A connection to one device, used by one thread only. Any call may take a long time.
+/// Connection to one device, used by one thread only. Any call may block for a long time.
 class LiveStream {
 public:
   virtual ~LiveStream() = default;
-  /// Connects to the device. The error text says why it failed.
+  /// Connects to the device. The error message contains the reason for a failure.
   virtual tl::expected<void, std::string> open() = 0;
-  /// Waits for the next image; false if the connection is lost.
+  /// Waits for the next image. Returns false if the connection is lost.
   virtual bool grab() = 0;
-  /// Image that was just grabbed, in memory of its own; empty if it cannot be decoded.
+  /// Returns the image that was just grabbed, in its own memory; empty if it cannot be decoded.
   virtual cv::Mat retrieve() = 0;
 };
 
@@ -28,7 +28,7 @@ using LiveStreamPtr = std::unique_ptr<LiveStream>;
 /// Creates an unopened connection. The camera's thread calls it before each attempt to connect.
 using LiveStreamFactory = std::function<LiveStreamPtr(const LiveCamera&)>;
 
-/// Checks whether the location is of a kind that this program knows.
+/// Checks whether the program supports this type of location.
 Status checkLocation(const LiveCamera& camera);
 
 /// Creates the OpenCV connection for the camera's location.

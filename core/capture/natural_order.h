@@ -7,9 +7,9 @@
 
 namespace dewpoint::capture {
 
-/// Returns whether `left` comes before `right` in natural order: digits inside names compare as
-/// numbers ("2" < "10"), everything else by its bytes. Frames are sorted in this order, which must
-/// not depend on the language settings.
+/// Returns whether `left` comes before `right` in natural order: digits inside names are compared
+/// as numbers ("2" < "10"), everything else by byte. Frames are sorted in this order because it
+/// does not depend on language settings.
 bool naturallyBefore(const std::string& left, const std::string& right);
 
 } // namespace dewpoint::capture

@@ -9,23 +9,23 @@
 
 namespace dewpoint::capture {
 
-/// Required shape of every image of one camera, and the camera's name for errors.
+/// Required shape for all images of a camera, and the camera's name for error messages.
 struct PictureShape {
   std::string camera;
   int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
   int width = 0;         ///< after the rotation, pixels; 0: any
   int height = 0;        ///< after the rotation, pixels; 0: any
-  bool mirrored = false; ///< left and right are swapped, after the rotation
+  bool mirrored = false; ///< left and right are swapped after the rotation
 };
 
-/// Name of a camera in errors: "camera 'left'", but not "camera 'camera 1'".
+/// Returns the name of a camera for error messages: "camera 'left'", but not "camera 'camera 1'".
 std::string cameraField(const std::string& name);
 
 /// Checks that the rotation is 0, 90, 180 or 270 degrees and that the size is not negative.
 Status checkShape(const PictureShape& shape, const std::string& file);
 
 /// Converts an image to CV_8UC3 (from gray or BGRA if needed), rotates and mirrors it, and checks
-/// its size. The result shares the pixels of `picture` if nothing had to change.
+/// its size. If no change was needed, the result shares the pixels of `picture`.
 Result<cv::Mat> shaped(const cv::Mat& picture, const PictureShape& shape, const std::string& file);
 
 } // namespace dewpoint::capture

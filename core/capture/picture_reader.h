@@ -12,21 +12,23 @@
 
 namespace dewpoint::capture {
 
-/// Reads the images of one recorded camera by number, as stored: not yet rotated, size not yet
-/// checked.
+/// Reads images of one recorded camera by number, as stored: without rotating them or checking
+/// their size.
 class PictureReader {
 public:
   virtual ~PictureReader() = default;
+  /// Returns the number of images in the recording.
   virtual std::int64_t frameCount() const = 0;
-  /// Frame rate of the recording, in frames per second; 0 if it states none.
+  /// Returns the frame rate of the recording in frames per second, or 0 if the recording does not
+  /// specify it.
   virtual double framesPerSecond() const { return 0; }
-  /// Reads image number `frame`; an empty image at an end that is not an error. The caller owns the
-  /// pixels. Fast when the numbers rise one by one.
+  /// Reads image number `frame`. Returns an empty image at a regular end. The caller owns the
+  /// pixels. Fast if the numbers increase one by one.
   virtual Result<cv::Mat> read(std::int64_t frame) = 0;
-  /// Where each picture stands among those that should be there, from 0 on, rising, when some are
-  /// missing; empty: none is.
+  /// Returns the position of each image in the complete sequence, from 0, ascending. Empty if no
+  /// image is missing.
   virtual std::vector<std::int64_t> sequenceNumbers() const { return {}; }
-  /// The file that picture comes from, for errors.
+  /// Returns the file that contains an image, for error messages.
   virtual std::string fileOf(std::int64_t frame) const = 0;
 };
 

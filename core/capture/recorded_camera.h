@@ -11,24 +11,24 @@
 
 namespace dewpoint::capture {
 
-/// One camera of a recording: a video file, a folder of images, or a function that generates
+/// One camera in a recording: a video file, a folder of images, or a function that generates
 /// images.
 struct RecordedCamera {
   enum class Kind { Video, Images, Generated };
 
   std::string name;
   Kind kind = Kind::Video;
-  std::string path;      ///< of the video or the folder; not used for generated images
-  int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
-  int width = 0;         ///< expected after the rotation, pixels; 0: any
-  int height = 0;        ///< expected after the rotation, pixels; 0: any
+  std::string path;                              ///< video or folder; not used for generated images
+  int rotateDegrees = 0;                         ///< clockwise: 0, 90, 180 or 270
+  int width = 0;                                 ///< expected after the rotation, pixels; 0: any
+  int height = 0;                                ///< expected after the rotation, pixels; 0: any
   std::function<cv::Mat(std::int64_t)> generate; ///< returns a new CV_8UC3 image for a frame number
   std::int64_t generatedFrames = 0;
-  bool mirrored = false; ///< left and right are swapped, after the rotation
-  /// File with a table of capture times (readCaptureTimes()); empty if images are spaced evenly at
-  /// the rate of the recording. Either all cameras have one or none.
+  bool mirrored = false; ///< left and right are swapped after the rotation
+  /// Path of the file with a table of capture times (readCaptureTimes()). Empty if images are
+  /// evenly spaced at the frame rate of the recording. Either all cameras have such a file or none.
   std::string times;
-  /// Delay in seconds: image k shows the scene at k / rate - delay seconds after the beginning.
+  /// Delay in seconds: image k shows the scene at k / rate - delay seconds after the start.
   double delay = 0.0;
 };
 

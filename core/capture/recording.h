@@ -10,19 +10,19 @@
 
 namespace dewpoint::capture {
 
-/// Relative difference above which two frame rates cannot be the same rate, rounded differently. A
-/// judgment.
+/// Largest relative difference between two frame rates that are the same rate rounded differently.
+/// A judgment.
 inline constexpr double kSameRate = 0.01;
 
 /// Opens synchronized recordings.
 ///
-/// Frame k of each camera shows the same time, k / rate seconds after the first frame, or, with
-/// tables of capture times, the image nearest to that time (CaptureSchedule). For a camera with a
-/// delay, the image nearest in time is used, with its own capture time; before its first and after
-/// its last image the camera has none. A camera also has no image where a numbered image of a
-/// folder is missing, which is a notice. If `framesPerSecond` is 0, the rate is that of the capture
-/// times, else that of the first video, else 30. Seeking is exact to the frame. If cameras differ
-/// in length, the frame count is that of the shortest, and there is one notice.
+/// Frame k of every camera is at the same time, k / rate seconds after the first frame. With tables
+/// of capture times, it is the image closest to that time (CaptureSchedule). For a camera with a
+/// delay, the image closest in time is used, with its own capture time. The camera has no image
+/// before its first or after its last one. It also has no image where a numbered image is missing
+/// from a folder, which is reported as a notice. If `framesPerSecond` is 0, the rate is determined
+/// from the capture times, or else from the first video, or else is 30. Seeking is frame-accurate.
+/// If cameras differ in length, the frame count is that of the shortest, and one notice reports it.
 Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<RecordedCamera>& cameras,
                                                       double framesPerSecond);
 

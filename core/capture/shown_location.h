@@ -8,10 +8,10 @@
 
 namespace dewpoint::capture {
 
-/// Location of a camera without its secrets, to be shown, logged and written into results. Three
-/// stars replace the password of a network address (`rtsp://user:***@host/`) and the values of
-/// options whose names suggest a secret (`token`, `passphrase`, `user-pw`, ...), also within a
-/// GStreamer pipeline. Paths and device numbers are unchanged.
+/// Returns the location of a camera without secrets, for display, logs and results. Three asterisks
+/// replace the password in a network address (`rtsp://user:***@host/`) and the values of options
+/// whose names suggest a secret (`token`, `passphrase`, `user-pw`, ...), including in a GStreamer
+/// pipeline. Paths and device numbers are unchanged.
 std::string shownLocation(std::string_view location);
 
 } // namespace dewpoint::capture

@@ -7,8 +7,8 @@
 
 namespace dewpoint::capture {
 
-/// Reader for the images of a video file. `field` names the camera in errors: FileMissing,
-/// FileUnreadable.
+/// Opens a reader for the images in a video file. `field` names the camera in errors. Errors:
+/// FileMissing, FileUnreadable.
 Result<PictureReaderPtr> openVideoReader(const std::string& path, const std::string& field);
 
 } // namespace dewpoint::capture

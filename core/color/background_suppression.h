@@ -9,17 +9,18 @@
 
 namespace dewpoint::color {
 
-/// A pixel is taken for background if each channel differs from the background image by at most
-/// this many gray levels (sensor noise) plus an eighth of its usual value (small changes of the
-/// light).
+/// Tolerance in gray levels for sensor noise. A pixel is treated as background if each channel
+/// differs from the background image by at most this tolerance plus an eighth of the channel's
+/// usual value. The additional eighth covers small changes in lighting.
 inline constexpr int kFamiliarLevels = 14;
 inline constexpr int kFamiliarShift = 3;
 
-/// The images (CV_8UC3) with black, which no range matches, where they have a color of the ranges
-/// but so did the background image: a tracker that has it does not take that for a target.
-/// `rooms` are the background images in the same order; an empty one, or one of another size,
-/// leaves its image as it is. An image in which nothing is familiar shares its pixels with the
-/// result.
+/// Returns the images (CV_8UC3) with background pixels that match the ranges replaced by black,
+/// which no range matches. A pixel is background if it hardly differs from the background image
+/// (kFamiliarLevels). Trackers that use background images therefore do not mistake these pixels for
+/// a target. `rooms` contains the background images in the same order. If one is empty or has a
+/// different size, the image is left unchanged. An image without such pixels shares its memory with
+/// the result.
 std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& rooms);

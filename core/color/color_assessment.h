@@ -20,7 +20,7 @@ struct ColorEvidence;
 
 enum class HorizontalThird : std::uint8_t { Left, Center, Right };
 enum class VerticalThird : std::uint8_t { Top, Middle, Bottom };
-/// Everyday names of colors.
+/// Common names of colors.
 enum class ColorWord : std::uint8_t {
   Black,
   Gray,
@@ -36,28 +36,28 @@ enum class ColorWord : std::uint8_t {
   Pink,
 };
 
-/// Returns the everyday name of a color.
+/// Returns the common name of a color.
 ColorWord colorWord(const BgrColor& color);
 
-/// A region that is not the target but also matches its color: a distractor.
+/// Region outside the target that also matches its color: a distractor.
 struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
-  double share = 0.0; ///< share of the image's pixels, 0 to 1
+  double share = 0.0; ///< fraction of the image's pixels, 0 to 1
   std::vector<cv::Point> outline;
-  HorizontalThird horizontal = HorizontalThird::Center; ///< position in the image, in thirds
+  HorizontalThird horizontal = HorizontalThird::Center; ///< position in the image, by thirds
   VerticalThird vertical = VerticalThird::Middle;
   ColorWord color = ColorWord::Gray;
 };
 
 /// Suggestion to the user for improving the color.
 enum class Suggestion : std::uint8_t {
-  None,              ///< none: the color separates well
-  AddSamples,        ///< much of the target does not match: click its light and its dark side
+  None,              ///< no suggestion: the color separates well
+  AddSamples,        ///< much of the target does not match: click its light and dark sides
   ExcludeDistractor, ///< one object matches and can be excluded: Alt-click it
   RemoveDistractor,  ///< one object has the same color: cover it or move it out of view
   MoreLight,         ///< the target is nearly black
-  LessExposure,      ///< the target is nearly white: its color is lost
+  LessExposure,      ///< the target is nearly white, so its color is lost
   UseStrongerColor,  ///< the target is nearly gray
   UseAnotherColor,   ///< several objects in the room have this color
   FollowAll,         ///< a few objects have this color and size: each may be a target (`alike`)
@@ -65,39 +65,40 @@ enum class Suggestion : std::uint8_t {
   ClickMore,         ///< the clicked region is tiny, and little of it matches
 };
 
-/// Assessment of how well a color range distinguishes the target from everything else.
+/// Assessment of how well color ranges distinguish the target from everything else.
 struct ColorAssessment {
-  /// False if there is no sample: then only backgroundShare is known, as a share of all pixels.
+  /// False if there are no samples. In that case only backgroundShare is known, as a fraction of
+  /// all pixels.
   bool targetKnown = true;
-  /// F1 score of the range, 0 to 1: 2 precision recall / (precision + recall). The samples stand
-  /// for the target, the rest of the images for the background.
+  /// F1 score of the range, 0 to 1: 2 precision recall / (precision + recall). The samples
+  /// represent the target, and the rest of the images represents the background.
   double separability = 0.0;
-  double targetShare = 0.0;     ///< share of the sampled colors that match, 0 to 1
-  double backgroundShare = 0.0; ///< share of the other pixels that match too, 0 to 1
-  /// backgroundShare of a range that covers the whole target. If little of the target matches, it
-  /// shows why: covering more of the target would match too much background. Nothing while
+  double targetShare = 0.0;     ///< fraction of the sampled colors that match, 0 to 1
+  double backgroundShare = 0.0; ///< fraction of the other pixels that match as well, 0 to 1
+  /// backgroundShare of a range that covers the whole target. If little of the target matches, this
+  /// shows the reason: covering more of the target would match too much background. Empty while
   /// missesTarget() is false.
   std::optional<double> backgroundShareOfWhole;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
-  /// Number of objects in one image with the target's color and about its size, the target
-  /// included.
+  /// Number of objects in one image with the target's color and about its size, including the
+  /// target.
   int alike = 1;
-  /// Whether some sample hardly matches the range that was found for all samples.
+  /// True if at least one sample hardly matches the range found for all samples.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
   /// Maximum number of distractors in the list.
   static constexpr std::size_t kMostDistractors = 5;
   static constexpr double kFewMatch =
-      0.75; ///< share of the target below which missesTarget() is true
+      0.75; ///< fraction of the target below which missesTarget() is true
 
-  /// The separability as it is shown, 0 to 100.
+  /// Returns the separability as displayed, 0 to 100.
   int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
-  /// Whether the score is low, or lower, because much of the target does not match.
+  /// Returns whether much of the target does not match, which lowers the score.
   bool missesTarget() const { return targetKnown && targetShare < kFewMatch; }
 };
 
-/// Assesses color ranges by the evidence that was collected from these images.
+/// Assesses color ranges using evidence collected from these images.
 ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evidence,
                             const std::vector<cv::Mat>& images);
 

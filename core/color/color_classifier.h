@@ -10,14 +10,14 @@
 
 namespace dewpoint::color {
 
-/// Tests whether a pixel has the target's color, given by one range or several. The answer equals
+/// Tests whether a pixel has the target's color, given by one or more ranges. The result equals
 /// matches(hsiFromBgr(b, g, r), ranges).
 class ColorClassifier {
 public:
-  /// `ranges`: at least one range; all have passed checkColorRange().
+  /// Creates a classifier for at least one range. All ranges must have passed checkColorRange().
   explicit ColorClassifier(const ColorRanges& ranges);
 
-  /// Returns true if the pixel's color lies in any of the ranges. Black never matches; gray matches
+  /// Returns whether the pixel's color lies in any of the ranges. Black never matches. Gray matches
   /// only ranges that span every hue.
   bool matches(std::uint8_t b, std::uint8_t g, std::uint8_t r) const noexcept {
     return first_.matches(b, g, r) ||
@@ -25,12 +25,13 @@ public:
                others_, [&](const RangeClassifier& other) { return other.matches(b, g, r); });
   }
 
-  /// Classifies `count` adjacent pixels of three bytes (blue, green, red): 255 where the color
-  /// matches, 0 elsewhere. `out` must not overlap the pixels.
+  /// Classifies `count` adjacent pixels of three bytes (blue, green, red). Writes 255 where the
+  /// color matches, and 0 elsewhere. `out` must not overlap the pixels.
   void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out) const noexcept;
 
 private:
-  RangeClassifier first_; ///< most targets have only this one: no memory access through a pointer
+  RangeClassifier first_; ///< most targets have only this range; stored here to avoid a memory
+                          ///< access through a pointer
   std::vector<RangeClassifier> others_;
 };
 

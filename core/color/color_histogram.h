@@ -11,16 +11,16 @@
 
 namespace dewpoint::color {
 
-/// Histogram of hue (whole degrees), saturation and intensity (hundredths) as shares of the pixels.
-/// A color picker shows it behind its handles. Gray pixels have no hue: the shares of all hues add
-/// up to the share of the colored pixels.
+/// Histograms of hue (whole degrees), saturation and intensity (hundredths) as fractions of the
+/// pixels. The color picker displays them behind its handles. Gray pixels have no hue, so the hue
+/// fractions add up to the fraction of colored pixels.
 struct ColorHistogram {
   std::array<double, 360> hue{};
   std::array<double, 101> saturation{};
   std::array<double, 101> intensity{};
 };
 
-/// Histogram of all images together (CV_8UC3; images of other types are ignored).
+/// Returns the histogram of all images combined (CV_8UC3; images of other types are ignored).
 ColorHistogram histogramOf(const std::vector<cv::Mat>& images);
 
 } // namespace dewpoint::color

@@ -10,9 +10,9 @@
 
 namespace dewpoint::color {
 
-/// The dominant colors of an image, and how similar they are to each other if shading is mostly
-/// ignored. Colors are compared in CIE L*a*b* with half the weight for lightness; similarity is a
-/// Gaussian of their distance. The same image always gives the same palette.
+/// Dominant colors of an image, and their similarity to each other when shading is mostly ignored.
+/// Colors are compared in CIE L*a*b* with half the weight for lightness. Similarity is a Gaussian
+/// of their distance. The same image always produces the same palette.
 class ColorPalette {
 public:
   /// Number of colors in the palette.
@@ -20,13 +20,14 @@ public:
   using Shares = std::array<double, kColors>; ///< one value per color
 
   /// Computes the palette of an image (CV_8UC3, not empty) by k-means. The first start color is
-  /// that of the pixel `first` (clamped to the image); each further one is the color farthest from
-  /// all earlier ones (Gonzalez 1985).
+  /// that of the pixel `first` (clamped to the image). Each further start color is the one farthest
+  /// from all earlier ones (Gonzalez 1985).
   ColorPalette(const cv::Mat& bgr, cv::Point first);
 
-  /// Index of the nearest palette color for each pixel: CV_8UC1 of the image's size.
+  /// Returns the index of the closest palette color for each pixel: CV_8UC1 with the size of the
+  /// image.
   const cv::Mat& labels() const { return labels_; }
-  /// Spreads counts over similar colors.
+  /// Returns the counts spread over similar colors.
   Shares softened(const Shares& counts) const;
 
 private:

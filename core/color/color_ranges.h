@@ -9,11 +9,11 @@
 
 namespace dewpoint::color {
 
-/// Colors of a target: a color belongs to the target if it lies in any of these ranges. Most
+/// Colors of a target. A color belongs to the target if it lies in any of these ranges. Most
 /// targets have one color, hence the implicit conversion from a single range.
 class ColorRanges {
 public:
-  /// No ranges: nothing matches.
+  /// Creates an empty list, which nothing matches.
   ColorRanges() = default;
   ColorRanges(const ColorRange& range) : ranges_{range} {}
   ColorRanges(const ColorRange& first, const std::vector<ColorRange>& others) : ranges_{first} {
@@ -26,7 +26,7 @@ public:
   const ColorRange& operator[](std::size_t index) const { return ranges_[index]; }
   auto begin() const { return ranges_.begin(); }
   auto end() const { return ranges_.end(); }
-  /// All ranges but the first.
+  /// Returns all ranges except the first.
   std::vector<ColorRange> others() const {
     return {ranges_.begin() + (ranges_.empty() ? 0 : 1), ranges_.end()};
   }

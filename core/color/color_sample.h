@@ -14,32 +14,32 @@ class Mat;
 
 namespace dewpoint::color {
 
-/// Blue, green and red of an 8-bit color.
+/// Blue, green and red components of an 8-bit color.
 using BgrColor = std::array<std::uint8_t, 3>;
 
-/// A click (or dragged box) on a target, or on an object that is not the target, and the colors
-/// found there. The colors are stored with the sample, so that a color can be learned again from
-/// samples whose images are gone.
+/// Click (or dragged box) on a target, or on an object that is not the target, and the colors found
+/// there. The colors are stored with the sample, so that a color can be learned again from samples
+/// whose images no longer exist.
 struct ColorSample {
   static constexpr std::size_t kMostColors = 256;
 
-  bool excluded = false; ///< shows an object that is not the target
+  bool excluded = false; ///< true if it shows an object that is not the target
   bool found = false; ///< found through the camera geometry from a click in another camera's image
-  int camera = 0;     ///< index in the order of the project
+  int camera = 0;     ///< camera index in project order
   std::int64_t frame = 0;
-  double x = 0.0; ///< pixels: of the click, or of the box's upper left corner
+  double x = 0.0; ///< position of the click, or of the box's upper left corner; pixels
   double y = 0.0;
-  double width = 0.0; ///< width of a dragged box in pixels; 0: a click
+  double width = 0.0; ///< width of a dragged box in pixels; 0 for a click
   double height = 0.0;
   int area = 0;                   ///< area of the region grown from the click, in pixels
-  std::vector<BgrColor> colors{}; ///< colors of the region, evenly picked, at most kMostColors
+  std::vector<BgrColor> colors{}; ///< colors of the region, evenly selected, at most kMostColors
 
   bool isBox() const { return width > 0.0 && height > 0.0; }
   bool operator==(const ColorSample&) const = default;
 };
 
-/// Completes a sample with the area and the colors of the region that grows from it in `bgr`
-/// (CV_8UC3). BadValue names "pixel" or "box" if it is outside the image, "image" if the image has
+/// Completes a sample with the area and the colors of the region grown from it in `bgr` (CV_8UC3).
+/// BadValue names "pixel" or "box" if the sample is outside the image, or "image" if the image has
 /// another type.
 Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample);
 

@@ -11,20 +11,20 @@
 
 namespace dewpoint::color {
 
-/// A group of similar colors with its total weight.
+/// Group of similar colors with its total weight.
 struct HsiColors {
   Hsi color;
   double weight = 0.0;
 };
 
 /// Counts colors. Colors that differ by less than sensor noise share a cell, which is represented
-/// by its mean color.
+/// by their mean color.
 class HsiCounts {
 public:
   HsiCounts();
-  /// Counts the pixels of `image` (CV_8UC3; images of other types are ignored) where `skip`
-  /// (CV_8UC1 of the same size, or empty) is 0. Each pixel counts `weight`; a negative weight
-  /// removes pixels that were counted before.
+  /// Counts the pixels in `image` (CV_8UC3; images of other types are ignored) where `skip`
+  /// (CV_8UC1 of the same size, or empty) is 0. Each pixel adds `weight`. A negative weight removes
+  /// pixels that were counted earlier.
   void add(const cv::Mat& image, const cv::Mat& skip, double weight = 1.0);
   void add(const BgrColor& color, double weight);
   double total() const { return total_; }

@@ -12,19 +12,19 @@
 namespace dewpoint::color {
 
 /// Tests whether a pixel matches a color range, without trigonometry, tables or divisions. The
-/// answer equals matches(hsiFromBgr(b, g, r), range).
+/// result equals matches(hsiFromBgr(b, g, r), range).
 ///
 /// The hue is the direction of the vector (2R - G - B, sqrt(3) (G - B)), so each hue bound is a
-/// half-plane: a range of up to 180 degrees is the intersection of both half-planes, a wider one is
-/// their union. In terms of channel differences, a half-plane is an IntegerLine. The bounds of the
-/// saturation become bounds on min(R,G,B) relative to R + G + B - 3 min, which are lines again. The
+/// half-plane. A range of up to 180 degrees is the intersection of the two half-planes; a wider one
+/// is their union. In terms of channel differences, a half-plane is an IntegerLine. The saturation
+/// bounds become bounds on min(R,G,B) relative to R + G + B - 3 min, which are lines as well. The
 /// intensity is R + G + B.
 class RangeClassifier {
 public:
-  /// `range` must have passed checkColorRange().
+  /// Creates a classifier for a range, which must have passed checkColorRange().
   explicit RangeClassifier(const ColorRange& range);
 
-  /// Returns true if the pixel's color lies in the range. Black never matches; gray matches only a
+  /// Returns whether the pixel's color lies in the range. Black never matches. Gray matches only a
   /// range that spans every hue.
   bool matches(std::uint8_t b, std::uint8_t g, std::uint8_t r) const noexcept {
     const int sum = int(r) + g + b;
@@ -37,36 +37,36 @@ public:
            hueMatches({b, g, r});
   }
 
-  /// Classifies `count` adjacent pixels of three bytes (blue, green, red): 255 where the color
-  /// matches, 0 elsewhere. `out` must not overlap the pixels.
+  /// Classifies `count` adjacent pixels of three bytes (blue, green, red). Writes 255 where the
+  /// color matches, and 0 elsewhere. `out` must not overlap the pixels.
   void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out) const noexcept;
 
 private:
   friend struct MatchRowKernel;
 
-  /// Combination of the two half-planes of the hue.
+  /// How the two hue half-planes are combined.
   enum class HueRange { Both, Either, Every };
 
-  /// A hue bound: the colors on its side have channel[yPlus] - channel[yMinus] above the line at x
-  /// = channel[xPlus] - channel[xMinus]. Gray is on neither side.
+  /// Hue bound. Colors on its side have channel[yPlus] - channel[yMinus] above the line at x =
+  /// channel[xPlus] - channel[xMinus]. Gray is on neither side.
   struct HuePlane {
     std::size_t yPlus = 0, yMinus = 0, xPlus = 0, xMinus = 0; ///< 0 blue, 1 green, 2 red
     HueLine line;
 
-    /// Half-plane where alongRed (2R - G - B) + alongGreenBlue (G - B) > 0.
+    /// Returns the half-plane where alongRed (2R - G - B) + alongGreenBlue (G - B) > 0.
     static HuePlane positive(double alongRed, double alongGreenBlue);
     bool contains(const std::array<int, 3>& bgr) const noexcept {
       return line.below(bgr[xPlus] - bgr[xMinus], bgr[yPlus] - bgr[yMinus]);
     }
   };
 
-  /// A saturation bound: a line between the least channel (0) and the excess (1).
+  /// Saturation bound: a line between the least channel (0) and the excess (1).
   struct RatioPlane {
     std::size_t y = 0, x = 0;
-    RatioLine line{0, 0}; ///< every color is on the line y = 0, of scale 0
+    RatioLine line{0, 0}; ///< every color is on the line y = 0, with scale 1
     bool above = false;   ///< true: the side where y is greater; false: the other side
 
-    /// Half-plane where 3 min / sum is greater than `bound` (`greater`), or smaller.
+    /// Returns the half-plane where 3 min / sum is greater than `bound` (if `greater`), or smaller.
     static RatioPlane beyond(double bound, bool greater);
     bool contains(const std::array<int, 2>& leastAndExcess) const noexcept {
       return line.below(leastAndExcess[x], leastAndExcess[y]) == above;

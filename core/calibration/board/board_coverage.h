@@ -10,18 +10,20 @@
 
 namespace dewpoint::calibration {
 
-/// Tilt of a board relative to a camera, named by the side that is nearer.
+/// Tilt of a board relative to a camera, named after the side that is nearer to the camera.
 enum class BoardTilt { Flat, LeftNear, RightNear, TopNear, BottomNear };
 
-/// Flat below 15 degrees, otherwise by the larger component of the tilt.
+/// Returns the tilt of a board: Flat below 15 degrees, otherwise determined by the larger tilt
+/// component.
 BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard);
 
-/// Angle between the board's normal and the direction from the camera to the board; radians.
+/// Returns the angle between the board's normal and the direction from the camera to the board
+/// center `middle`; radians.
 double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& middle);
 
-/// Regions of the image in which corners were seen, and tilts at which the board was seen. A
-/// calibration has no information about regions without corners, and without tilt it cannot
-/// separate focal length and distance.
+/// Image regions in which corners were seen, and tilts at which the board was seen. A calibration
+/// has no information about regions without corners. Without tilt, it cannot separate focal length
+/// and distance.
 struct BoardCoverage {
   static constexpr int kColumns = 6;
   static constexpr int kRows = 4;
@@ -31,10 +33,12 @@ struct BoardCoverage {
       corners{};                   ///< number of corners seen in each region, row by row
   std::array<int, kTilts> tilts{}; ///< number of views at each BoardTilt
 
-  /// Index of the region that contains a pixel, for an image of the given size.
+  /// Returns the index of the region that contains a pixel, for an image of the given size
+  /// (pixels).
   static int regionOf(const Eigen::Vector2d& pixel, int width, int height);
+  /// Adds a view with corners at `pixels`, in an image of the given size (pixels).
   void add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt tilt, int width, int height);
-  /// Share of the regions in which a corner was seen, 0 to 1.
+  /// Returns the fraction of regions in which a corner was seen, 0 to 1.
   double imagePart() const;
 };
 

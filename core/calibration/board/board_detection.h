@@ -16,32 +16,32 @@ namespace dewpoint::calibration {
 struct BoardDetection {
   std::vector<int> ids; ///< corner numbers, ascending
   std::vector<Eigen::Vector2d>
-      pixels; ///< corner positions: column, row; pixel centers are at integers
-  /// Median width of the edges between black and white, in pixels: about 1.5 in a sharp image, more
-  /// when out of focus or moving.
+      pixels; ///< corner positions (column, row) in pixels; pixel centers are at integers
+  /// Median width of the edges between black and white, in pixels: about 1.5 in a sharp image,
+  /// larger with defocus or motion blur.
   double edgeWidthPx = 0.0;
 };
 
-/// How much time a detection may take.
+/// How much time to spend on a detection.
 enum class DetectionEffort {
   Live,   ///< searches for the board in a reduced image; for live images
-  Sample, ///< chessboards as OpenCV's own calibration sample does (11 px, 30 steps, 0.1 px), so
-          ///< that figures compare; ChArUco boards as Exact
-  Exact   ///< tries harder to find the board; up to a second per image
+  Sample, ///< chessboards with the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1
+          ///< px), for comparable numbers; ChArUco boards as Exact
+  Exact   ///< tries harder to find the board; takes up to a second per image
 };
 
-/// Finds the corners of a board. Chessboards are found only as a whole, ChArUco boards also in
-/// part. Corners are numbered from the first square wherever the colors identify it; on a symmetric
-/// chessboard (BoardDescription::symmetry()), rows run to the right in the image as far as
-/// possible. ChArUco corners are interpolated from the neighboring markers and then refined in the
-/// image (Foerstner's method, cv::cornerSubPix), because the corners of Debian's OpenCV 4.6 are
-/// half a pixel off.
+/// Finds the corners of a board. Chessboards must be completely visible; ChArUco boards may be
+/// partly hidden. Corners are numbered from the first square wherever the colors identify it. On a
+/// symmetric chessboard (BoardDescription::symmetry()), rows run to the right in the image as far
+/// as possible. ChArUco corners are interpolated from the neighboring markers and then refined in
+/// the image (Foerstner's method, cv::cornerSubPix), because the corners from Debian's OpenCV 4.6
+/// are half a pixel off.
 class BoardDetector {
 public:
   explicit BoardDetector(const BoardDescription& board);
 
   const BoardDescription& board() const { return board_; }
-  /// Detects the board; nothing if it is not found. `image`: CV_8UC1 or CV_8UC3 (BGR).
+  /// Detects the board. Returns nothing if it is not found. `image`: CV_8UC1 or CV_8UC3 (BGR).
   std::optional<BoardDetection> detect(const cv::Mat& image, DetectionEffort effort) const;
 
 private:
@@ -49,8 +49,8 @@ private:
   std::vector<std::pair<int, int>> markerSquares_; ///< column and row of each marker's square
 };
 
-/// Median distance, in pixels, between the corners that two detections share; nothing if they share
-/// none.
+/// Returns the median distance, in pixels, between the corners common to two detections; nothing if
+/// they have none in common.
 std::optional<double> motionBetween(const BoardDetection& one, const BoardDetection& other);
 
 /// Renumbers the corners of a symmetric chessboard after `quarterTurns` quarter turns (an even

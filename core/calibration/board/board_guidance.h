@@ -8,61 +8,64 @@
 
 namespace dewpoint::calibration {
 
-/// Advice to the user who shows the board.
+/// Instruction for the user who shows the board.
 enum class GuidanceAdvice {
   ShowBoard,  ///< no board is detected
-  MoveTo,     ///< move the board to GuidanceState::region of the image
+  MoveTo,     ///< move the board to the image region GuidanceState::region
   TiltTo,     ///< tilt the board so that the side GuidanceState::tilt is nearer, preferably in that
               ///< region
-  ComeNearer, ///< come nearer: the board is small in the image
-  HoldStill,  ///< hold still: this view is wanted
+  ComeNearer, ///< bring the board closer: it is small in the image
+  HoldStill,  ///< hold still: this view is useful
   Sharpen,    ///< the board is held still, but its edges are soft: focus, or add light
   Finished    ///< the requested accuracy is reached
 };
 
 /// Settings of a BoardGuidance.
 struct GuidanceSettings {
-  /// The board counts as still below this speed, as a share of the image's width per second.
+  /// Speed below which the board counts as still, as a fraction of the image width per second.
   double stillPerSecond = 0.05;
   double holdSeconds = 0.5;    ///< time the board must be still before the view is captured
-  double softEdgePart = 0.008; ///< edges wider than this share of the image's width count as soft
+  double softEdgePart = 0.008; ///< edges wider than this fraction of the image width count as soft
   double nearPart =
-      0.25; ///< share of the image's area that the board should fill in at least one view
+      0.25; ///< fraction of the image area that the board should fill in at least one view
   int leastViews = 10;
-  int mostViews = 60; ///< the guidance ends then, whatever the accuracy
+  int mostViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
   double requestedProjectionPx =
-      0.3; ///< the guidance ends when IntrinsicsResult::worstProjectionPx reaches it
+      0.3; ///< the guidance ends when IntrinsicsResult::worstProjectionPx reaches this value;
+           ///< pixels
 };
 
-/// State of the guidance after an image.
+/// State of the guidance after processing an image.
 struct GuidanceState {
   GuidanceAdvice advice = GuidanceAdvice::ShowBoard;
-  int region = -1;                    ///< of BoardCoverage; -1: none
-  BoardTilt tilt = BoardTilt::Flat;   ///< requested by TiltTo
-  BoardCoverage coverage;             ///< of the captured views
+  int region = -1;                    ///< index in BoardCoverage; -1 if no region is requested
+  BoardTilt tilt = BoardTilt::Flat;   ///< tilt requested by TiltTo
+  BoardCoverage coverage;             ///< coverage of the captured views
   int views = 0;                      ///< number of views captured so far
-  double held = 0.0;                  ///< share of the hold time that has passed, 0 to 1
-  bool captured = false;              ///< whether the current image was captured
-  std::optional<double> projectionPx; ///< worstProjectionPx of the latest calibration
+  double held = 0.0;                  ///< elapsed fraction of the hold time, 0 to 1
+  bool captured = false;              ///< true if the current image was captured
+  std::optional<double> projectionPx; ///< worstProjectionPx of the latest calibration, pixels
 };
 
 /// Guides the user in showing a board to one camera. It handles no images, has no threads and no
-/// clock: from the detections of a live stream it computes what to show next, captures a view
-/// automatically when the board is held still, is sharp and adds information, and ends when the
-/// calibration from the views (computed elsewhere and passed to learn()) is accurate enough.
+/// clock. From the detections in a live stream, it determines what to show next. It captures a view
+/// automatically when the board is still, sharp and adds information. It ends when the calibration
+/// from the views is accurate enough; that calibration is computed elsewhere and passed to learn().
 class BoardGuidance {
 public:
   BoardGuidance(const BoardDescription& board, int width, int height,
                 GuidanceSettings settings = GuidanceSettings());
 
-  /// Processes the next detection, `seconds` after any fixed time (ascending).
+  /// Processes the next detection. `seconds` is the time since any fixed point in time; it must
+  /// ascend.
   GuidanceState step(double seconds, const std::optional<BoardDetection>& detection);
-  /// Captures the latest image as it is if it shows the board, on the user's request.
+  /// Captures the latest image as it is, at the user's request, if it shows the board.
   GuidanceState captureNow();
-  /// Takes the calibration from the views so far: it improves the estimated poses and shows whether
-  /// the accuracy is sufficient.
+  /// Accepts a calibration computed from the views so far. It improves the estimated poses and
+  /// shows whether the accuracy is sufficient.
   void learn(const IntrinsicsResult& result);
-  /// Returns whether enough views were captured since learn() for a new calibration.
+  /// Returns whether enough views were captured since the last learn() to compute another
+  /// calibration.
   bool wantsCalibration() const;
 
   const std::vector<BoardView>& views() const { return views_; }
@@ -81,10 +84,10 @@ private:
   GuidanceSettings settings_;
   Camera camera_; ///< best estimate so far
   std::vector<BoardView> views_;
-  std::vector<BoardTilt> tilts_; ///< tilt of each view
+  std::vector<BoardTilt> tilts_; ///< tilt of the board in each view
   BoardCoverage coverage_;
   double largestPart_ = 0.0;
-  std::optional<GuidanceState> wanted_; ///< current advice, kept until a view is captured
+  std::optional<GuidanceState> wanted_; ///< current instruction, kept until a view is captured
   std::optional<BoardDetection> last_;
   double lastSeconds_ = 0.0;
   double stillSince_ = 0.0;

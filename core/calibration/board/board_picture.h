@@ -10,38 +10,38 @@
 
 namespace dewpoint::calibration {
 
-/// Black and white pattern of a board, for printing, drawing and rendering.
+/// Black-and-white pattern of a board, for printing, drawing and rendering.
 class BoardPattern {
 public:
   explicit BoardPattern(const BoardDescription& board);
 
   const BoardDescription& board() const { return board_; }
-  /// A dark rectangle on the page, in meters from the upper left corner of the squares, y down.
+  /// Dark rectangle on the page, in meters from the upper left corner of the squares, y down.
   struct Rectangle {
     double left, top, width, height;
   };
-  /// All dark rectangles; they do not overlap. `inverted` is applied within the squares.
+  /// Returns all dark rectangles, which do not overlap. `inverted` is applied within the squares.
   std::vector<Rectangle> darkRectangles() const;
-  /// Returns whether a point of the board's frame (meters) is dark. Everything outside the squares
-  /// is white (black on an inverted board).
+  /// Returns whether a point in the board frame (meters) is dark. Everything outside the squares is
+  /// white (black on an inverted board).
   bool isDark(double x, double y) const;
 
 private:
-  /// Returns whether a cell of a square's marker is dark, ignoring `inverted`.
+  /// Returns whether a cell of a marker is dark, ignoring `inverted`.
   bool markerCell(int marker, int column, int row) const;
   int markerAt(int column, int row) const;
 
   BoardDescription board_;
-  int cells_ = 0;                          ///< cells in a row of a marker with its border
-  std::vector<std::vector<char>> markers_; ///< cells of each marker row by row, 1: black
-  std::vector<int> markerOfSquare_;        ///< marker of each square; -1: none
+  int cells_ = 0; ///< number of cells in a row of a marker, including its border
+  std::vector<std::vector<char>> markers_; ///< cells of each marker, row by row; 1: black
+  std::vector<int> markerOfSquare_;        ///< index of the marker in each square; -1: no marker
 };
 
-/// Image of the page, CV_8UC1, with a margin of half a square.
+/// Returns an image of the page, CV_8UC1, with a margin of half a square.
 cv::Mat drawBoard(const BoardDescription& board, int pixelsPerSquare);
 
-/// Renders a board as a camera sees it, CV_8UC1. Each pixel is the mean of samples x samples rays,
-/// so that edges are exact to a fraction of a pixel. `cameraFromBoard` is the pose of the board;
+/// Renders a board as seen by a camera, CV_8UC1. Each pixel is the mean of samples x samples rays,
+/// so that edges are accurate to a fraction of a pixel. `cameraFromBoard` is the pose of the board;
 /// the camera's own pose is not used. The background is mid-gray.
 cv::Mat renderBoard(const BoardDescription& board, const Camera& camera,
                     const Eigen::Isometry3d& cameraFromBoard, int samples = 6);

@@ -11,8 +11,8 @@
 
 namespace dewpoint::calibration {
 
-/// Finds the visible corners of a ChArUco board: their numbers and pixels. `markerSquares`: column
-/// and row of the square of each marker.
+/// Finds the visible corners of a ChArUco board: their numbers and pixel positions.
+/// `markerSquares`: column and row of each marker's square.
 void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
                     const std::vector<std::pair<int, int>>& markerSquares, std::vector<int>& ids,
                     std::vector<cv::Point2f>& corners);

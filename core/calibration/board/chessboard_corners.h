@@ -10,12 +10,13 @@
 
 namespace dewpoint::calibration {
 
-/// Finds all corners of a chessboard in a gray image, in the order of the board; nothing if the
-/// board is not completely visible.
+/// Finds all corners of a chessboard in a gray image, in board order. Returns nothing if the board
+/// is not completely visible.
 std::optional<std::vector<cv::Point2f>>
 chessboardCorners(const cv::Mat& gray, const BoardDescription& board, DetectionEffort effort);
 
-/// For each corner of a grid, numbered after quarter turns of the board, its number before.
+/// Returns, for each corner of a grid renumbered after quarter turns of the board, its original
+/// number.
 std::vector<std::size_t> rotatedOrder(std::size_t cornerCount, int columns, int quarterTurns);
 
 } // namespace dewpoint::calibration

@@ -11,22 +11,24 @@
 
 namespace dewpoint::calibration {
 
-/// Refines corners to the saddle point of the gray levels (cv::cornerSubPix) in a window of
-/// `halfWindow` pixels around each, until a corner moves by less than `tolerance` pixels, in at
-/// most `steps` steps.
+/// Refines corners to the saddle point of the gray levels (cv::cornerSubPix) within a window of
+/// `halfWindow` pixels around each. Stops when a corner moves by less than `tolerance` pixels, or
+/// after `steps` steps.
 void refineCorners(const cv::Mat& gray, int halfWindow, int steps, double tolerance,
                    std::vector<cv::Point2f>& corners);
 
-/// Smallest distance, in pixels, between neighbors in a grid of corners given row by row.
+/// Returns the smallest distance, in pixels, between neighbors in a grid of corners given row by
+/// row.
 double leastSpacing(const std::vector<cv::Point2f>& grid, int columns);
 
-/// Median width in pixels of the edges between neighboring corners of a detection: the contrast
-/// across an edge divided by its steepest slope. `reach` is the distance from an edge to both sides
-/// within which the page is plain, in squares. 0 if nothing could be measured.
+/// Returns the median width, in pixels, of the edges between neighboring corners of a detection; 0
+/// if nothing could be measured. The width of an edge is the contrast across it divided by its
+/// steepest slope. `reach` is the distance on both sides of an edge within which the page is plain,
+/// in squares.
 double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
                  const BoardDetection& detection, double reach);
 
-/// Interpolated gray level at a point between pixels, clamped to the image.
+/// Returns the interpolated gray level at a point between pixels. Points are clamped to the image.
 double grayAt(const cv::Mat& gray, double column, double row);
 
 } // namespace dewpoint::calibration

@@ -15,7 +15,8 @@ namespace dewpoint::calibration {
 /// A camera with known intrinsics, and its views of the board.
 struct BoardCamera {
   Camera camera; ///< its name is used in errors; its pose matters only if it defines the world
-  std::vector<BoardView> views; ///< images of all cameras at the same time have the same instant
+  std::vector<BoardView>
+      views; ///< images taken at the same time by different cameras have the same instant
 };
 
 /// Input of calibrateExtrinsics().
@@ -26,8 +27,8 @@ struct ExtrinsicsRequest {
   /// the first camera keeps its pose.
   std::optional<std::int64_t> worldInstant;
   Eigen::Isometry3d worldFromBoard = worldFromFlatBoard();
-  /// Whether the intrinsics are adjusted too: the distortion coefficients that are not zero, and a
-  /// single focal length where both are equal.
+  /// True to adjust the intrinsics as well: the distortion coefficients that are not zero, and a
+  /// single focal length if both are equal.
   bool refineIntrinsics = false;
 };
 
@@ -39,35 +40,38 @@ struct BoardPose {
 
 /// How well one camera fits the result.
 struct CameraFit {
-  double rmsPx = 0.0; ///< root mean square distance of the corners used, pixels
+  double rmsPx =
+      0.0; ///< root mean square distance of the corners used from their projections, pixels
   std::vector<ViewFit> views;
   BoardCoverage coverage;
-  /// Standard deviation of its position relative to the first camera, meters.
+  /// Standard deviation of the camera position relative to the first camera, meters.
   double centerSigma = 0.0;
-  double turnSigma = 0.0; ///< standard deviation of its direction, radians
+  double turnSigma = 0.0; ///< standard deviation of the camera orientation, radians
 };
 
 /// Output of calibrateExtrinsics().
 struct ExtrinsicsResult {
-  CameraRig cameras; ///< in the order of the request
+  CameraRig cameras; ///< in request order
   std::vector<CameraFit> fits;
-  std::vector<BoardPose> boardPoses; ///< in the order of the instants
+  std::vector<BoardPose> boardPoses; ///< in order of instants
   double rmsPx = 0.0;
-  BundleCovariance covariance; ///< of the cameras' poses, scaled by the residuals
+  BundleCovariance covariance; ///< covariance of the camera poses, scaled by the residuals
   int iterations = 0;
   std::vector<std::string> notices; ///< messages for the user
-  BundleProblem problem;            ///< the last adjusted problem, in the world of the result
-  BundleResult bundle; ///< its solution; its covariance is for the given sigmas of the pixels
+  BundleProblem problem;            ///< last adjusted problem, in the world frame of the result
+  BundleResult bundle; ///< solution of `problem`; its covariance assumes the given pixel sigmas
   std::vector<NamedFault> faults = {}; ///< filled by findBoardFaults()
 };
 
-/// The poses of all cameras from a board that several of them see at the same instants: poses of
-/// the board before each camera (cv::solvePnP), chained from camera to camera through the pairs
-/// that agree best, then bundle adjustment of all cameras and boards (adjustBundle). A symmetric
-/// chessboard is rotated so that the pairs of cameras agree. Views that fit badly are left out and
-/// named.
-/// Errors: Undetermined names the cameras that share no instant with the others, and an instant at
-/// which the board was not seen; Canceled when canceled; and those of adjustBundle().
+/// Estimates the poses of all cameras from a board that several of them see at the same instants.
+///
+/// The pose of the board is computed in each view (cv::solvePnP). Poses are chained from camera to
+/// camera through the pairs that agree best, followed by bundle adjustment of all cameras and
+/// boards (adjustBundle). A symmetric chessboard is rotated so that pairs of cameras agree. Views
+/// that fit badly are left out and named in the result.
+///
+/// Errors: Undetermined names the cameras that share no instant with the others, or an instant at
+/// which the board was not seen; Canceled if canceled; and those of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 

@@ -12,21 +12,22 @@
 
 namespace dewpoint::calibration {
 
-/// Lens parameters that are estimated.
+/// Lens parameters to be estimated.
 enum class IntrinsicsModel {
   FiveCoefficients,  ///< pinhole with k1 k2 p1 p2 k3
-  EightCoefficients, ///< pinhole with the rational k4 k5 k6 as well, for wide lenses
-  Fisheye            ///< cv::fisheye's, k1 to k4
+  EightCoefficients, ///< pinhole, with the rational coefficients k4 k5 k6 in addition, for
+                     ///< wide-angle lenses
+  Fisheye            ///< the model of cv::fisheye, k1 to k4
 };
 
-/// Whether pixels are square, that is focalX = focalY.
+/// Whether pixels are assumed to be square (focalX = focalY).
 enum class PixelShape {
   Measured, ///< square, unless the images clearly show otherwise
   Square,
   Free
 };
 
-/// Input of calibrateIntrinsics(). Width and height of the images are in pixels.
+/// Input of calibrateIntrinsics(). Image width and height are in pixels.
 struct IntrinsicsRequest {
   BoardDescription board;
   std::vector<BoardView> views;
@@ -36,7 +37,7 @@ struct IntrinsicsRequest {
   PixelShape pixels = PixelShape::Measured;
 };
 
-/// An estimated parameter and its standard deviation, in pixels or without unit.
+/// Estimated parameter and its standard deviation, in pixels or dimensionless.
 struct EstimatedParameter {
   std::string name;
   double value = 0.0;
@@ -45,26 +46,28 @@ struct EstimatedParameter {
 
 /// Intrinsics of one camera, with their accuracy.
 struct IntrinsicsResult {
-  Camera camera;      ///< intrinsics, distortion and lens; its pose is not determined
-  double rmsPx = 0.0; ///< root mean square distance of all corners used, pixels (as OpenCV counts)
+  Camera camera; ///< intrinsics, distortion and lens model; its pose is not determined
+  double rmsPx =
+      0.0; ///< root mean square distance of all corners used, pixels (as defined by OpenCV)
   std::vector<ViewFit> views;
   std::vector<EstimatedParameter> parameters;
-  Eigen::MatrixXd covariance; ///< of `parameters`, in their order
-  BoardCoverage coverage;     ///< of the views used
-  /// Largest standard deviation over the image of the projection of a ray, in pixels; see
+  Eigen::MatrixXd covariance; ///< covariance of `parameters`, in the same order
+  BoardCoverage coverage;     ///< coverage of the views used
+  /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().
   double worstProjectionPx = 0.0;
 };
 
-/// Intrinsics from pictures of a board: Zhang (2000) with OpenCV's cv::calibrateCamera or
-/// cv::fisheye, all views together. Views that fit badly (five times the median error and more than
-/// 0.25 % of the image's diagonal) are left out and named. Undetermined when fewer than three views
-/// remain; Canceled when canceled; BadValue when the views do not determine a camera, or nothing
-/// fits, as with a wrong number of corners.
+/// Estimates intrinsics from images of a board with Zhang's method (2000), using OpenCV's
+/// cv::calibrateCamera or cv::fisheye on all views together. Views that fit badly (an error above
+/// five times the median and above 0.25 % of the image diagonal) are left out and named. Errors:
+/// Undetermined if fewer than three views remain; Canceled if canceled; BadValue if the views do
+/// not determine a camera, or if nothing fits, for instance because the number of corners is wrong.
 Result<IntrinsicsResult> calibrateIntrinsics(const IntrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 
-/// Initial guess without any knowledge: the focal length is 1.0 times the image's width.
+/// Returns an initial guess that needs no knowledge of the lens: the focal length is 1.0 times the
+/// image width.
 Camera guessedCamera(int width, int height);
 
 } // namespace dewpoint::calibration

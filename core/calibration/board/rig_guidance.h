@@ -9,15 +9,17 @@
 
 namespace dewpoint::calibration {
 
-/// Guides the user in showing a board to several cameras at once, to find their poses.
+/// Guides the user in showing a board to several cameras simultaneously, to determine their poses.
 class RigGuidance {
 public:
   struct Settings {
-    double stillPerSecond = 0.05; ///< still below this share of the image's width per second
-    double holdSeconds = 0.5;     ///< time the board must be still before an instant is captured
-    int instantsPerPair = 8;      ///< wanted for each pair in the chain that connects the cameras
+    double stillPerSecond =
+        0.05; ///< speed below which the board counts as still, in image widths per second
+    double holdSeconds = 0.5; ///< time the board must be still before an instant is captured
+    int instantsPerPair =
+        8; ///< required number of instants for each pair in the chain that connects the cameras
     double apartPart =
-        0.1; ///< captured positions differ by at least this share of the image's width
+        0.1; ///< minimum distance between captured positions, as a fraction of the image width
   };
   struct State {
     int instants = 0;
@@ -34,16 +36,16 @@ public:
   /// Processes the current detections of all cameras. Views captured together get the same instant
   /// number.
   State step(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
-  /// Captures the latest detections as they are if two cameras saw the board, on the user's
-  /// request.
+  /// Captures the latest detections as they are, at the user's request, if two cameras saw the
+  /// board.
   State captureNow();
-  /// Requests this many more instants for each pair that connects the cameras.
+  /// Increases the required number of instants for each pair that connects the cameras.
   void wantMore(int instants);
-  /// Current state, without new detections.
+  /// Returns the current state without new detections.
   State state() const;
-  /// Captured views per camera, as calibrateExtrinsics() takes them.
+  /// Returns the captured views per camera, in the form used by calibrateExtrinsics().
   const std::vector<std::vector<BoardView>>& views() const { return views_; }
-  /// Number of instants at which two cameras saw the board together.
+  /// Returns the number of instants at which both cameras saw the board.
   int together(int one, int other) const;
 
 private:

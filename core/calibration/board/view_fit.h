@@ -11,10 +11,10 @@
 
 namespace dewpoint::calibration {
 
-/// The board in one image of one camera.
+/// Board as seen in one image of one camera.
 struct BoardView {
-  std::string name;         ///< file or frame, by which the user finds the image
-  std::int64_t instant = 0; ///< images of the same instant show the board in the same pose
+  std::string name;         ///< file or frame name that tells the user which image it is
+  std::int64_t instant = 0; ///< images with the same instant show the board in the same pose
   BoardDetection detection;
 };
 
@@ -25,39 +25,40 @@ struct ViewFit {
   bool used = true;
   bool doubtful = false; ///< used, but with more than three times the error of the median image
   std::string reason;    ///< why the view was left out or is doubtful
-  double rmsPx = 0.0;    ///< root mean square distance of its corners, pixels
+  double rmsPx = 0.0;    ///< root mean square distance of the view's corners, pixels
   double tilt = 0.0;     ///< tiltAngle(), radians
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   std::vector<int> ids;
-  std::vector<Eigen::Vector2d> pixels;    ///< measured
+  std::vector<Eigen::Vector2d> pixels;    ///< measured positions
   std::vector<Eigen::Vector2d> residuals; ///< measured minus projected, pixels
 };
 
-/// Computes how a view fits a camera (whose own pose is not used) and a board pose relative to it.
+/// Computes how well a view fits a camera (whose own pose is not used) and a board pose relative to
+/// it.
 ViewFit fitView(const BoardDescription& board, const BoardView& view, const Camera& camera,
                 const Eigen::Isometry3d& cameraFromBoard);
 
-/// Entry for a view that is not used, with the reason.
+/// Returns an entry for a view that is not used, with the reason.
 ViewFit leftOutView(const BoardView& view, std::string reason);
 
-/// Median of the views' RMS errors, pixels; 0 without views.
+/// Returns the median RMS error of the views, pixels; 0 without views.
 double medianRms(const std::vector<ViewFit>& fits);
 
-/// Largest acceptable error of a view in pixels: five times the median error `median`, but at least
-/// 0.25 % of the image's diagonal.
+/// Returns the largest acceptable error of a view in pixels: five times the median error `median`,
+/// but at least 0.25 % of the image diagonal.
 double badViewLimit(double median, const Intrinsics& image);
 
-/// Marks used views as doubtful if their error is three times that of the median view.
+/// Marks used views as doubtful if their error is more than three times that of the median view.
 void markDoubtful(std::vector<ViewFit>& fits);
 
-/// Root mean square distance of all corners of the used views, pixels.
+/// Returns the root mean square distance of all corners in the used views, pixels.
 double overallRms(const std::vector<ViewFit>& fits);
 
 /// Returns whether there are at least six corners, in at least two rows and two columns.
 bool spansPlane(const BoardDescription& board, const BoardDetection& detection);
 
 /// Estimates the pose of a board relative to a camera with known intrinsics, from at least four
-/// corners; nothing if the corners are on one line.
+/// corners. Returns nothing if the corners lie on one line.
 std::optional<Eigen::Isometry3d> boardPose(const BoardDescription& board,
                                            const BoardDetection& detection, const Camera& camera);
 

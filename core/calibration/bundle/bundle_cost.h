@@ -13,44 +13,45 @@
 
 namespace dewpoint::calibration {
 
-// Parameter blocks of a camera in an adjustment.
+// Parameter blocks for a camera in an adjustment.
 
 /// Size of a pose block: a rotation vector (radians) relative to a fixed rotation, then the
 /// camera's position (meters).
 inline constexpr int kPoseSize = 6;
 inline constexpr int kLensSize = 12; ///< focalX, focalY / focalX, principal point, distortion
 
-/// Lens block of a camera, in the order given at kLensSize.
+/// Returns the lens block of a camera, in the order given at kLensSize.
 std::array<double, kLensSize> lensBlock(const Camera& camera);
 /// Writes a lens block back into a camera.
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
-/// Rotation matrix exp(turn): rotationOfVector(), or its first-order approximation where that is
-/// exact to rounding, consistent with turnDerivative().
+/// Returns the rotation matrix exp(turn). Uses rotationOfVector(), or its first-order approximation
+/// where that is exact to rounding. Consistent with turnDerivative().
 Eigen::Matrix3d turnRotation(const Eigen::Vector3d& turn);
-/// d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), with J the left Jacobian of SO(3) (Barfoot,
-/// State Estimation for Robotics, eq. 7.77).
+/// Returns d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), with J the left Jacobian of SO(3)
+/// (Barfoot, State Estimation for Robotics, eq. 7.77).
 Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint);
 
-/// All data of one observation that the solver does not change.
+/// Data of one observation that stays constant during the optimization.
 struct PixelCostSetup {
   LensModel lens = LensModel::Pinhole;
-  Eigen::Matrix3d cameraRotation = Eigen::Matrix3d::Identity(); ///< camera from world, before turn
+  Eigen::Matrix3d cameraRotation =
+      Eigen::Matrix3d::Identity(); ///< camera from world, before applying `turn`
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0;
   double outlineShift = 0.0;
-  /// For a point of a board: the board's rotation, relative to which its rotation block is given.
-  /// Nothing for a free point.
+  /// Board rotation to which the board's rotation block is relative, for a point on a board;
+  /// nothing for a free point.
   std::optional<Eigen::Matrix3d> boardRotation;
   Eigen::Vector3d boardPoint = Eigen::Vector3d::Zero();
-  int stateSize = 3; ///< size of a state's block: 3 for a point, 6 for stick and board
-  int pointAt = 0;   ///< index in the block at which the free point begins
+  int stateSize = 3; ///< size of a state block: 3 for a point, 6 for a stick or board
+  int pointAt = 0;   ///< index in the state block at which the free point starts
   double time = 0.0; ///< time of the image without the camera's offset, seconds
   std::vector<double>
       knots; ///< times of the states between which a free point is interpolated, seconds
 };
 
-/// Residual (predicted - observed) / sigma of an observation. Parameter blocks: pose, lens, time
+/// Residual of an observation, (predicted - observed) / sigma. Parameter blocks: pose, lens, time
 /// offset, then one state per knot.
 class PixelCost final : public ceres::CostFunction {
 public:
@@ -62,7 +63,8 @@ private:
   PixelCostSetup setup_;
 };
 
-/// Residual (distance between both ends - length) / sigma of a stick. One block: the two ends.
+/// Residual of a stick, (distance between its ends - length) / sigma. Its only parameter block
+/// contains both ends.
 class StickCost final : public ceres::SizedCostFunction<1, 6> {
 public:
   StickCost(double length, double sigma) : length_(length), sigma_(sigma) {}
@@ -74,7 +76,7 @@ private:
   double sigma_;
 };
 
-/// Residual (block - start) / sigma of a prior, entry by entry; entries with sigma 0 have no prior.
+/// Residual of a prior, (block - start) / sigma for each entry. Entries with sigma 0 have no prior.
 class PriorCost final : public ceres::CostFunction {
 public:
   PriorCost(std::vector<double> start, std::vector<double> sigmas);

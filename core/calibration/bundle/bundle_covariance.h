@@ -13,9 +13,9 @@
 
 namespace dewpoint::calibration {
 
-/// A parameter of a camera that an adjustment may estimate.
+/// Camera parameter that an adjustment may estimate.
 enum class CameraQuantity {
-  TurnX, ///< rotation vector about the camera's own axes: true rotation = exp(turn) * estimate, rad
+  TurnX, ///< rotation vector about the camera's axes: true rotation = exp(turn) * estimate, rad
   TurnY,
   TurnZ,
   CenterX, ///< optical center in the world, meters
@@ -25,7 +25,7 @@ enum class CameraQuantity {
   Aspect, ///< focalY / focalX
   PrincipalX,
   PrincipalY,
-  Distortion0, ///< the eight coefficients, in the order of the lens model
+  Distortion0, ///< the eight coefficients, in lens model order
   Distortion1,
   Distortion2,
   Distortion3,
@@ -36,29 +36,30 @@ enum class CameraQuantity {
   TimeOffset, ///< seconds
 };
 
-/// Parameter that belongs to a row and column of the covariance.
+/// Parameter to which a row and column of the covariance belong.
 struct CameraColumn {
   std::size_t camera = 0;
   CameraQuantity quantity = CameraQuantity::TurnX;
 };
 
-/// Name of a parameter: "turn x", "focal", "k1" ...
+/// Returns the name of a parameter: "turn x", "focal", "k1" ...
 std::string quantityName(CameraQuantity quantity);
 
 /// Joint covariance of all free camera parameters, with the bodies eliminated.
 ///
 /// If nothing fixes the world, its pose (6 degrees of freedom) and its size (1) have no error by
-/// convention: the covariance is the pseudo-inverse, in units of the precision of each column.
-/// Quantities that do not depend on the choice of the world may be computed from it.
+/// convention: the covariance is the pseudoinverse, in units of the precision of each column. It
+/// can then be used to compute quantities that do not depend on the choice of the world.
 struct BundleCovariance {
   std::vector<CameraColumn> columns;
   Eigen::MatrixXd matrix;
-  int gaugeFreedoms = 0; ///< 0, 1 (size), 6 (pose) or 7
+  int gaugeFreedoms = 0; ///< degrees of freedom that nothing fixes: 0, 1 (size), 6 (pose) or 7
 };
 
-/// Covariance of the first `cameraColumns` parameters from the Jacobian of the weighted residuals
-/// (rows) with respect to all parameters: the inverse of the Schur complement without its
-/// `gaugeFreedoms` weakest directions. Nothing if further directions are undetermined.
+/// Computes the covariance of the first `cameraColumns` parameters from the Jacobian of the
+/// weighted residuals (rows) with respect to all parameters. It is the inverse of the Schur
+/// complement without its `gaugeFreedoms` weakest directions. Returns nothing if further directions
+/// are undetermined.
 std::optional<Eigen::MatrixXd> reducedCovariance(const Eigen::SparseMatrix<double>& jacobian,
                                                  Eigen::Index cameraColumns, int gaugeFreedoms);
 

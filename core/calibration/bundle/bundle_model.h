@@ -13,18 +13,18 @@
 
 namespace dewpoint::calibration {
 
-/// A bundle problem in the form the solver uses: the parameters, and the costs computed from them.
-/// It must not be moved, because the solver points into it.
+/// Bundle problem in the form used by the solver: its parameters, and the costs computed from them.
+/// It must not be moved because the solver has pointers into it.
 class BundleModel {
 public:
   /// Parameters of a camera; see PixelCost.
   struct CameraBlocks {
-    Eigen::Matrix3d rotation; ///< rotation relative to which `pose` has its rotation vector
+    Eigen::Matrix3d rotation; ///< fixed rotation to which the rotation vector in `pose` is relative
     std::array<double, kPoseSize> pose{};
     std::array<double, kLensSize> lens{};
     double offset = 0.0;
   };
-  /// Parameters of a state: a point, both ends of a stick, or a board's rotation and position.
+  /// Parameters of a state: a point, both ends of a stick, or the rotation and position of a board.
   struct StateBlock {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     std::array<double, 6> values{};
@@ -34,22 +34,24 @@ public:
   BundleModel(const BundleModel&) = delete;
   BundleModel& operator=(const BundleModel&) = delete;
 
-  /// Parameter blocks of an observation, in the order PixelCost takes them.
+  /// Returns the parameter blocks of an observation, in the order required by PixelCost.
   std::vector<double*> blocksOf(std::size_t observation);
   bool takesPart(const double* block) const { return solver.HasParameterBlock(block); }
   bool varies(const double* block) const {
     return takesPart(block) && !solver.IsParameterBlockConstant(block);
   }
-  /// Indices of a camera's lens block that are held fixed, ascending.
+  /// Returns the indices of the entries in a camera's lens block that are held fixed, ascending.
   static std::vector<int> heldLensEntries(const BundleCamera& camera);
 
   const BundleProblem& given;
   BundleStart start;
   std::vector<CameraBlocks> cameras;
   std::vector<StateBlock> states;
-  std::vector<ceres::CostFunction*> costs; ///< one per observation; null if not used
-  std::size_t used = 0;                    ///< number of observations used
-  std::map<double, std::unique_ptr<ceres::LossFunction>> losses; ///< by the observations' sigma
+  std::vector<ceres::CostFunction*>
+      costs;            ///< one per observation; null if the observation is not used
+  std::size_t used = 0; ///< number of observations used
+  std::map<double, std::unique_ptr<ceres::LossFunction>>
+      losses; ///< loss functions by sigma of the observations
   ceres::Problem solver;
 
 private:

@@ -11,36 +11,37 @@ namespace dewpoint::calibration {
 
 /// Common mistakes in a calibration.
 enum class CalibrationFault {
-  MirroredBoard,    ///< or mirrored floor: one axis of the entered or printed points is reversed
-  MillimetersMixed, ///< a length a thousand times too large or small
-  InchesMixed,      ///< a length in inches
-  CamerasSwapped,   ///< the videos of two cameras exchanged
+  MirroredBoard,    ///< one axis of the entered or printed points is reversed, or the floor is
+                    ///< mirrored
+  MillimetersMixed, ///< a length is a thousand times too large or small
+  InchesMixed,      ///< a length was entered in inches
+  CamerasSwapped,   ///< the videos of two cameras are exchanged
   WrongSquareCount, ///< the number of squares in a row differs from the one entered
   WrongSquareSize,
-  HalfPixel,      ///< image points or principal points half a pixel off, in all cameras
-  CameraLate,     ///< one video is shifted in time against the others, by whole frames
+  HalfPixel,      ///< image points or principal points are half a pixel off in all cameras
+  CameraLate,     ///< one video is shifted in time relative to the others, by whole frames
   CameraMoved,    ///< a camera was moved at some time
-  VideoFlipped,   ///< mirrored, or upside down
+  VideoFlipped,   ///< a video is mirrored or upside down
   ZoomChanged,    ///< the focal length differs from the calibrated one
-  WrongResolution ///< lens data is for another image size
+  WrongResolution ///< lens data is for a different image size
 };
 
-/// A fault that explains the observations clearly better than no fault.
+/// Fault that explains the observations clearly better than assuming no fault.
 struct NamedFault {
   CalibrationFault fault = CalibrationFault::CamerasSwapped;
-  std::vector<std::size_t> cameras = {}; ///< cameras concerned; empty: all, or none
-  /// Size of the fault: delay in frames; time of a camera motion in seconds; ratio of focal lengths
-  /// or of sizes (given over found length); number of columns found; pixels. 0 if the fault has no
+  std::vector<std::size_t> cameras = {}; ///< affected cameras; empty: all cameras, or none
+  /// Size of the fault: delay in frames, time of a camera motion in seconds, ratio of focal lengths
+  /// or sizes (given over found length), number of columns found, or pixels. 0 if the fault has no
   /// size.
   double value = 0.0;
-  double gain = 0.0;         ///< gain in log likelihood; 0 if it does not follow from residuals
-  std::string sentence = {}; ///< likely cause, and what to do
+  double gain = 0.0;         ///< gain in log likelihood; 0 if it is not derived from residuals
+  std::string sentence = {}; ///< likely cause, and what you can do
 };
 
-/// Stable name of a fault: "mirrored-board" ...
+/// Returns the stable name of a fault: "mirrored-board" ...
 const char* faultName(CalibrationFault fault);
 
-/// Sentence with cause and advice, with the cameras by name.
+/// Returns a sentence with cause and advice that refers to cameras by name.
 std::string faultSentence(const NamedFault& fault, const std::vector<std::string>& cameraNames);
 
 } // namespace dewpoint::calibration

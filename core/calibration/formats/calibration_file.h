@@ -8,16 +8,16 @@
 
 namespace dewpoint::calibration {
 
-/// Reads a calibration file of this program, or of any other tool if nothing has to be guessed
-/// (readCalibration() without hints); also a folder with one file per camera. The result is in
-/// meters. Files without poses are an error.
+/// Reads a calibration file written by this program, or by any other tool if nothing has to be
+/// guessed (readCalibration() without hints). Also reads a folder with one file per camera. The
+/// result is in meters. Files without poses are an error.
 ///
 /// The format of this program is TOML in the style of anipose: one table per camera, with the keys
-/// of cameraFromToml(). A camera without `name` has the name of its table. `[metadata]` is ignored.
-/// Lengths are in meters, unless a camera states a `unit`.
+/// of cameraFromToml(). A camera without `name` is named after its table. `[metadata]` is ignored.
+/// Lengths are in meters unless a camera specifies a `unit`.
 Result<CameraRig> loadCalibration(const std::filesystem::path& file);
 
-/// Writes a calibration in the format of this program, in meters: sections [cam_0], [cam_1], ...
+/// Writes a calibration in this program's format, in meters: sections [cam_0], [cam_1], ...
 Status saveCalibration(const CameraRig& rig, const std::filesystem::path& file);
 
 } // namespace dewpoint::calibration

@@ -5,27 +5,28 @@
 
 namespace dewpoint::calibration {
 
-/// Largest plausible distance between cameras of one room, in meters; a wider rig is in another
-/// unit. Origin not recorded.
+/// Largest plausible distance between cameras in a room, in meters. A larger rig is assumed to be
+/// in another unit. Origin not recorded.
 inline constexpr double kWidestRoom = 100.0;
 
-/// Largest distance between two cameras, or of a single camera from the origin, in the rig's unit.
+/// Returns the largest distance between two cameras, or of a single camera from the origin, in the
+/// rig's unit.
 double cameraSpread(const CameraRig& rig);
 
-/// Likely unit of a rig with this spread: "mm" or "m".
+/// Returns the likely unit of a rig with this spread: "mm" or "m".
 const char* likelyUnit(double spread);
 
 /// Returns the rig with all poses inverted.
 CameraRig withInvertedPoses(CameraRig rig);
 
-/// Checks a rig in meters for implausible properties. The first one found is the error, with its
-/// likely cause:
-/// - a principal point outside the image: matrix and size are for different resolutions;
-/// - cameras more than 100 m, or less than 2 cm apart: another unit;
-/// - poses that look implausible while their inverses form a room that all cameras look into:
-///   camera-from-world and world-from-camera are mixed up.
+/// Checks a rig in meters for implausible properties. Returns an error with the likely cause of the
+/// first one found:
+/// - a principal point outside the image: matrix and image size are for different resolutions;
+/// - cameras more than 100 m or less than 2 cm apart: another unit;
+/// - implausible poses whose inverses form a room that all cameras look into: camera-from-world and
+///   world-from-camera are exchanged.
 ///
-/// Properties that `hints` state explicitly are not checked.
+/// Properties given explicitly in `hints` are not checked.
 Status checkPlausible(const ReadCalibration& calibration, const CalibrationHints& hints,
                       const std::string& file);
 

@@ -11,22 +11,25 @@
 
 namespace dewpoint::calibration {
 
-/// Reads one camera from a TOML table with the keys of anipose and Pose2Sim: `size` = [width,
-/// height] (pixels); `matrix` 3x3; `distortions` (0, 4, 5 or 8 coefficients in OpenCV's order; 4 if
-/// `fisheye` = true); `rotation`, a 3x3 matrix or a Rodrigues vector (radians), and `translation`,
-/// both camera from world. An additional key of this program is `unit`, the meters in one unit of
-/// `translation` (default 1). `name` is optional. Errors name `file` and `prefix` + key: not
-/// finite, focal length not positive, not a rotation, ... Unknown keys are errors, except those in
-/// `passedOver`.
+/// Reads one camera from a TOML table with the keys of anipose and Pose2Sim:
+/// - `size`: [width, height] (pixels);
+/// - `matrix`: 3x3;
+/// - `distortions`: 0, 4, 5 or 8 coefficients in OpenCV's order; 4 if `fisheye` = true;
+/// - `rotation` (3x3 matrix or Rodrigues vector in radians) and `translation`, both camera from
+///   world.
+///
+/// This program adds the key `unit`, the number of meters in one unit of `translation` (default 1).
+/// `name` is optional. Errors name `file` and `prefix` + key: not finite, focal length not
+/// positive, not a rotation, ... Unknown keys are errors, except those in `passedOver`.
 Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
                               const std::string& prefix,
                               std::initializer_list<const char*> passedOver = {});
 
-/// Form in which a rotation is written: the matrix is read back bit by bit; the Rodrigues vector
-/// (radians) is what other tools read.
+/// Form in which a rotation is written. The matrix is restored bit by bit when read. The Rodrigues
+/// vector (radians) is the form that other tools read.
 enum class RotationForm { Matrix, Vector };
 
-/// Writes a camera with the keys of cameraFromToml(), as lines of text with numbers in full
+/// Returns a camera as lines of text with the keys of cameraFromToml() and numbers in full
 /// precision.
 std::string cameraToToml(const Camera& camera, RotationForm form);
 

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// Error for a file with more than limits::kMostCameras cameras.
+/// Returns the error for a file with more than limits::kMostCameras cameras.
 tl::unexpected<Error> tooManyCameras(const std::string& file);
 
 } // namespace dewpoint::calibration

@@ -9,19 +9,20 @@
 
 namespace dewpoint::calibration {
 
-/// A camera as given by a file of another tool, not yet checked.
+/// Camera as specified in a file from another tool, not yet checked.
 struct CameraParts {
   std::string name;
-  double width = 0.0; ///< pixels
+  double width = 0.0; ///< image width, pixels
   double height = 0.0;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity(); ///< [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]
-  std::vector<double> distortion;                       ///< in the order of `lens`
+  Eigen::Matrix3d matrix =
+      Eigen::Matrix3d::Identity(); ///< camera matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], pixels
+  std::vector<double> distortion;  ///< coefficients, in the order of `lens`
   LensModel lens = LensModel::Pinhole;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity(); ///< camera from world
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 
-/// Names of the parts in that file, for the field of errors.
+/// Names of these parts in the file, used as the field in errors.
 struct CameraPartNames {
   std::string size;
   std::string matrix;
@@ -30,19 +31,19 @@ struct CameraPartNames {
   std::string translation;
 };
 
-/// Returns the camera made of these parts. The error names the first part that is wrong: a number
-/// that is not finite, a size that is not a whole number of pixels, skew, a focal length that is
-/// not positive, more coefficients than the lens model has, a matrix that is not a rotation.
+/// Returns the camera made of these parts. The error names the first invalid part: a number that is
+/// not finite, a size that is not a whole number of pixels, skew, a focal length that is not
+/// positive, more coefficients than the lens model has, or a matrix that is not a rotation.
 Result<Camera> checkedCamera(const CameraParts& parts, const std::string& file,
                              const CameraPartNames& fields);
 
-/// Intrinsic matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] of intrinsics, or of separate numbers;
-/// pixels.
+/// Returns the camera matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] in pixels, from intrinsics or
+/// from separate numbers.
 Eigen::Matrix3d matrixOf(const Intrinsics& intrinsics);
 Eigen::Matrix3d matrixOf(double focalX, double focalY, double centerX, double centerY);
 
-/// Distortion coefficients as the shortest possible list: 4 for a fisheye; otherwise the smallest
-/// of 4, 5 and 8 (at least `fewest`) that drops only zeros.
+/// Returns the distortion coefficients as the shortest possible list: 4 for a fisheye lens,
+/// otherwise the smallest of 4, 5 and 8 (at least `fewest`) that omits only zeros.
 std::vector<double> coefficientsOf(const Camera& camera, int fewest);
 
 } // namespace dewpoint::calibration

@@ -10,11 +10,12 @@
 
 namespace dewpoint::calibration {
 
-/// Text of a matrix in the YAML of OpenCV's FileStorage, with each line after `indent`.
+/// Returns the text of a matrix in the YAML dialect of OpenCV's FileStorage, with `indent` at the
+/// start of each line.
 std::string matrixNode(const std::string& indent, const std::string& key,
                        const Eigen::MatrixXd& matrix);
 
-/// Matrix with the values as its only row.
+/// Returns a matrix with the values as its only row.
 Eigen::MatrixXd rowOf(const std::vector<double>& values);
 
 } // namespace dewpoint::calibration

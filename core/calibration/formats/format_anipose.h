@@ -5,9 +5,9 @@
 
 namespace dewpoint::calibration {
 
-/// Format of anipose and FreeMoCap: TOML, in the unit of the board (usually mm).
+/// Returns the format of anipose and FreeMoCap: TOML, in the unit of the board (usually mm).
 CalibrationFormat aniposeFormat();
-/// Format of Pose2Sim: the same keys, four coefficients, meters.
+/// Returns the format of Pose2Sim: the same keys, four coefficients, meters.
 CalibrationFormat pose2simFormat();
 
 } // namespace dewpoint::calibration

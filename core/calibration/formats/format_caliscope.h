@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Format of Caliscope: camera_array.toml, meters.
+/// Returns the format of Caliscope: camera_array.toml, meters.
 CalibrationFormat caliscopeFormat();
 
 } // namespace dewpoint::calibration

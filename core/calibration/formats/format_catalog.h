@@ -9,18 +9,19 @@
 
 namespace dewpoint::calibration {
 
-/// All supported formats, that of this program first.
+/// Returns all supported formats, starting with this program's own.
 const std::vector<CalibrationFormat>& calibrationFormats();
 
-/// Format by name. NotFound lists the names.
+/// Returns the format with a name. NotFound lists the valid names.
 Result<const CalibrationFormat*> calibrationFormat(const std::string& name);
 
-/// Recognized format of a text, with a sentence that gives the reason. The error says why the text
-/// could be in several formats, or in none.
+/// Format recognized from the content of a file, with a sentence that gives the reason. If several
+/// formats are possible, or none is, the error explains why.
 struct RecognizedFormat {
   const CalibrationFormat* format = nullptr;
   std::string reason;
 };
+/// Recognizes the format of a file from its content.
 Result<RecognizedFormat> recognizeFormat(const CalibrationText& source);
 
 } // namespace dewpoint::calibration

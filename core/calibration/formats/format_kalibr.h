@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Format of Kalibr: camchain YAML with a chain of poses, meters.
+/// Returns the format of Kalibr: camchain YAML with a chain of poses, meters.
 CalibrationFormat kalibrFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Format of MC-Calib: calibrated_cameras_data.yml with poses rig from camera.
+/// Returns the format of MC-Calib: calibrated_cameras_data.yml with rig-from-camera poses.
 CalibrationFormat mcCalibFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Format of mrcal: .cameramodel, one file per camera.
+/// Returns the format of mrcal: .cameramodel, one file per camera.
 CalibrationFormat mrcalFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Format of multical: calibration.json; can only be read.
+/// Returns the format of multical: calibration.json; can only be read.
 CalibrationFormat multicalFormat();
 
 } // namespace dewpoint::calibration

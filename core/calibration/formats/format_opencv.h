@@ -5,9 +5,10 @@
 
 namespace dewpoint::calibration {
 
-/// Format of OpenCV's calibration sample: one camera, FileStorage YAML.
+/// Returns the format of OpenCV's calibration sample: one camera, FileStorage YAML.
 CalibrationFormat opencvFormat();
-/// Format of OpenCV's stereo sample: intrinsics.yml (M1 D1 M2 D2) and extrinsics.yml (R T ...).
+/// Returns the format of OpenCV's stereo sample: intrinsics.yml (M1 D1 M2 D2) and extrinsics.yml (R
+/// T ...).
 CalibrationFormat opencvStereoFormat();
 
 } // namespace dewpoint::calibration

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Format of Qualisys Track Manager: .qca.txt, XML with mm and 1/64 pixels.
+/// Returns the format of Qualisys Track Manager: .qca.txt, XML with lengths in mm and 1/64 pixels.
 CalibrationFormat qualisysFormat();
 
 } // namespace dewpoint::calibration

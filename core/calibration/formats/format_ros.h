@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-/// Format of ROS: camera_info YAML, one file per camera, and an additional file of static
+/// Returns the format of ROS: one camera_info YAML file per camera, plus a file with static
 /// transforms.
 CalibrationFormat rosFormat();
 

@@ -5,23 +5,24 @@
 
 namespace dewpoint::calibration {
 
-/// A camera with its lens expressed in the coefficients of a format.
+/// Camera whose lens is expressed in the coefficients of a format.
 struct LensRefit {
   Camera camera;
-  bool refitted = false;      ///< false: the format can describe the lens as it is
-  double largestPixels = 0.0; ///< over the sampled image; infinite if a direction has no pixel
+  bool refitted = false; ///< false if the format can represent the lens as it is
+  double largestPixels =
+      0.0; ///< largest error over the sampled image, pixels; infinite if a direction has no pixel
   double rootMeanSquarePixels = 0.0;
 };
 
-/// Returns true if the format's coefficients can describe this lens exactly.
+/// Returns whether the format's coefficients can represent this lens exactly.
 bool fits(const Camera& camera, const LensRange& range);
 
-/// Fits a camera's lens to the coefficients of a format. If the lens fits already, returns the
-/// camera itself; otherwise focal lengths, principal point and the coefficients of `range` that
-/// project the same directions to nearly the same pixels: least squares over 33 x 33 pixels of the
-/// image (Levenberg and Marquardt's method). The pose is unchanged. A fisheye lens becomes a
-/// pinhole lens if the range has no fisheye model; pixels 85 degrees or more off its axis are then
-/// ignored.
+/// Fits a camera's lens to the coefficients of a format. If the format can represent the lens
+/// exactly, returns the camera unchanged. Otherwise finds the focal lengths, principal point and
+/// coefficients of `range` that project the same directions to nearly the same pixels: least
+/// squares over 33 x 33 pixels in the image (Levenberg-Marquardt). The pose is unchanged. A fisheye
+/// lens becomes a pinhole lens if the range has no fisheye model; pixels 85 degrees or more off its
+/// axis are then ignored.
 LensRefit refitLens(const Camera& camera, const LensRange& range);
 
 } // namespace dewpoint::calibration

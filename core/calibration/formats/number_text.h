@@ -12,22 +12,23 @@
 
 namespace dewpoint::calibration {
 
-/// Text of a number that reads back to the same bits, always with a decimal point: some YAML
-/// readers take "1e-05" for a string, and some TOML readers reject arrays that mix "0" with "0.5".
+/// Returns the text of a number, which reads back as the same bits. It always has a decimal point,
+/// because some YAML readers take "1e-05" for a string, and some TOML readers reject arrays that
+/// mix "0" and "0.5".
 std::string numberText(double value);
 
-/// Text of a list on one line: "[1.0, 2.0, 3.0]".
+/// Returns the text of a list on one line: "[1.0, 2.0, 3.0]".
 std::string listText(std::span<const double> values);
 std::string listText(const Eigen::VectorXd& values);
 
-/// Text of a matrix, row by row: "[[...], [...], [...]]".
+/// Returns the text of a matrix, row by row: "[[...], [...], [...]]".
 std::string rowsText(const Eigen::MatrixXd& matrix);
 
-/// Parses a number written by any tool, in the C locale: also "1.", "+2", ".5", "nan". Nothing if
-/// the text contains anything else.
+/// Parses a number written by any tool, in the C locale, including "1.", "+2", ".5" and "nan".
+/// Returns nothing if the text contains anything else.
 std::optional<double> numberOf(std::string_view text);
 
-/// Returns true if a line of the text begins with `start` after its indentation.
+/// Returns whether any line of the text begins with `start` after its indentation.
 bool hasLine(std::string_view text, std::string_view start);
 
 } // namespace dewpoint::calibration

@@ -11,22 +11,21 @@ namespace dewpoint::calibration {
 /// Tools that write one TOML table per camera with the keys of cameraFromToml().
 enum class TomlDialect {
   None,
-  Dewpoint, ///< `unit` in the metadata or a camera, or none of the marks listed below
+  Dewpoint, ///< `unit` in the metadata or a camera, or none of the features listed below
   Anipose,  ///< `[metadata]` with `adjusted`
   Pose2Sim  ///< as Anipose, with `fisheye = false` and four coefficients for every camera
 };
 
-/// Tool that wrote this text; None if it has no camera table, or is not TOML.
+/// Returns the tool that wrote a file; None if the file has no camera table or is not TOML.
 TomlDialect tomlDialect(const CalibrationText& source);
 
-/// Reads every camera table of such a text, without [metadata], in the unit of the file. A camera
-/// without `name` has the name of its table. `passedOver` lists keys of other tools that are
-/// ignored.
+/// Reads every camera table in a file, except [metadata], in the unit of the file. A camera without
+/// `name` is named after its table. `passedOver` lists keys from other tools that are ignored.
 Result<CameraRig> camerasFromToml(const CalibrationText& source,
                                   std::initializer_list<const char*> passedOver);
 
-/// Name of the first camera table with four coefficients and no `fisheye`, so that their meaning is
-/// unknown; empty if there is none.
+/// Returns the name of the first camera table with four coefficients and no `fisheye`, which leaves
+/// the meaning of the coefficients open; empty if there is none.
 std::string cameraWithUnclearLens(const CalibrationText& source);
 
 } // namespace dewpoint::calibration

@@ -15,31 +15,33 @@
 namespace dewpoint::calibration {
 
 /// Parses YAML. Also accepts the output of OpenCV's FileStorage, whose first line is not valid
-/// YAML, and a Python dictionary of numbers and texts. NotParsed gives the line. Exceptions of
-/// yaml-cpp do not get past this function.
+/// YAML, and Python dictionaries of numbers and strings. NotParsed contains the line. Catches all
+/// exceptions of yaml-cpp.
 Result<YAML::Node> parseYaml(const std::string& text, const std::string& file);
 
-/// Reads values from one YAML mapping and keeps the first error, with its line. Unknown keys are
-/// ignored, because other tools write more than is needed here.
+/// Reads values from a YAML mapping and keeps the first error, with its line. Unknown keys are
+/// ignored because other tools write more than this program needs.
 class YamlReader {
 public:
   YamlReader(const YAML::Node& node, std::string file, std::string prefix = "");
 
   bool has(const char* key) const;
-  /// Reader for the mapping under a key; empty, with a recorded error, if there is none.
+  /// Returns a reader for the mapping under a key. If there is none, the reader is empty and an
+  /// error is recorded.
   YamlReader child(const std::string& key) const;
 
-  /// Keys of the mapping, in the order of the file.
+  /// Returns the keys of the mapping, in file order.
   std::vector<std::string> keys() const;
 
-  /// Text under a key; `unless` if the key is absent.
+  /// Returns the text under a key, or `unless` if the key is absent.
   std::string text(const char* key, const std::string& unless = "") const;
-  /// Number under a key; an error if it is absent or not a number.
+  /// Returns the number under a key. An absent key, or a value that is not a number, is an error.
   double number(const char* key) const;
-  /// Numbers of a sequence, of nested sequences row by row, or of `data` in a matrix. It is an
-  /// error if their number is not among `counts`; an empty `counts` allows any.
+  /// Returns the numbers in a sequence, in nested sequences (row by row), or under `data` in a
+  /// matrix. Their count must be one of `counts`, unless `counts` is empty; otherwise it is an
+  /// error.
   std::vector<double> numbers(const char* key, std::initializer_list<std::size_t> counts) const;
-  /// Matrix of the given size, read row by row.
+  /// Returns a matrix of the given size, read row by row.
   Eigen::MatrixXd matrix(const char* key, int rows, int columns) const;
 
   void fail(ErrorCode code, const std::string& key, std::string detail) const;
@@ -52,7 +54,7 @@ private:
   YAML::Node node_;
   std::string file_;
   std::string prefix_;
-  std::shared_ptr<std::optional<Error>> error_; ///< shared with the children
+  std::shared_ptr<std::optional<Error>> error_; ///< shared with child readers
 };
 
 } // namespace dewpoint::calibration

@@ -12,36 +12,38 @@
 
 namespace dewpoint::calibration {
 
-/// Pixel at which one camera sees a measured point.
+/// Pixel at which a camera sees a measured point.
 struct PointClick {
-  int camera = 0; ///< index in the rig
+  int camera = 0; ///< camera index in the rig
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 
   bool operator==(const PointClick&) const = default;
 };
 
-/// A point of the room that was measured with a tape and clicked in images.
+/// A point in the room whose position was measured with a tape, and which was clicked in images.
 struct MeasuredPoint {
   std::string name;
-  Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< meters
+  Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< measured position, meters
   std::vector<PointClick> clicks;                  ///< at most one per camera
 
   bool operator==(const MeasuredPoint&) const = default;
 };
 
-/// Click of a point in a camera; null if there is none.
+/// Returns the click on a point in a camera's image, or null if there is none.
 const PointClick* clickIn(const MeasuredPoint& point, int camera);
 
-/// Sets the pixel at which a camera sees the point; replaces an earlier one.
+/// Sets the pixel at which a camera sees the point, replacing any previous one.
 void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel);
 
-/// Distance of a click from the pixel at which its camera should see the point.
+/// Distance between a click and the pixel at which the camera should see the point.
 struct ClickResidual {
   int point = 0;
   int camera = 0;
-  double pixels = 0.0; ///< infinite if the camera does not see the point
-  double meters = 0.0; ///< distance from the point to the ray of the click
+  double pixels =
+      0.0; ///< distance in the image, pixels; infinite if the camera does not see the point
+  double meters = 0.0; ///< distance from the point to the ray through the click, meters
 };
+/// Returns the residuals of all clicks for the current poses of the rig.
 std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
                                           const std::vector<MeasuredPoint>& points);
 
@@ -54,11 +56,11 @@ enum class PoseStatus {
   NoPose     ///< no pose has all points in front of the camera
 };
 
-/// Proposal that a camera's images are rotated or mirrored, because that explains its clicks.
+/// Proposal to treat a camera's images as rotated or mirrored, because that explains its clicks.
 struct SymmetryProposal {
-  ImageSymmetry symmetry;     ///< to be applied to the current images
-  double rmsPx = 0.0;         ///< reprojection error with the symmetry applied
-  bool byUprightness = false; ///< fits no better, but then the camera is upright
+  ImageSymmetry symmetry;     ///< symmetry to be applied to the current images
+  double rmsPx = 0.0;         ///< reprojection error with the symmetry applied, pixels
+  bool byUprightness = false; ///< the fit is no better, but the camera becomes upright
 };
 
 /// Result of solveFromPoints() for one camera.
@@ -72,32 +74,34 @@ struct CameraFromPoints {
 
 /// Result of solveFromPoints().
 struct PointSolution {
-  CameraRig rig;                         ///< solved cameras have a new pose, the others keep theirs
+  CameraRig rig;                         ///< solved cameras have a new pose; the others keep theirs
   std::vector<CameraFromPoints> cameras; ///< cameras with at least one click
-  std::vector<ClickResidual> residuals;  ///< of the rig, relative to the points as entered
+  std::vector<ClickResidual>
+      residuals; ///< residuals for the solved rig, relative to the points as entered
   double rmsPx = 0.0;
-  std::optional<int> worst; ///< index of the point with the largest residual
-  bool worstExplains =
-      false; ///< everything else fits without this point: it was entered or clicked wrongly
+  std::optional<int> worst;   ///< index of the point with the largest residual
+  bool worstExplains = false; ///< true if everything else fits without this point, so that it was
+                              ///< entered or clicked incorrectly
 
   bool anySolved() const;
 };
 
 /// Settings of solveFromPoints().
 struct PointSettings {
-  bool alsoFocal = false; ///< also estimate the focal lengths of cameras with at least six points
+  bool alsoFocal =
+      false; ///< true to estimate the focal lengths of cameras with at least six points
   /// Standard deviations used as weights in the joint refinement.
-  double tape = 0.003; ///< meters
-  double click = 0.5;  ///< pixels
+  double tape = 0.003; ///< of a tape measurement, meters
+  double click = 0.5;  ///< of a click, pixels
 };
 
-/// Estimates the poses of all cameras from their clicks on measured points.
+/// Estimates the poses of all cameras from clicks on measured points.
 ///
-/// Each camera is solved by perspective-n-point (SQPnP, Terzakis and Lourakis 2020; for points in a
-/// plane IPPE, Collins and Bartoli 2014) and least squares. Then poses and points of all cameras
-/// are refined together (Ceres), with each point held near its measured position. Cameras whose
-/// status is not None keep their pose, except for Ambiguous, where the better of both poses is
-/// used. If the images of a camera fit only when rotated or mirrored, the result proposes that.
+/// Each camera is solved by perspective-n-point (SQPnP, Terzakis and Lourakis 2020; for coplanar
+/// points IPPE, Collins and Bartoli 2014) and least squares. Then the poses and points of all
+/// cameras are refined together (Ceres), with each point held near its measured position. Cameras
+/// whose status is not None keep their pose, except for Ambiguous, where the better of the two
+/// poses is used. If a camera's images fit only when rotated or mirrored, the result proposes that.
 PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPoint>& points,
                               const PointSettings& settings = {});
 

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// How a camera follows while a point of the world is dragged through its image.
+/// How a camera moves while the user drags a world point through its image.
 enum class DragMode {
   Turn, ///< keeps its position and rotates
   Slide ///< keeps its orientation and moves sideways
@@ -18,16 +18,15 @@ enum class DragMode {
 enum class DragLimit {
   None,
   OutOfSight, ///< a point would be behind the camera, or outside the range of its lens model
-  OneRay,     ///< the held points are not sufficient: they lie on one ray or line with the dragged
-              ///< point
-  OutOfReach, ///< no pose near this one shows the points at these pixels
-  Fixed       ///< three held points fix the pose: only the focal length could still change
+  OneRay, ///< the held points are insufficient: they lie on one ray or line with the dragged point
+  OutOfReach, ///< no pose near the current one shows the points at these pixels
+  Fixed       ///< three held points determine the pose: only the focal length could still change
 };
 
 /// Settings of a drag.
 struct DragSettings {
   DragMode mode = DragMode::Turn;
-  /// Whether the focal length changes and the pose follows when three points are held.
+  /// True if the focal length changes, and the pose with it, while three points are held.
   bool focalMayChange = false;
 };
 
@@ -38,23 +37,23 @@ struct Drag {
   double miss = 0.0; ///< distance between the dragged point and its target pixel, in pixels
 };
 
-/// Maximum number of points that can be held during a drag.
+/// Maximum number of points held during a drag.
 inline constexpr int kMostHeld = 3;
 
 /// Moves a camera so that `dragged.world` is seen at `dragged.pixel` while the held points stay at
-/// their pixels (to 1e-6 px):
-/// - none held: the smallest rotation about its center, or the sideways motion across the line of
-///   sight;
-/// - one held: it rolls about the ray of the held point and moves along it; in slide mode, the
+/// their pixels (to 1e-6 px). What changes depends on the number of held points:
+/// - 0: the smallest rotation about the camera center, or the sideways motion perpendicular to the
+///   line of sight;
+/// - 1: the camera rolls about the ray of the held point and moves along it; in slide mode, the
 ///   smallest change of pose that meets the conditions;
-/// - two held: the pose that meets the conditions (three points allow finitely many poses; this is
-///   the one reached from the current pose without a jump);
-/// - three held: the focal length changes, and the dragged point comes as near as that allows.
+/// - 2: the pose that meets the conditions (three points allow finitely many poses; this is the one
+///   reached from the current pose without a jump);
+/// - 3: the focal length changes, and the dragged point comes as close as that allows.
 ///
-/// `camera` is the camera at the beginning of the drag, so that dragging back to the start changes
-/// nothing. The path is followed in steps of a few pixels; if it ends early, the last valid pose is
-/// returned with the reason. The "smallest change" is the smallest sum of squares of rotation
-/// (radians) and displacement (in units of the points' mean distance).
+/// `camera` is the camera at the start of the drag, so that dragging back to the start changes
+/// nothing. The path is followed in steps of a few pixels. If it ends early, the last valid pose is
+/// returned with the reason. The "smallest change" minimizes the sum of squares of rotation
+/// (radians) and displacement (in units of the mean distance of the points).
 Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
                const ImageAnchor& dragged, const DragSettings& settings);
 

@@ -6,7 +6,7 @@
 
 namespace dewpoint::calibration {
 
-/// Pose of one camera from points; a step of solveFromPoints().
+/// Pose of one camera from points; an intermediate result of solveFromPoints().
 struct PointPose {
   Camera camera;
   PoseStatus status = PoseStatus::None;
@@ -14,14 +14,14 @@ struct PointPose {
   double rmsPx = 0.0;
 };
 
-/// Estimates a pose by perspective-n-point without a start value, then by least squares.
+/// Estimates a pose by perspective-n-point without a start value, followed by least squares.
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
                          bool alsoFocal);
 
 /// Checks whether the images of a camera are rotated or mirrored. `found` is the result of
-/// poseFromPoints() for the images as they are. A mirrored or rotated image is proposed if it fits
-/// while the given one does not; a rotated one also if both fit but only then the camera is
-/// upright.
+/// poseFromPoints() for the current images. A mirrored or rotated image is proposed if it fits and
+/// the current one does not. A rotated image is also proposed if both fit but the camera is upright
+/// only with the rotation.
 std::optional<SymmetryProposal> betterSymmetry(const Camera& camera,
                                                const std::vector<ImageAnchor>& anchors,
                                                const PointPose& found);

@@ -11,33 +11,34 @@
 
 namespace dewpoint::calibration {
 
-/// A world point (meters) and the pixel at which a camera sees it, or should see it.
+/// World point (meters) and the pixel at which a camera sees it, or should see it.
 struct ImageAnchor {
   Eigen::Vector3d world = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
-/// A small change of a camera: a rotation about its own x, y and z axes (rotation vector, radians),
-/// a displacement along them (in units of PoseChange's depth), and the logarithm of a zoom factor.
+/// Small change of a camera: a rotation about its own x, y and z axes (rotation vector, radians), a
+/// displacement along them (in units of PoseChange's depth), and the logarithm of a zoom factor.
 using ChangeVector = Eigen::Matrix<double, 7, 1>;
 
-/// Changes of one camera near its current pose, and their effect on the pixels of points. A point
-/// at p in the camera's frame moves to R p + depth * shift.
+/// Changes of a camera near its current pose, and their effect on the pixels of points. A point at
+/// p in the camera frame moves to R p + depth * shift.
 class PoseChange {
 public:
-  /// `depth`: unit of displacements in meters, chosen so that rotations and displacements of the
-  /// same size move the image by about the same distance.
+  /// `depth`: unit of displacements in meters, chosen so that rotations and displacements of equal
+  /// size move the image by about the same distance.
   PoseChange(const Camera& camera, double depth);
 
   /// Returns the camera after a change.
   Camera changed(const ChangeVector& change) const;
-  /// Pixel of a world point after a change; nothing if the camera does not see it.
+  /// Returns the pixel of a world point after a change, or nothing if the camera does not see it.
   std::optional<Eigen::Vector2d> pixel(const ChangeVector& change,
                                        const Eigen::Vector3d& world) const;
-  /// Differences between the pixels of the points and their given pixels, two rows per point.
+  /// Returns the differences between the projected and the given pixels of the points, two rows per
+  /// point. Returns nothing if a point is not visible.
   std::optional<Eigen::VectorXd> residuals(const ChangeVector& change,
                                            const std::vector<ImageAnchor>& anchors) const;
-  /// Derivatives of the residuals, in pixels per unit of change (central differences).
+  /// Returns the derivatives of the residuals, in pixels per unit of change (central differences).
   std::optional<Eigen::MatrixXd> jacobian(const ChangeVector& change,
                                           const std::vector<ImageAnchor>& anchors) const;
 
@@ -45,27 +46,28 @@ private:
   Eigen::Isometry3d step(const ChangeVector& change) const;
 
   Camera camera_;
-  Projector lens_; ///< lens of the camera, placed at the world's origin
+  Projector lens_; ///< lens of the camera, at the world origin
   double depth_;
 };
 
-/// Mean distance of the points from the camera, meters; at least 1 cm.
+/// Returns the mean distance of the points from the camera, meters; at least 1 cm.
 double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchors);
 
-/// Root mean square of the point distances in `residuals` (two rows per point).
+/// Returns the root mean square length of `residuals` over points (two rows per point).
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
 /// Refines the pose of `camera` and, if `alsoFocal`, its focal length by least squares (Ceres).
-/// Returns the root mean square distance in pixels; nothing if a point is not visible from the
+/// Returns the root mean square distance in pixels, or nothing if a point is not visible from the
 /// start pose.
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
                                  bool alsoFocal);
 
 /// Difference between two poses of a camera.
 struct PoseShift {
-  double meters = 0.0;  ///< displacement of the optical center
-  double radians = 0.0; ///< angle of the rotation
+  double meters = 0.0;  ///< displacement of the optical center, meters
+  double radians = 0.0; ///< angle of rotation, radians
 };
+/// Returns the difference between two poses.
 PoseShift poseShift(const Camera& before, const Camera& after);
 
 } // namespace dewpoint::calibration

@@ -11,42 +11,42 @@
 
 namespace dewpoint::calibration {
 
-/// Camera without distortion, with its principal point at the center of the image. `fieldOfView`:
-/// horizontal, radians.
+/// Returns a camera without distortion, with its principal point at the center of the image.
+/// `fieldOfView` is horizontal, in radians.
 Camera idealCamera(const std::string& name, int width, int height, double fieldOfView);
 
-/// Places the camera in the upper corner of the volume that is farthest from all cameras of the
-/// rig, looking at the center of the volume: the start pose of a planned camera. Of equally distant
-/// corners, the first in Eigen's order is used.
+/// Places the camera in the upper corner of the volume that is farthest from all cameras in the
+/// rig, looking at the center of the volume. This is the start pose of a planned camera. Among
+/// equally distant corners, the first in Eigen's order is used.
 Camera inFarthestCorner(Camera camera, const CameraRig& rig, const Eigen::AlignedBox3d& volume);
 
 /// Settings of placeCamera().
 struct PlacementSettings {
-  Eigen::AlignedBox3d volume;  ///< volume to be measured; world, meters
-  double wallDistance = 0.0;   ///< distance of walls and ceiling from the volume, outwards; meters
+  Eigen::AlignedBox3d volume;  ///< volume to measure in; world frame, meters
+  double wallDistance = 0.0;   ///< distance of walls and ceiling outwards from the volume, meters
   double pixelSigma = 0.5;     ///< standard deviation of a sighting, pixels
-  double goodSigma = 0.005;    ///< standard deviation that is good enough, meters
-  std::size_t cellCount = 900; ///< number of cells of the volume during the search
-  /// Number of cells on which the result's numbers are computed. The cells of a displayed map make
-  /// the numbers agree with it; 0: the cells of the search.
+  double goodSigma = 0.005;    ///< standard deviation of a position that is good enough, meters
+  std::size_t cellCount = 900; ///< number of cells into which the volume is divided for the search
+  /// Number of cells used to compute the reported numbers; 0: the same cells as for the search. Use
+  /// the cells of a displayed map to make the numbers agree with that map.
   std::size_t reportedCells = 0;
 };
 
 /// Result of placeCamera().
 struct Placement {
-  Camera camera; ///< the given camera with its new pose
+  Camera camera; ///< the given camera in its new pose
   double withinBefore =
-      0.0; ///< share of the volume that is good enough without the new camera, 0 to 1
-  double withinAfter = 0.0; ///< the same share with the new camera
+      0.0; ///< fraction of the volume that is good enough without the new camera, 0 to 1
+  double withinAfter = 0.0; ///< the same fraction with the new camera
 };
 
-/// The best pose for one more camera: on one of the four walls (in the upper half) or on the
-/// ceiling of the volume, looking into it. A pose is worth the mean over the volume of 1 / (1 +
-/// (sigma / goodSigma)²), and a little for what is seen at all, which decides for the first camera.
-/// All poses of a coarse raster, aimed at the center and at four points around it, are compared;
-/// the best one is then moved and rotated in shrinking steps as long as it gets better. The same
-/// input gives the same pose. BadValue for a volume without extent or a lens without focal length;
-/// Canceled.
+/// Finds the best pose for an additional camera: on one of the four walls (in the upper half) or on
+/// the ceiling of the volume, looking into it. The score of a pose is the mean of 1 / (1 + (sigma /
+/// goodSigma)²) over the volume, plus a small amount for everything that is visible, which decides
+/// for the first camera. All poses on a coarse grid, aimed at the center and at four points around
+/// it, are compared. The best one is then moved and rotated in decreasing steps as long as it
+/// improves. The same input produces the same pose. Errors: BadValue for a volume without extent or
+/// a lens without focal length; Canceled.
 Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
                               const PlacementSettings& settings,
                               const CalibrationProgress& progress = {});

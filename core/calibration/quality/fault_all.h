@@ -8,7 +8,8 @@
 
 namespace dewpoint::calibration {
 
-/// Finds faults that all cameras share, from the joint fit of all: pixels off by one half.
+/// Finds faults common to all cameras, based on the joint fit of all: image points that are off by
+/// half a pixel.
 std::optional<NamedFault> faultOfAll(const FaultQuestion& question, const ImagePoints& imagePoints,
                                      const PointFit& fit);
 

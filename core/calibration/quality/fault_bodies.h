@@ -8,12 +8,12 @@
 
 namespace dewpoint::calibration {
 
-/// Finds faults of entered lengths, boards and floors, from point positions triangulated by all
-/// cameras.
+/// Finds incorrect lengths, boards and floors in the entered data, using point positions
+/// triangulated by all cameras.
 std::vector<NamedFault> faultsOfBodies(const FaultQuestion& question,
                                        const PointPositions& positions, const CameraRig& rig);
 
-/// Relative standard deviation of the initial rig's size.
+/// Returns the relative standard deviation of the initial rig's size.
 double sizeSigma(const CameraRig& rig, const InitialRigSigma& sigma);
 
 } // namespace dewpoint::calibration

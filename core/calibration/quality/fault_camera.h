@@ -9,15 +9,17 @@
 
 namespace dewpoint::calibration {
 
-/// A camera that is left out of the fit, and the points as the other cameras see them.
+/// Camera that is left out of the fit, and the points as seen by the other cameras.
 struct Suspect {
   std::size_t camera = 0;
   const ImagePoints* imagePoints = nullptr;
-  const PointPositions* positions = nullptr; ///< triangulated by the other cameras
-  double sigmaPx = 1.0; ///< standard deviation of the image points that the other cameras explain
+  const PointPositions* positions = nullptr; ///< points triangulated by the other cameras
+  double sigmaPx =
+      1.0; ///< standard deviation of the image points explained by the other cameras, pixels
 };
 
-/// Finds the fault that explains a suspect best, if it explains it clearly better than no fault.
+/// Finds the fault that best explains a suspect. Returns it only if it explains the suspect clearly
+/// better than no fault.
 std::optional<NamedFault> faultOfCamera(const FaultQuestion& question, const Suspect& suspect);
 
 } // namespace dewpoint::calibration

@@ -9,31 +9,31 @@
 
 namespace dewpoint::calibration {
 
-/// Faults that were found.
+/// Result of a search for faults.
 struct FaultReport {
   std::vector<NamedFault> faults;
   double sigmaPx =
-      0.0; ///< standard deviation of an image point per axis, from the cameras that agree
+      0.0; ///< standard deviation of an image point per axis, from the cameras that agree; pixels
 };
 
-/// Searches for the faults listed in CalibrationFault by solving again under each hypothesis.
+/// Searches for the faults in CalibrationFault by solving again under each hypothesis.
 ///
-/// Point positions are free (no lengths are assumed), so that a wrong length hides nothing. Each
-/// camera in turn is left out. If the others agree, the left-out camera is explained from their
-/// points: unchanged, flipped, with another focal length, with lens data of another resolution,
-/// with another pose from some time on, or shifted in time. Pairs of cameras are exchanged, and
-/// everything is solved again.
+/// Point positions are free, and no lengths are assumed, so that a wrong length cannot hide other
+/// faults. Each camera in turn is left out. If the others agree, the left-out camera is explained
+/// from their points by one of these hypotheses: unchanged, flipped, with another focal length,
+/// with lens data for another resolution, with another pose from some time on, or shifted in time.
+/// Pairs of cameras are also exchanged, and everything is solved again.
 ///
-/// A hypothesis is reported if it gains more than 30 in log likelihood (Student's, 4 degrees of
+/// A hypothesis is reported if it gains more than 30 in log likelihood (Student's t, 4 degrees of
 /// freedom) and 0.1 per measured number, and explains the images nearly as well as the cameras that
-/// agree explain theirs; of several, the best is reported. If no camera is reported, half-pixel
-/// shifts of all cameras, lengths relative to the initial rig's size, and the board's side and
-/// columns are tested. With two cameras, faults of a single one cannot be identified and are not
-/// searched for.
+/// agree explain theirs. If several qualify, the best one is reported. If no camera is reported,
+/// three more faults are tested: half-pixel shifts of all cameras, lengths relative to the size of
+/// the initial rig, and the board's side and columns. With only two cameras, faults of a single
+/// camera cannot be identified and are not searched for.
 FaultReport findFaults(const FaultQuestion& question);
 
-/// Searches for faults in the observations of a wand. Errors: those of calibrateFromWand() about
-/// its views.
+/// Searches for faults in the observations of a wand. Errors: those of calibrateFromWand()
+/// regarding its views.
 Result<FaultReport> findWandFaults(const WandProblem& problem);
 
 } // namespace dewpoint::calibration

@@ -11,20 +11,21 @@
 
 namespace dewpoint::calibration {
 
-/// Smallest gain in log likelihood (Student's, 4 degrees of freedom) for which a hypothesis about
-/// one or two cameras is reported. Origin not recorded.
+/// Minimum gain in log likelihood (Student's t, 4 degrees of freedom) for reporting a hypothesis
+/// about one or two cameras. Origin not recorded.
 inline constexpr double kLeastGain = 30.0;
 
 /// Observations and entered data, before anything was solved or dropped.
 struct FaultQuestion {
-  /// Cameras: the initial rig with the given intrinsics. Bodies: as entered. A fixed state of a
-  /// board is the floor (or a wall) that defines the world.
+  /// Cameras: the initial rig with the given intrinsics. Bodies: as entered. A board state that is
+  /// fixed represents the floor (or a wall) that defines the world.
   BundleProblem problem;
-  InitialRigSigma initialSigma; ///< standard deviations of the initial rig's poses
-  std::vector<std::array<int, 2>> imageSizes = {}; ///< size of each video, pixels; empty: not known
-  std::optional<BoardDescription> board = {};      ///< board of the first body
-  bool focalUnknown = false; ///< whether focal lengths are to be estimated: they may differ
-  /// Whether cameras run without synchronization, or offsets are to be estimated: a much larger
+  InitialRigSigma initialSigma; ///< standard deviations of the poses in the initial rig
+  std::vector<std::array<int, 2>> imageSizes =
+      {};                                     ///< image size of each video, pixels; empty: unknown
+  std::optional<BoardDescription> board = {}; ///< board represented by the first body
+  bool focalUnknown = false; ///< true if focal lengths are to be estimated, so that they may differ
+  /// True if cameras run without synchronization, or offsets are to be estimated. A much larger
   /// gain is then required.
   bool unsynchronized = false;
 };

@@ -10,7 +10,7 @@
 
 namespace dewpoint::calibration {
 
-/// Content of the report page of a calibration.
+/// Content of a calibration report page.
 struct BoardReport {
   struct CameraPart {
     std::string name;
@@ -18,30 +18,33 @@ struct BoardReport {
     double rmsPx = 0.0;
     BoardCoverage coverage;
     std::vector<ViewFit> views;
-    std::vector<EstimatedParameter> parameters; ///< empty if intrinsics were given
-    std::optional<double> projectionPx;         ///< IntrinsicsResult::worstProjectionPx
-    std::optional<double> centerSigma;          ///< meters, if poses were estimated
-    std::optional<double> turnSigma;            ///< radians
+    std::vector<EstimatedParameter> parameters; ///< empty if the intrinsics were given
+    std::optional<double> projectionPx;         ///< IntrinsicsResult::worstProjectionPx, pixels
+    std::optional<double>
+        centerSigma; ///< standard deviation of the position, meters; if poses were estimated
+    std::optional<double>
+        turnSigma; ///< standard deviation of the orientation, radians; if poses were estimated
   };
 
   std::string title;
   BoardDescription board;
   std::vector<CameraPart> cameras;
-  std::vector<BoardPose> boardPoses; ///< for the plot in space; without poses there is no plot
+  std::vector<BoardPose>
+      boardPoses; ///< board poses for the 3D plot; there is no plot without poses
   std::vector<std::string> notices;
   std::string accuracy; ///< one sentence; may be empty
 };
 
-/// Section of a report about one camera's intrinsics.
+/// Returns the report section about one camera's intrinsics.
 BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResult& result);
 
-/// Report about the poses of all cameras.
+/// Returns the report about the poses of all cameras.
 BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& result);
 
-/// Report as one self-contained HTML page: results, residual arrows, coverage and errors per image
-/// for each camera, and cameras and boards in space.
+/// Returns the report as a self-contained HTML page. For each camera, it shows results, residual
+/// arrows, coverage and errors per image. It also shows the cameras and boards in space.
 std::string htmlText(const BoardReport& report);
-/// Several reports on one page, one below the other. `reports` must not be empty.
+/// Returns several reports on one page, one below the other. `reports` must not be empty.
 std::string htmlText(const std::vector<BoardReport>& reports);
 
 } // namespace dewpoint::calibration

@@ -10,29 +10,30 @@
 
 namespace dewpoint::calibration {
 
-/// Beginning of a self-contained HTML page up to its body, with styles for the drawings below.
+/// Returns the beginning of a self-contained HTML page up to its body, with the styles for the
+/// drawings below.
 std::string pageHead(const std::string& title);
-/// Width of the widest drawings in SVG units. Origin not recorded.
+/// Width of the widest drawings, in SVG units. Origin not recorded.
 inline constexpr double kDrawingWidth = 460.0;
 
 inline constexpr const char* kPageEnd = "</body></html>\n";
 
-/// An observed image point, and its distance from the projection.
+/// Observed image point, and its distance from the projection.
 struct ImageResidual {
-  Eigen::Vector2d pixel;    ///< measured
+  Eigen::Vector2d pixel;    ///< measured position
   Eigen::Vector2d residual; ///< measured minus projected, pixels
 };
 
-/// SVG with the outline of an image and an arrow per residual from the projected to the measured
-/// pixel. The arrows are lengthened so that the longest usual ones are visible; the scale is shown
-/// next to the image.
+/// Returns an SVG with the outline of an image and an arrow for each residual, from the projected
+/// to the measured pixel. The arrows are enlarged so that typical residuals are visible. The scale
+/// is shown next to the image.
 std::string residualDrawing(const Intrinsics& image, const std::vector<ImageResidual>& residuals);
 
-/// SVG with the number of corners in each region of the image, and notes next to it.
+/// Returns an SVG with the number of corners in each region of the image, and notes next to it.
 std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& coverage,
                             const std::vector<std::string>& notes);
 
-/// SVG with the error of each image as a bar; images that were left out are hatched.
+/// Returns an SVG with a bar for the error of each image. Images that were left out are hatched.
 std::string errorDrawing(const std::vector<ViewFit>& views);
 
 } // namespace dewpoint::calibration

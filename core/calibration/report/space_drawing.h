@@ -10,14 +10,15 @@
 
 namespace dewpoint::calibration {
 
-/// A polyline through points of the world (meters): "board" (thin, amber) or another CSS class of
-/// the page.
+/// Polyline through world points (meters). Its style is "board" (thin, amber) or another CSS class
+/// of the page.
 struct SpaceLine {
   const char* kind = "board";
   std::vector<Eigen::Vector3d> points;
 };
 
-/// SVG with cameras and lines in space: obliquely from above (with this label), and from above.
+/// Returns an SVG with two views of cameras and lines in space: obliquely from above (with this
+/// label), and from directly above.
 std::string spaceDrawing(const CameraRig& cameras, const std::vector<SpaceLine>& lines,
                          const char* label);
 

@@ -9,17 +9,17 @@
 
 namespace dewpoint::calibration {
 
-/// Content of the report page of a calibration by wand.
+/// Content of the report page for a calibration by wand.
 struct WandReport {
-  CameraRig before;                    ///< the initial rig
-  WandResult result;                   ///< including its faults
+  CameraRig before;                    ///< initial rig
+  WandResult result;                   ///< result of the calibration, including its faults
   std::string accuracy;                ///< one sentence
   std::vector<BoardCoverage> coverage; ///< per camera
-  bool offsetsFound = false;           ///< whether time offsets were estimated
+  bool offsetsFound = false;           ///< true if time offsets were estimated
 };
 
-/// Report as one self-contained HTML page: accuracy, faults and results, residual arrows and
-/// coverage for each camera, and cameras and the target's path in space.
+/// Returns the report as a self-contained HTML page. It shows accuracy, faults and results,
+/// residual arrows and coverage for each camera, and the cameras and the target's path in space.
 std::string htmlText(const WandReport& report);
 
 } // namespace dewpoint::calibration

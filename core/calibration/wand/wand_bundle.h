@@ -5,28 +5,29 @@
 
 namespace dewpoint::calibration {
 
-/// Checks that there are at least two cameras, each with valid views. The error names the camera.
+/// Checks that there are at least two cameras, each with valid views. Errors name the camera.
 Status checkViews(const WandProblem& problem);
 
-/// Makes a bundle problem from the views and the initial cameras: views at the same time (within
-/// half the usual time between two) become observations of one state.
+/// Creates a bundle problem from the views and the initial cameras. Views at the same time (within
+/// half the usual interval between views) become observations of one state.
 Result<BundleProblem> wandBundle(const WandProblem& problem);
 
-/// Keeps every k-th state, or every k-th run of neighbors where states are followed in time, so
-/// that at most `most` remain, together with their observations.
+/// Reduces a problem to at most `most` states and their observations, by keeping every k-th state.
+/// Where states are followed in time, keeps every k-th run of neighbors instead.
 BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns);
 
-/// Sets the outlineShift of every observation from the current cameras and states. `ballRadius` is
-/// in meters.
+/// Sets the outlineShift of every observation based on the current cameras and states. `ballRadius`
+/// is in meters.
 void correctOutlines(const std::array<double, 2>& ballRadius, const BundleResult& now,
                      BundleProblem& problem);
 
 /// Drops the worst observation of each state if its residual exceeds `limit` pixels. Returns the
-/// number dropped; `dropped` counts them per camera.
+/// number of dropped observations; `dropped` counts them per camera.
 std::size_t dropWorst(const BundleResult& now, double limit, BundleProblem& problem,
                       std::vector<std::size_t>& dropped);
 
-/// Median length of the residuals of used observations in pixels, for all cameras or one.
+/// Returns the median length of the residuals of used observations in pixels, for one camera or for
+/// all.
 double medianResidual(const BundleProblem& problem, const BundleResult& now, int camera = -1);
 
 } // namespace dewpoint::calibration

@@ -15,22 +15,22 @@ namespace dewpoint::calibration {
 
 /// Observation of a ball in one image.
 struct MarkerObservation {
-  double time = 0.0;                               ///< seconds, by the camera's own clock
-  std::size_t ball = 0;                            ///< 0, or 1 for the other end of a stick
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of its outline
-  double radius = 0.0;                             ///< of the outline, pixels; 0: not measured
-  double sigma = 0.3; ///< standard deviation of `pixel` per axis, pixels
+  double time = 0.0;    ///< seconds, by the camera's own clock
+  std::size_t ball = 0; ///< 0, or 1 for the ball at the other end of a stick
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the ball's outline
+  double radius = 0.0; ///< radius of the outline, pixels; 0: not measured
+  double sigma = 0.3;  ///< standard deviation of `pixel` per axis, pixels
 };
 
-/// Source of the scale of the result.
+/// How the scale of the result is determined.
 enum class WandScale {
-  InitialRig, ///< the initial rig: the scale is only as accurate as this rig
-  Stick,      ///< the known length of the stick
-  Distance,   ///< the distance between two positions that were touched
-  Diameter    ///< the apparent radius of the ball, measured to about 0.05 px
+  InitialRig, ///< from the initial rig: the scale is only as accurate as this rig
+  Stick,      ///< from the known length of the stick
+  Distance,   ///< from the distance between two touched positions
+  Diameter    ///< from the apparent radius of the ball, measured to about 0.05 px
 };
 
-/// Two positions a known distance apart at which the ball was held.
+/// Two positions at a known distance from each other, at which the ball was held.
 struct TouchedDistance {
   double firstTime = 0.0;  ///< seconds
   double secondTime = 0.0; ///< seconds
@@ -41,72 +41,75 @@ struct TouchedDistance {
 struct WandProblem {
   CameraRig initialRig;                              ///< approximate poses of the cameras
   std::vector<std::vector<MarkerObservation>> views; ///< per camera of `initialRig`
-  std::array<double, 2> ballRadius = {0.0,
-                                      0.0}; ///< meters; 0: unknown, balls are treated as points
-  double stickLength = 0.0; ///< between the centers of balls 0 and 1, meters; 0: one ball
+  std::array<double, 2> ballRadius = {
+      0.0, 0.0}; ///< radii of the balls, meters; 0: unknown, so that balls are treated as points
+  double stickLength =
+      0.0; ///< distance between the centers of balls 0 and 1, meters; 0: only one ball
   WandScale scale = WandScale::InitialRig;
   TouchedDistance distance;       ///< for WandScale::Distance
-  std::vector<double> floorTimes; ///< times when ball 0 lay on or touched the floor, seconds
+  std::vector<double> floorTimes; ///< times when ball 0 lay on the floor or touched it, seconds
   std::optional<std::array<double, 2>> drop; ///< time span in which ball 0 fell freely, seconds
   bool findOffsets = false;       ///< estimate time offsets of the cameras relative to the first
   bool findFocal = false;         ///< estimate focal lengths, keeping their ratio
-  bool findDistortion = false;    ///< estimate k1 of every camera
+  bool findDistortion = false;    ///< estimate k1 for every camera
   double initialTurnError = 0.06; ///< expected error of the initial rig's orientations, radians
   double initialPositionError = 0.12; ///< expected error of the initial rig's positions, meters
-  int starts = 6;         ///< number of starts: the initial rig, and perturbed copies of it
-  std::uint64_t seed = 1; ///< of the perturbations
+  int starts = 6;         ///< number of starts: the initial rig and perturbed copies of it
+  std::uint64_t seed = 1; ///< random seed for the perturbations
   int mostInstants = 900; ///< maximum number of instants used, spread evenly over the recording
 };
 
-/// Quality of the solution from one of the starts.
+/// Quality of the solution obtained from one start.
 struct WandStart {
   bool solved = false;
-  double medianPx = 0.0; ///< median length of the residuals
+  double medianPx = 0.0; ///< median length of the residuals, pixels
 };
 
-/// Measurements from a free fall.
+/// Measurements made during a free fall.
 struct WandDrop {
-  double gravity = 0.0;     ///< meters per second squared; 9.81 if the scale is right
+  double gravity =
+      0.0; ///< measured acceleration, meters per second squared; 9.81 if the scale is correct
   double sigma = 0.0;       ///< standard deviation of `gravity`
   std::size_t instants = 0; ///< number of instants used
 };
 
 /// Output of calibrateFromWand().
 struct WandResult {
-  CameraRig cameras;                  ///< named as the initial cameras
-  std::vector<double> offsets;        ///< seconds; true time = camera's time + offset
-  std::vector<double> cameraMedianPx; ///< median length of the residuals that were kept
+  CameraRig cameras;           ///< same names as the initial cameras
+  std::vector<double> offsets; ///< seconds; true time = camera's time + offset
+  std::vector<double>
+      cameraMedianPx; ///< median length of the residuals that were kept, pixels, per camera
   double medianPx = 0.0;
-  std::vector<std::size_t> views;   ///< number used, per camera
-  std::vector<std::size_t> dropped; ///< number dropped as outliers, per camera
+  std::vector<std::size_t> views;   ///< number of views used, per camera
+  std::vector<std::size_t> dropped; ///< number of views dropped as outliers, per camera
   std::vector<WandStart> starts;
   WandScale scale = WandScale::InitialRig;
   double scaleFactor = 1.0; ///< factor by which the size of the initial rig was corrected
-  double scaleSigma = 0.0;  ///< relative standard deviation of the scale; 0: not known
+  double scaleSigma = 0.0;  ///< relative standard deviation of the scale; 0: unknown
   bool floorFound = false;
-  double floorRms = 0.0; ///< RMS distance of the touched positions from the plane, meters
+  double floorRms = 0.0; ///< RMS distance of the touched positions from the floor plane, meters
   std::optional<WandDrop> drop;
   double upRotated =
-      0.0; ///< angle between the upward directions of the initial rig and the result, radians
-  BundleProblem problem;               ///< the last adjusted problem, in the world of the result
-  BundleResult bundle;                 ///< its solution, with the covariance
-  double seconds = 0.0;                ///< computing time
+      0.0; ///< angle between the upward directions of the initial rig and of the result, radians
+  BundleProblem problem;               ///< last adjusted problem, in the world frame of the result
+  BundleResult bundle;                 ///< solution of `problem`, with the covariance
+  double seconds = 0.0;                ///< computation time, seconds
   std::vector<NamedFault> faults = {}; ///< filled by findWandFaults()
 };
 
-/// Progress of the computation. The callback returns false to stop it.
+/// Progress of the computation. The callback returns false to stop the computation.
 struct WandProgress {
   int step = 0;
   int steps = 0;
-  double rms = 0.0; ///< pixels
+  double rms = 0.0; ///< RMS of the residuals, pixels
 };
 using WandCallback = std::function<bool(const WandProgress&)>;
 
-/// Calibrates the poses (optionally focal lengths, k1 and time offsets) of all cameras from a wand
-/// (a waved ball or stick), starting from an initial rig: bundle adjustment with robust losses that
-/// are narrowed in steps, from several starts. Views that no solution explains are dropped, one per
-/// instant and round. The world stays aligned to the initial rig, unless floor touches or a fall
-/// define the upward direction. Deterministic.
+/// Calibrates the poses of all cameras from a wand (a waved ball or stick), starting from an
+/// initial rig. Optionally also calibrates focal lengths, k1 and time offsets. Uses bundle
+/// adjustment with robust losses that are narrowed in steps, from several starts. Views that no
+/// solution explains are dropped, one per instant and round. The world stays aligned with the
+/// initial rig unless floor touches or a fall define the upward direction. Deterministic.
 ///
 /// Errors: too few views of a camera (named), cameras that are not connected by common views,
 /// touches at times when the ball was not seen by two cameras, and Canceled.

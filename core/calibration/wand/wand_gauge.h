@@ -7,7 +7,7 @@
 
 namespace dewpoint::calibration {
 
-/// Similarity transform of the world: new = scale * rotation * old + translation.
+/// Similarity transform of world coordinates: new = scale * rotation * old + translation.
 struct Similarity {
   double scale = 1.0;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -18,31 +18,35 @@ struct Similarity {
   }
 };
 
-/// Least-squares similarity (or rigid motion if `sized` is false) that maps `from` to `to` (Umeyama
-/// 1991). Needs at least three points that are not on a line.
+/// Returns the least-squares similarity (or rigid motion if `sized` is false) that maps `from` to
+/// `to` (Umeyama 1991). Requires at least three points that are not on a line.
 Similarity fitSimilarity(const std::vector<Eigen::Vector3d>& from,
                          const std::vector<Eigen::Vector3d>& to, bool sized);
 
-/// Similarity that maps the positions and axes of a rig's cameras to those of another rig.
+/// Returns the similarity that maps the positions and axes of one rig's cameras to those of another
+/// rig.
 Similarity fitRigSimilarity(const CameraRig& from, const CameraRig& to, bool sized);
 
-/// Transforms the cameras, states and covariance of a result to another world.
+/// Transforms the cameras, states and covariance of a result to another world frame.
 void moveWorld(const Similarity& change, BundleResult& result);
 
-/// Mean position of ball `ball` within a tenth of a second of `time`; nothing if it was not seen.
+/// Returns the mean position of ball `ball` within a tenth of a second of `time`, or nothing if the
+/// ball was not seen.
 std::optional<Eigen::Vector3d> ballAt(const BundleResult& now, double time, std::size_t ball = 0);
 
-/// Scale factor from the scale source of the problem, with its relative standard deviation. The
-/// factor is 1 for the stick (the adjustment already uses its length) and for the initial rig.
+/// Scale factor determined from the scale source of the problem, with its relative standard
+/// deviation. The factor is 1 for the stick (the adjustment already uses its length) and for the
+/// initial rig.
 struct ScaleFound {
   double factor = 1.0;
   double sigma = 0.0;
 };
+/// Determines the scale factor of a solution from the scale source of the problem.
 Result<ScaleFound> scaleOf(const WandProblem& problem, const BundleProblem& bundle,
                            const BundleResult& now);
 
-/// Change of the world (already metric) from the floor touches or the fall; the identity without
-/// either. Stores its findings in `result`.
+/// Returns the change of the world frame (already metric) based on the floor touches or the fall;
+/// the identity if there are neither. Stores its findings in `result`.
 Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
                                 WandResult& result);
 

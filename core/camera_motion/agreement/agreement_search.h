@@ -10,22 +10,22 @@
 
 namespace dewpoint::camera_motion {
 
-/// Returns whether the rig as declared explains the sightings: enough of them, and with errors that
-/// are usual for calibrations.
+/// Returns whether the rig as declared explains the sightings well, with errors that are usual for
+/// calibrations.
 bool isGood(const AgreementFit& asDeclared);
 /// Returns whether the rig as declared explains hardly any of the sightings.
 bool isBad(const AgreementFit& asDeclared);
 
-/// Finds the fault that explains the sightings clearly better than the declared rig (log odds of at
+/// Finds a fault that explains the sightings clearly better than the declared rig (log odds of at
 /// least kLeastLogOdds) and than every other fault (by at least kLeastLead). If several faults
-/// remain, or none explains the sightings, returns nothing, or, with `alsoUnknown`, that the
-/// cameras disagree.
+/// remain, or none explains the sightings, there are two cases: with `alsoUnknown`, the result is
+/// that the cameras disagree; otherwise, the result is nothing.
 std::optional<CameraDisagreement> findFault(const AgreementModel& model, const CameraRig& rig,
                                             const AgreementFit& asDeclared, bool alsoUnknown);
 
-/// Least log odds (natural logarithm) of a fault against none: one report in twenty is wrong.
+/// Minimum log odds (natural logarithm) of a fault against no fault: one report in twenty is wrong.
 inline constexpr double kLeastLogOdds = 3.0;
-/// Least log odds (natural logarithm) of a fault against any other: one in twenty is wrong.
+/// Minimum log odds (natural logarithm) of a fault against any other fault: one in twenty is wrong.
 inline constexpr double kLeastLead = 3.0;
 
 } // namespace dewpoint::camera_motion

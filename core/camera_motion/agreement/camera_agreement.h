@@ -16,19 +16,19 @@ class AgreementModel;
 struct AgreementFit;
 
 /// Monitors whether the cameras of a rig agree about the positions of objects, and names the most
-/// likely reason when they do not. It checks the rig itself at once (checkRig()), and then compares
-/// where the cameras see moving regions in the targets' colors, whether or not a target is tracked.
-/// A few seconds of motion are enough. Regions at rest are not used, because they may be different
-/// objects in different images.
+/// likely reason if they do not. It checks the rig itself immediately (checkRig()). Then it
+/// compares where the cameras see moving regions in the targets' colors, whether or not a target is
+/// tracked. A few seconds of motion are enough. Regions at rest are not used because they may be
+/// different objects in different images.
 class CameraAgreement {
 public:
   explicit CameraAgreement(const CameraRig& rig);
 
-  /// Adds the next images. Images that are older than the last ones are ignored.
+  /// Adds the next images. Images older than the previous ones are ignored.
   void watch(const FrameSet& frames, const std::vector<Target>& targets);
 
-  /// Faults found so far: first those of the rig itself, then at most one that the images show.
-  /// That one is removed when the images agree again.
+  /// Faults found so far: first the faults of the rig itself, then at most one fault derived from
+  /// the images. The latter is removed when the images agree again.
   const std::vector<CameraDisagreement>& found() const { return found_; }
 
   /// Discards all sightings.
@@ -36,12 +36,12 @@ public:
 
 private:
   void takeColors(const std::vector<Target>& targets);
-  /// Returns whether enough regions were seen, and not too many at once.
+  /// Returns whether enough regions were seen, but not too many in one image.
   bool tellsSomething() const;
   void check(double time);
   void takeGood(const AgreementModel& model, const AgreementFit& asDeclared, double time);
   void takeDoubtful(const AgreementModel& model, const AgreementFit& asDeclared, double time);
-  /// Whether the rig is checked now and then only, from now on.
+  /// Sets whether the rig is checked only occasionally from now on.
   void checkSparsely(bool sparse);
   void report(const std::optional<CameraDisagreement>& seen);
 
@@ -49,16 +49,18 @@ private:
   std::vector<CameraDisagreement> found_;
   std::size_t ofRig_ = 0; ///< number of faults in found_ that concern the rig itself
   std::vector<ColorRanges> colors_;
-  std::vector<double> radii_; ///< radii of the targets of each color, meters; 0: unknown
+  std::vector<double> radii_; ///< target radius for each color, meters; 0: unknown
   std::vector<std::vector<SightingHistory>> histories_; ///< [color][camera]
-  std::vector<double> lastTimes_;  ///< time of the last image of each camera, seconds
-  double due_ = 0.0;               ///< time of the next check, seconds
-  double wait_ = 0.0;              ///< seconds from that check to the one after it
-  std::optional<double> badSince_; ///< time since which the rig explains hardly anything, seconds
-  std::optional<double> unclearSince_; ///< time since which it explains only a part, seconds
+  std::vector<double> lastTimes_; ///< time of the last image of each camera, seconds
+  double due_ = 0.0;              ///< time of the next check, seconds
+  double wait_ = 0.0;             ///< interval from that check to the next one, seconds
+  std::optional<double>
+      badSince_; ///< since when the rig has explained hardly any sightings, seconds
+  std::optional<double>
+      unclearSince_; ///< since when the rig has explained only some sightings, seconds
   std::optional<double> goodSince_;
-  bool sparse_ = false; ///< the rig has been right: it is checked now and then
-  std::optional<CameraDisagreement> suspected_; ///< by the last check
+  bool sparse_ = false; ///< true if the rig has been confirmed and is checked only occasionally
+  std::optional<CameraDisagreement> suspected_; ///< fault suspected by the last check
 };
 
 } // namespace dewpoint::camera_motion

@@ -11,31 +11,31 @@
 
 namespace dewpoint::camera_motion {
 
-/// A connected region of pixels in a target's color. All lengths are in pixels; pixel centers are
-/// at integer coordinates.
+/// Connected region of pixels in a target's color. All lengths are in pixels; pixel centers are at
+/// integer coordinates.
 struct ColorRegion {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  double radius = 0.0; ///< of the disc of the same area
+  double radius = 0.0; ///< radius of the disk with the same area
   /// Standard deviation per axis of the region's center as an estimate of the center of the
-  /// object's whole outline: small for a round region, about the radius for a region that is cut
-  /// off or has any other shape.
+  /// object's full outline. It is small for a round region, and about the radius for a region that
+  /// is cut off or has any other shape.
   double sigma = 0.0;
-  /// Part of `sigma` that comes from the shape, and stays the same while the object moves.
+  /// Part of `sigma` that results from the shape and is constant while the object moves.
   double bias = 0.0;
 };
 
-/// Finds the regions of one color in images by scanning every few rows. It shows where objects are
-/// and how they move, at a small fraction of the cost of labeling each pixel.
+/// Finds the regions of one color in images by scanning every few rows. The regions show where
+/// objects are and how they move, at a small fraction of the cost of labeling each pixel.
 class ColorRegionSearch {
 public:
-  /// Maximum number of regions reported per image, the largest ones.
+  /// Maximum number of regions reported per image; the largest ones are kept.
   static constexpr std::size_t kMost = 8;
 
   explicit ColorRegionSearch(const ColorRanges& color) : classifier_(color) {}
 
-  /// Finds the regions in an image (CV_8UC3), largest first; none for other image types, or if the
-  /// color occurs at hundreds of positions. Regions whose gap is smaller than their size count as
-  /// one: a ball with a highlight, or with a pattern on it.
+  /// Finds the regions in an image (CV_8UC3), largest first. Returns none for other image types, or
+  /// if the color occurs at hundreds of positions. Regions separated by a gap smaller than their
+  /// size count as one, such as a ball with a highlight or a pattern.
   const std::vector<ColorRegion>& find(const cv::Mat& image);
 
 private:
@@ -49,7 +49,7 @@ private:
     double radius() const;
   };
   struct Run {
-    int left, right; ///< columns, both included
+    int left, right; ///< column range, inclusive
     std::size_t part;
   };
   std::size_t rootOf(std::size_t part);
@@ -58,7 +58,7 @@ private:
   ColorRegion regionOf(const Sums& sums, const cv::Mat& image, int step) const;
 
   ColorClassifier classifier_;
-  // Kept from image to image, so that no memory is allocated.
+  // Reused for every image, so that no memory is allocated.
   std::vector<std::uint8_t> match_;
   std::vector<Run> above_, here_;
   std::vector<std::size_t> parents_;

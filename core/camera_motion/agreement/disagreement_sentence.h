@@ -8,8 +8,9 @@
 
 namespace dewpoint::camera_motion {
 
-/// Describes a fault and its correction in plain English for the command line: "left and right seem
-/// to be swapped; exchange their images in the project file". Without a period at the end.
+/// Returns a plain English description of a fault and its correction for the command line: "left
+/// and right seem to be swapped; exchange their images in the project file". It does not end with a
+/// period.
 std::string disagreementSentence(const CameraDisagreement& found, const CameraRig& rig);
 
 } // namespace dewpoint::camera_motion

@@ -7,30 +7,33 @@
 
 namespace dewpoint::camera_motion {
 
-/// A region in a target's color in one image, as rays of the camera. All members but `counts` are
-/// in terms of the rays; `radius`, `sigma` and `bias` are angles in radians.
+/// Region in a target's color in one image, expressed in camera rays. `radius`, `sigma` and `bias`
+/// are angles in radians.
 struct SeenRegion {
-  Eigen::Vector3d direction; ///< to its center: unit vector, camera axes
+  Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
   Eigen::Vector3d rate;      ///< change of `direction` per second
   double radius;
   double sigma; ///< standard deviation of the center, per axis
-  double bias;  ///< part of `sigma` that stays the same while the object moves
-  bool counts;  ///< whether it counts as evidence (RegionSighting)
+  double bias;  ///< part of `sigma` that is constant while the object moves
+  bool counts;  ///< true if it counts as evidence (RegionSighting)
 };
 
-/// How well a region of one camera and a region of another one match as the same object.
+/// How well a region in one camera and a region in another camera match as views of the same
+/// object.
 struct RegionMatch {
   double density = 0.0;  ///< likelihood relative to that of unrelated regions
-  double residual = 0.0; ///< distance at which the rays pass each other, in standard deviations
-  Eigen::Vector3d byU =
-      Eigen::Vector3d::Zero(); ///< derivatives of `residual` by the directions `u` and `v`
+  double residual = 0.0; ///< distance between the two rays, in standard deviations
+  Eigen::Vector3d byU = Eigen::Vector3d::Zero(); ///< derivatives of `residual` with respect to the
+                                                 ///< directions `u` and `v`
   Eigen::Vector3d byV = Eigen::Vector3d::Zero();
-  double size = 0.0; ///< radius of the object that both see, in the unit of `apart`; 0: not known
+  double size =
+      0.0; ///< radius of the object seen by both cameras, in the unit of `apart`; 0: unknown
 };
 
-/// Compares region `a`, seen along the unit vector `u` of the world, with region `b`, seen along
-/// `v` by a camera displaced by `apart` from the first one (not zero). The image of the second
-/// camera is `field` radians high. `widening`: additional uncertainty of the directions, radians.
+/// Compares region `a` with region `b`. `a` is seen along the unit vector `u` (world axes), and `b`
+/// along `v` by a camera displaced by `apart` (not zero) from the first one. `field` is the angular
+/// height of the second camera's image, and `widening` an additional uncertainty of the directions,
+/// both in radians.
 RegionMatch matchRegions(const SeenRegion& a, const Eigen::Vector3d& u, const SeenRegion& b,
                          const Eigen::Vector3d& v, const Eigen::Vector3d& apart, double widening,
                          double field);

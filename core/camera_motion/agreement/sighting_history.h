@@ -12,16 +12,16 @@
 
 namespace dewpoint::camera_motion {
 
-/// A region in a target's color as one camera saw it, tracked from image to image.
+/// Region in a target's color as seen by one camera, tracked from image to image.
 struct RegionSighting {
   ColorRegion region;
   Eigen::Vector2d rate = Eigen::Vector2d::Zero(); ///< velocity of the center, pixels per second
-  /// Direction to the center (unit vector in camera axes), and its change per second.
+  /// Direction to the center (unit vector in camera axes), and its rate of change per second.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d directionRate = Eigen::Vector3d::Zero();
-  int track = 0; ///< number that the region has in all images in which it is tracked
-  /// Whether the region has moved by its own radius since its track counted the last time. Regions
-  /// at rest never count, and an error in a region that hardly moves counts once.
+  int track = 0; ///< track number, the same in all images in which the region is tracked
+  /// True if the region has moved by its own radius since its track last counted. Therefore,
+  /// regions at rest never count, and an error in a region that hardly moves counts once.
   bool counts = false;
 };
 
@@ -31,25 +31,25 @@ struct SightingImage {
   std::vector<RegionSighting> regions;
 };
 
-/// Regions of one color in the images of one camera over the last seconds.
+/// Regions of one color in the images of one camera over the last few seconds.
 class SightingHistory {
 public:
-  /// Time span that is kept, in seconds.
+  /// Time span for which images are kept, in seconds.
   static constexpr double kKept = 4.0;
 
   SightingHistory(const ColorRanges& color, const Camera& camera);
 
   /// Searches the next image (CV_8UC3), taken at `time` (seconds). An image that is not later than
-  /// the last one is ignored.
+  /// the previous one is ignored.
   void add(const cv::Mat& image, double time);
   void clear() { images_.clear(); }
-  /// Number of sightings that count.
+  /// Returns the number of sightings that count.
   std::size_t counted() const;
-  /// Images in order of time.
+  /// Images in chronological order.
   const std::deque<SightingImage>& images() const { return images_; }
 
 private:
-  /// Position at which a track counted last, or began.
+  /// Position at which a track last counted, or at which it began.
   struct Counted {
     int track;
     Eigen::Vector2d center;
@@ -59,7 +59,7 @@ private:
   ColorRegionSearch search_;
   Unprojector unprojector_; ///< to camera axes
   std::deque<SightingImage> images_;
-  std::vector<Counted> counted_; ///< for the tracks in the last image
+  std::vector<Counted> counted_; ///< one per track in the last image
   int tracks_ = 0;
 };
 

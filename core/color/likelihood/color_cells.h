@@ -9,22 +9,23 @@
 
 namespace dewpoint::color {
 
-/// Number of color cells: 32 x 32 x 32 cells of 8 gray levels per channel cover all colors. Gray
-/// levels are about proportional to the square root of the light, and so is its noise: equal steps
-/// of gray levels are about equally many standard deviations everywhere. Cells of equal hue and
-/// saturation, in contrast, would be finer than the noise in dark colors and needlessly coarse in
-/// bright ones. 8 levels are about the width of the noise (3 levels, and compression, to both
-/// sides), and a table of one byte per cell fits into the first-level cache.
+/// Number of color cells per channel. 32 x 32 x 32 cells of 8 gray levels per channel cover all
+/// colors. Gray levels are approximately proportional to the square root of the light, and so is
+/// its noise. Therefore, equal steps of gray levels correspond to about the same number of standard
+/// deviations everywhere. Cells of equal hue and saturation, in contrast, would be finer than the
+/// noise in dark colors and unnecessarily coarse in bright ones. 8 levels are about the width of
+/// the noise (3 levels, and compression, on both sides), and a table with one byte per cell fits
+/// into the first-level cache.
 inline constexpr std::size_t kColorCellsPerChannel = 32;
 inline constexpr std::size_t kColorCellCount = 32768;
 inline constexpr double kColorCellLevels = 8.0; ///< gray levels per cell and channel
 
-/// Index of the cell of a color. Blue varies slowest, red fastest.
+/// Returns the cell index of a color. Blue varies slowest, red fastest.
 inline std::uint16_t colorCell(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
   return static_cast<std::uint16_t>(((blue >> 3) << 10) | ((green >> 3) << 5) | (red >> 3));
 }
 
-/// A group of similar colors: blue, green and red in gray levels, 0 to 255, and their total weight.
+/// Group of similar colors: blue, green and red in gray levels, 0 to 255, and their total weight.
 struct BgrColors {
   std::array<double, 3> bgr{};
   double weight = 0.0;

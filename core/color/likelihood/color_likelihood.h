@@ -11,42 +11,43 @@
 namespace dewpoint::color {
 
 /// Log likelihood ratio of a pixel's color in one camera, log p(color | target) / p(color | not
-/// target) (natural logarithm), as a table over the cells of color_cells.h. TargetColorModel learns
-/// it. Immutable; copies share the table.
+/// target) (natural logarithm), stored as a table over the cells of color_cells.h. It is learned by
+/// TargetColorModel. Immutable; copies share the table.
 class ColorLikelihood {
 public:
-  /// Size of one step of a table entry, in nats: a power of two, finer than the accuracy of any
+  /// Step size of table entries, in nats. It is a power of two and finer than the accuracy of any
   /// table.
   static constexpr double kStep = 1.0 / 16.0;
   /// Largest absolute log ratio of a color, in steps. 72 steps are 4.5 nats, ln(0.9 / 0.01): nine
-  /// in ten of the target's pixels have its color, and one in a hundred of the others by chance
-  /// (core/observation/sphere/sphere_evidence.cpp uses the same values for a pixel that matches).
+  /// in ten target pixels have the target's color, as does one in a hundred of the other pixels by
+  /// chance (core/observation/sphere/sphere_evidence.cpp uses the same values for a matching
+  /// pixel).
   static constexpr int kMostSteps = 72;
   static constexpr double kMost = kMostSteps * kStep; ///< nats
 
-  /// `logRatios`: log ratio of each cell in nats, kColorCellCount finite numbers. They are rounded
-  /// to steps and limited to kMost on both sides.
+  /// Creates a table from the log ratio of each cell in nats: kColorCellCount finite numbers. They
+  /// are rounded to steps and clamped to [-kMost, kMost].
   explicit ColorLikelihood(const std::vector<double>& logRatios);
 
-  /// Log ratio of a color, in steps.
+  /// Returns the log ratio of a color, in steps.
   std::int8_t at(std::uint8_t blue, std::uint8_t green, std::uint8_t red) const noexcept {
     return (*steps_)[colorCell(blue, green, red)];
   }
-  /// Log ratio of a color, in nats.
+  /// Returns the log ratio of a color, in nats.
   double logRatio(std::uint8_t blue, std::uint8_t green, std::uint8_t red) const noexcept {
     return kStep * at(blue, green, red);
   }
 
   /// Computes at() for `count` adjacent pixels of three bytes (blue, green, red). `out` must not
-  /// overlap the pixels. Runs of pixels that cannot be the target's are skipped without a table
-  /// lookup.
+  /// overlap the pixels. Runs of pixels that cannot belong to the target are skipped without a
+  /// table lookup.
   void logRatioRow(const std::uint8_t* bgr, std::int64_t count, std::int8_t* out) const noexcept;
-  /// As ColorClassifier::matchRow(), with this table: 255 where the log ratio exceeds `threshold`
-  /// (nats), 0 elsewhere.
+  /// Same as ColorClassifier::matchRow(), but uses this table: 255 where the log ratio exceeds
+  /// `threshold` (nats), 0 elsewhere.
   void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out,
                 double threshold = 0.0) const noexcept;
 
-  /// Returns true if the tables are equal.
+  /// Returns whether the tables are equal.
   bool operator==(const ColorLikelihood& other) const { return *steps_ == *other.steps_; }
 
 private:
@@ -54,13 +55,13 @@ private:
 
   /// Inclusive bounds, in cells.
   struct Bounds {
-    std::int16_t least = 1; ///< above `most`: the interval is empty
+    std::int16_t least = 1; ///< if above `most`, the interval is empty
     std::int16_t most = 0;
 
     void include(int value);
   };
-  /// Bounds of red - green, green - blue, red - blue and the sum over all cells above the lowest
-  /// log ratio. A target of one hue lies in a wedge of colors that these bounds enclose closely.
+  /// Bounds of red - green, green - blue, red - blue and the sum, over all cells above the lowest
+  /// log ratio. The colors of a single-hue target lie in a wedge that these bounds enclose tightly.
   using Reach = std::array<Bounds, 4>;
   static std::array<int, 4> reachCoordinates(int blue, int green, int red) {
     return {red - green, green - blue, red - blue, red + green + blue};

@@ -12,21 +12,21 @@
 
 namespace dewpoint::color {
 
-/// Learns the color likelihood of a camera without samples from the target's colors in another
-/// camera. Cameras differ in exposure and white balance, and see other sides of an object in other
-/// light: the target's colors are spread accordingly. Colors of many pixels in the image count
-/// against the target, so that rare colors count most.
+/// Learns the color likelihood of a camera without samples from the target colors in another
+/// camera. Cameras differ in exposure and white balance, and see different sides of an object in
+/// different light. The target colors are spread to account for this. Colors of many pixels in the
+/// image count against the target, so that rare colors count most.
 class OtherCameraLikelihood {
 public:
   /// `target`: at least one color.
   explicit OtherCameraLikelihood(const std::vector<BgrColor>& target);
 
-  /// Table of a camera, from the pixels of its image (CV_8UC3). `near` (CV_8UC1 of its size) is 255
-  /// where the target may be; pixels elsewhere cannot be confused with it, and count a fifth. The
-  /// pixels of a large target count against the target itself.
+  /// Returns the table for a camera, based on the pixels of its image (CV_8UC3). `near` (CV_8UC1 of
+  /// the same size) is 255 where the target may be. Pixels elsewhere cannot be confused with the
+  /// target, and count a fifth. The pixels of a large target count against the target itself.
   ColorLikelihood inImage(const cv::Mat& bgr, const cv::Mat& near) const;
-  /// Mean log ratio (nats) of the pixels in `region` (CV_8UC1 of the image's size, 255 inside),
-  /// with all other pixels as the rest.
+  /// Returns the mean log ratio (nats) of the pixels in `region` (CV_8UC1 with the size of the
+  /// image, 255 inside), with all other pixels as the rest.
   double meanLogRatio(const cv::Mat& bgr, const cv::Mat& near, const cv::Mat& region) const;
 
 private:
