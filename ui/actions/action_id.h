@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// Names of all actions. They are the object names of the QActions and the keys of the shortcuts in
-/// the preferences of users, so an existing name must not change.
+/// Names of all actions. Each is the object name of a QAction and the key under which users'
+/// preferences store its shortcut, so an existing name must not change.
 inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionNew",
     "actionOpen",
@@ -107,14 +107,14 @@ inline constexpr auto kActionNames = std::to_array<std::string_view>({
 /// Identifies an action by its name. A name that is not in `kActionNames` does not compile.
 class ActionId {
 public:
-  // NOLINTNEXTLINE(google-explicit-constructor): a name stands for its id
+  // NOLINTNEXTLINE(google-explicit-constructor): a name converts to its id
   consteval ActionId(const char* name) : index_(indexOf(name)) {}
-  /// A separator in a list of actions, as in a menu.
+  /// Separator in a list of actions, for example in a menu.
   // NOLINTNEXTLINE(google-explicit-constructor)
   consteval ActionId(std::nullptr_t) : index_(kActionNames.size()) {}
 
   constexpr bool isSeparator() const { return index_ == kActionNames.size(); }
-  /// Index in `kActionNames`; not valid for a separator.
+  /// Returns the index in `kActionNames`. Not valid for a separator.
   constexpr std::size_t index() const { return index_; }
   constexpr std::string_view name() const { return kActionNames[index_]; }
 

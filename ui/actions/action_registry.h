@@ -16,25 +16,26 @@ class QPalette;
 
 namespace dewpoint::ui {
 
-/// Declares one action. Texts are marked for translation with QT_TRANSLATE_NOOP("Actions", "...").
+/// Declaration of one action. Mark its strings for translation with QT_TRANSLATE_NOOP("Actions",
+/// "...").
 struct ActionDeclaration {
   ActionId id;                ///< also the objectName of the QAction: "actionPlay"
-  const char* group;          ///< heading in lists of actions: "Run"
+  const char* group;          ///< group heading in lists of actions: "Run"
   const char* text;           ///< name in menus: "Play"
   const char* hint;           ///< one sentence for the tooltip
-  const char* icon = nullptr; ///< name of an icon in resources/icons; null: none
+  const char* icon = nullptr; ///< name of an icon in resources/icons; null for no icon
   QKeySequence shortcut = {}; ///< default shortcut; users can change it
   bool checkable = false;
 };
 
-/// All actions of the window. Menus, the toolbar, shortcuts, tooltips and the command palette get
-/// their actions here. Users can change the shortcuts; changes are kept in their preferences. The
-/// window connects each action to the code that performs it.
+/// All actions in the window. Menus, the toolbar, shortcuts, tooltips and the command palette get
+/// their actions from this registry. Users can change the shortcuts; the preferences store the
+/// changes. The window connects each action to the code that performs it.
 class ActionRegistry : public QObject {
   Q_OBJECT
 public:
-  /// Creates the actions as children of `window`, so that their shortcuts work wherever the focus
-  /// is in that window.
+  /// Creates the actions as children of `window`, so that their shortcuts work wherever the
+  /// keyboard focus is in that window.
   explicit ActionRegistry(QWidget* window);
 
   QAction* add(const ActionDeclaration& declaration);
@@ -49,24 +50,26 @@ public:
   void rename(QAction* action, const char* text, const char* icon);
 
   QKeySequence defaultShortcut(const QAction* action) const;
-  /// Returns the other action that already has this shortcut, or null.
+  /// Returns the action, other than `except`, that already has this shortcut, or null if there is
+  /// none.
   QAction* holderOf(const QKeySequence& shortcut, const QAction* except) const;
-  /// Assigns a shortcut to an action (empty: none), removes it from the action that had it, and
-  /// saves the change in the preferences.
+  /// Assigns a shortcut to an action. An empty shortcut removes the current one. If another action
+  /// had this shortcut, that action loses it. Saves the change in the preferences.
   void setShortcut(QAction* action, const QKeySequence& shortcut);
   void resetShortcuts();
   /// Adds a second shortcut to an action. It works only while the action has its default shortcut
-  /// and no other action uses the second one. It is not listed and not saved in the preferences.
+  /// and no other action uses the second shortcut. It is neither listed nor saved in the
+  /// preferences.
   void addAlternative(ActionId id, const QKeySequence& shortcut);
 
-  /// Redraws all icons in the colors of a palette.
+  /// Redraws all icons in the colors of `palette`.
   void drawIcons(const QPalette& palette);
-  /// Says everything again after a change of language.
+  /// Translates all texts again after a language change.
   void retranslateUi();
 
 protected:
-  /// Keeps input fields from taking keys that X11 uses to move the cursor (Ctrl+E: end of line), so
-  /// that those keys trigger actions.
+  /// Prevents input fields from handling keys that X11 uses to move the cursor (such as Ctrl+E for
+  /// end of line), so that those keys trigger actions.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
@@ -77,7 +80,7 @@ private:
     ActionDeclaration declaration;
     QAction* action;
   };
-  /// Returns null for an action that is not in this registry.
+  /// Returns the entry for an action, or null if the action is not in this registry.
   const Entry* entryOf(const QAction* action) const;
   void setTexts(const Entry& entry);
   void remember(const Entry& entry);
@@ -89,7 +92,7 @@ private:
   std::array<QAction*, kActionNames.size()> byId_{};
 };
 
-/// Returns the tooltip of an action: its sentence and its shortcut.
+/// Returns the tooltip for an action: its sentence followed by its shortcut.
 QString tooltipWithShortcut(const QString& sentence, const QKeySequence& shortcut);
 
 } // namespace dewpoint::ui

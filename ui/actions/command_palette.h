@@ -17,14 +17,14 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 
-/// Search field over all actions. The user types a part of a name, selects with the arrow keys, and
-/// presses Enter to run the action.
+/// Search field for all actions. The user types part of a name, selects an entry with the arrow
+/// keys, and presses Enter to run it.
 class CommandPalette : public QFrame {
   Q_OBJECT
 public:
   CommandPalette(ActionRegistry& registry, QWidget* window);
 
-  /// An action or another command, as the list shows it.
+  /// List entry: an action or another command.
   struct Entry {
     QString group;
     QString name;
@@ -33,8 +33,7 @@ public:
     QIcon icon = {};
     std::function<void()> run;
   };
-  /// Sets a function that returns commands beyond the actions. It is called each time the palette
-  /// opens.
+  /// Sets a function that returns additional commands. It is called each time the palette opens.
   void setMore(std::function<std::vector<Entry>()> more) { more_ = std::move(more); }
 
   /// Opens the palette at the top of the window, with an empty search field.
@@ -56,15 +55,16 @@ private:
   std::vector<Entry> entries_; ///< valid while the palette is open
 };
 
-/// Score for no match at all. Matches of scattered letters score between this value and 0.
+/// Score for no match. Scattered-letter matches score between this value and 0.
 constexpr int kNoFit = -1'000'000;
 
-/// Returns how well `search` matches `text`. A score of 0 or more: `text` contains all words of
-/// `search`, in any order; matches at the start of a word score highest. A negative score: `text`
-/// contains all letters in order, as in "sm" for "Show mask". Case is ignored.
+/// Returns how well `search` matches `text`, ignoring case. A score of 0 or more means that `text`
+/// contains all words of `search`, in any order; matches at the start of a word score highest. A
+/// negative score above `kNoFit` means that `text` contains all letters of `search` in order, as
+/// with "sm" for "Show mask".
 int fitOf(const QString& search, const QString& text);
 
-/// Sets all scattered-letter matches to `kNoFit` if at least one match is a word match.
+/// Sets all scattered-letter matches to `kNoFit` if there is at least one word match.
 void dropScattered(std::vector<int>& fits);
 
 } // namespace dewpoint::ui

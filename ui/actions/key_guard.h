@@ -11,13 +11,14 @@ class QAction;
 
 namespace dewpoint::ui {
 
-/// Asks for confirmation before the shortcut of an action does damage. A key is pressed by accident
-/// more easily than a button or a menu entry, so those act at once.
+/// Asks for confirmation when the user presses the shortcut of a destructive action. A key is
+/// easily pressed by accident, so only shortcuts need confirmation. Buttons and menu entries
+/// trigger the action immediately.
 class KeyGuard : public QObject {
   Q_OBJECT
 public:
   /// Calls `ask` when the shortcut is pressed. If `ask` returns false, no confirmation is needed
-  /// and the action is triggered; if it returns true, the key press is ignored. The guard lives as
+  /// and the action is triggered. If it returns true, the key press is ignored. The guard lives as
   /// long as the action.
   KeyGuard(QAction* action, std::function<bool()> ask);
 

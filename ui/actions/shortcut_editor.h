@@ -19,8 +19,8 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 
-/// Lists all actions with their shortcuts; the user presses keys to change one. The dialog is not
-/// modal, and changes take effect at once.
+/// Dialog that lists all actions with their shortcuts. The user presses keys to change a shortcut;
+/// changes take effect immediately. Not modal.
 class ShortcutEditor : public QDialog {
   Q_OBJECT
 public:
@@ -32,8 +32,8 @@ private:
   QAction* current() const;
   void showCurrent();
   void assign();
-  /// Shows the text that `text` returns below the list, and calls `text` again after a change of
-  /// language.
+  /// Shows the string returned by `text` below the list. Calls `text` again after a language
+  /// change.
   void showHint(std::function<QString()> text);
 
   ActionRegistry& registry_;

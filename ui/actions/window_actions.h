@@ -7,7 +7,7 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 
-/// Declares every action of the window. A new action needs a line here, a menu entry and a
+/// Declares all actions in the window. A new action needs a line here, a menu entry and a
 /// connection.
 void declareWindowActions(ActionRegistry& registry);
 

@@ -12,17 +12,18 @@ class QTabWidget;
 
 namespace dewpoint::ui {
 
-/// Name of a widget property. A widget with this property is scrolled into view when it appears.
+/// Name of a widget property. A widget that has this property is scrolled into view when it
+/// appears.
 inline constexpr auto kRevealed = "revealed";
 
-/// Panel for calibrating cameras, with one page per method. The camera views beside it stay live.
+/// Panel for calibrating cameras, with one page per method. The camera views next to it stay live.
 class CalibrationDock : public QWidget {
   Q_OBJECT
 public:
   explicit CalibrationDock(QWidget* parent = nullptr);
 
-  /// Adds a page as a tab, in a scroll area. `title` is called again when the language changes. The
-  /// objectName of the page identifies it.
+  /// Adds a page as a tab, in a scroll area. The page is identified by its objectName. `title` is
+  /// called again when the language changes.
   void addPage(QWidget* page, const std::function<QString()>& title);
   /// Shows the page with this objectName.
   void showPage(const QString& name);
@@ -30,15 +31,15 @@ public:
   QString shownPage() const;
 
 Q_SIGNALS:
-  /// Another page is shown.
+  /// Emitted when another page is shown.
   void pageChanged(const QString& name);
 
 protected:
-  /// Makes the wheel scroll the page when the pointer is over a field that does not have the focus.
+  /// Makes the wheel scroll the page when the pointer is over a field without keyboard focus.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  /// Fits the width to the widest page. Its fields may have been shown or hidden.
+  /// Adjusts the width to the widest page, whose fields may have been shown or hidden.
   void makeWideEnough();
 
   QTabWidget* tabs_;

@@ -13,21 +13,22 @@ class CalibrationDock;
 class ManualCalibration;
 class ViewDock;
 
-/// Calibration mode of the window; the views beside it stay live. Each calibration method adds a
-/// page, and opening a page starts the mode.
+/// Calibration mode of the window. The views next to the page stay live. Each calibration method
+/// adds a page, and opening a page starts the mode.
 class CalibrationMode : public QObject {
   Q_OBJECT
 public:
   explicit CalibrationMode(const Workbench& bench);
 
   ManualCalibration& manual() const { return *manual_; }
-  /// `title` is called again when the language changes; the page's objectName tells it from others.
+  /// Adds a page, which is identified by its objectName. `title` is called again when the language
+  /// changes.
   void addPage(QWidget* page, const std::function<QString()>& title);
   /// Starts the mode with the page that has this objectName.
   void open(const QString& page);
 
 Q_SIGNALS:
-  /// Another page is in front.
+  /// Emitted when another page is shown.
   void pageChanged();
 
 private:

@@ -20,39 +20,40 @@ class CameraListModel;
 class Document;
 class Selection;
 
-/// Selects what the arrow and letter keys change: the position or the orientation of the camera.
+/// Selects whether the arrow and letter keys change the camera position or its orientation.
 enum class KeyMode { Move, Turn };
 
-/// Adjusts the selected camera by hand. Keeps the points that are held fixed (pins) and records
-/// every change as a named step of the document. Views read what to draw from here and send their
-/// mouse and key input here.
+/// Adjusts the selected camera by hand. Stores the fixed points (pins) and records every change as
+/// a named step of the document. Views read from this class what to draw, and send it their mouse
+/// and keyboard input.
 class ManualCalibration : public QObject {
   Q_OBJECT
 public:
   ManualCalibration(Document& document, Selection& selection, CameraListModel& cameras,
                     QObject* parent = nullptr);
 
-  /// Whether the calibration dock is open. The cameras at the time it opens are the "before" state
-  /// of the flip.
+  /// Returns whether the calibration dock is open. The cameras at the time it opens become the
+  /// "before" state of the before/after comparison.
   bool isActive() const { return active_; }
   void setActive(bool active);
 
-  /// Index of the selected camera; 0 if none is selected.
+  /// Returns the index of the selected camera, or 0 if none is selected.
   int camera() const;
   void selectCamera(int camera);
   CameraListModel& cameras() const { return cameras_; }
   int cameraCount() const;
-  /// Returns the camera as the project has it now, or as it was before while flipped.
+  /// Returns the camera as it is now in the project or, while the "before" state is shown, as it
+  /// was before.
   Camera shownCamera(int camera) const;
   Camera cameraAt(int camera) const;
   QString nameOf(int camera) const;
-  /// Returns the reference grid of the project, or the standard grid if the project has none.
+  /// Returns the project's reference grid, or the standard grid if the project has none.
   ReferenceGrid grid() const;
   /// Changes the grid as a step of the document. Returns false and changes nothing if the grid
   /// cannot be drawn.
   bool setGrid(const QString& step, const ReferenceGrid& grid, const std::string& mergeKey);
 
-  // What the views draw.
+  // Appearance of the views.
   double opacity() const { return opacity_; }
   void setOpacity(double opacity);
   bool edgesShown() const { return edges_; }
@@ -64,34 +65,34 @@ public:
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
-  /// Pins the grid point at a pixel, or removes the pin that is there. `reach`: search radius in
-  /// pixels.
+  /// Pins the grid point at a pixel, or removes the pin already there. `reach` is the search radius
+  /// in pixels.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);
   void clearPins(int camera);
   void beginDrag(int camera, const Eigen::Vector2d& pixel, double reach);
   void dragTo(const Eigen::Vector2d& pixel);
   void endDrag();
-  /// Restores the camera to its state when the drag began.
+  /// Restores the camera to its state at the start of the drag.
   void cancelDrag();
   bool isDragging() const { return drag_.has_value(); }
-  /// Returns the dragged point in world coordinates (meters), or nothing if no drag is under way.
+  /// Returns the dragged point in world coordinates (meters), or nothing if no drag is in progress.
   std::optional<Eigen::Vector3d> draggedPoint() const;
   const DragSettings& dragSettings() const { return settings_; }
   void setDragSettings(const DragSettings& settings);
 
-  // Nudges of the selected camera.
+  // Moving or rotating the selected camera with keys.
   KeyMode keyMode() const { return keyMode_; }
   void setKeyMode(KeyMode mode);
   NudgeFrame nudgeFrame() const { return frame_; }
   void setNudgeFrame(NudgeFrame frame);
   /// Moves the camera along axis 0, 1 or 2, or rotates it about that axis, by one step times
-  /// `factor`. The axes are right, forward and up as seen through the camera, or x, y and z of the
-  /// world. `repeated`: the key is held down and the step grows.
+  /// `factor`. The axes are right, forward and up in the camera frame, or x, y and z in the world
+  /// frame. If `repeated` is true, the key is held down and the step grows.
   void nudge(int axis, double factor, bool repeated);
   /// Changes the focal length by `percent` percent.
   void nudgeFocal(double percent, bool repeated);
 
-  /// Replaces the state of a camera as a step called `step`.
+  /// Replaces the state of a camera in a step named `step`.
   void change(int camera, const QString& step, const Camera& changed,
               const std::string& mergeKey = {});
   void endMerging();
@@ -99,14 +100,14 @@ public:
   Document& document() { return document_; }
 
 Q_SIGNALS:
-  /// Something that the views draw has changed.
+  /// Emitted when something that the views draw has changed.
   void changed();
   void cameraSelected(int camera);
   void activeChanged(bool active);
-  /// The settings of dragging or of the keys have changed.
+  /// Emitted when the drag or key settings have changed.
   void settingsChanged();
-  /// A sentence for the user, such as why a drag cannot go further. Empty: the earlier sentence no
-  /// longer applies.
+  /// Emitted with a sentence for the user, for example why a drag cannot continue. An empty
+  /// sentence withdraws the previous one.
   void remark(const QString& sentence);
 
 private:
@@ -114,10 +115,11 @@ private:
     int camera;
     Camera start;
     Eigen::Vector3d point; ///< world coordinates, meters
-    /// image of the point minus the mouse position at the start, so that the point does not jump
+    /// projection of the point minus the mouse position at the start, so that the point does not
+    /// jump
     Eigen::Vector2d grip;
     std::vector<ImageAnchor> held;
-    QString limit; ///< remark shown last
+    QString limit; ///< last remark shown
   };
   struct Running {
     std::string key;

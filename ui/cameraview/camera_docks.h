@@ -16,31 +16,31 @@ class ImageMenu;
 class ImagePickTool;
 class ViewDock;
 
-/// Creates one dock with a camera view for each camera of the project, again for each run. The
-/// title of a dock shows the state of the view and the reason for it. Also connects the actions
-/// that all camera views share.
+/// Creates one dock with a camera view for each camera in the project. The docks are recreated for
+/// each run. A dock title shows the state of the view and the reason for it. Also connects the
+/// actions shared by all camera views.
 class CameraDocks : public QObject {
   Q_OBJECT
 public:
   explicit CameraDocks(const Workbench& bench);
 
-  /// Mouse and key input of all camera images.
+  /// Returns the mouse and keyboard input of all camera images.
   ImagePickTool& pick() const { return *pick_; }
-  /// Context menu of all camera images; features add their entries to it.
+  /// Returns the context menu of all camera images. Features add their entries to it.
   ImageMenu& menu() const { return *menu_; }
 
-  /// Replaces all docks by new ones for the cameras of the project, and resets the layout.
+  /// Replaces all docks by new ones for the project's cameras, and resets the layout.
   void make();
 
 Q_SIGNALS:
-  /// The view of a camera was created; overlays are added to it now.
+  /// Emitted when a camera view was created, so that overlays can be added to it.
   void viewMade(int camera, CameraView* view);
 
 private:
   void connectActions();
   void connectZoom();
-  /// Returns the view that the zoom actions apply to: the view under the pointer, else that of the
-  /// selected camera, else the first visible one. Null if there is none.
+  /// Returns the view that the zoom actions apply to: the view under the pointer, or else the
+  /// selected camera's view, or else the first visible view. Returns null if there is none.
   CameraView* viewToZoom() const;
   void zoom(double factor);
   void explain();
@@ -50,7 +50,7 @@ private:
   ImageMenu* menu_;
   std::vector<ViewDock*> docks_;
   std::vector<CameraView*> views_;
-  /// Volume of interest, world coordinates in meters; empty while it is hidden.
+  /// Volume of interest in world coordinates (meters); empty while it is hidden.
   std::optional<WorldBox> volume_;
 };
 

@@ -11,8 +11,8 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Marks the image of a camera that moved since it was calibrated: draws a dashed frame, and `text`
-/// in the upper left corner. Draws nothing if `text` is empty.
+/// Marks the image of a camera that has moved since it was calibrated. Draws a dashed frame, and
+/// `text` in the upper left corner. Draws nothing if `text` is empty.
 void paintCameraMotionMarker(QPainter& painter, const QRectF& image, const QString& text,
                              const QPalette& palette);
 

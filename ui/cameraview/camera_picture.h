@@ -23,17 +23,17 @@ namespace dewpoint::ui {
 using FramePtr = std::shared_ptr<const Frame>;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Input from which the pixels of a camera view are drawn. It keeps all of its data alive, so a
-/// comparison of addresses never confuses freed data with new data.
+/// Input from which the pixels of a camera view are drawn. It keeps all of its data alive, so that
+/// an address comparison never mistakes new data for freed data.
 struct PictureSource {
   int camera = 0;
-  FramePtr frame; ///< null: no picture
-  cv::Mat mask; ///< as in TrackSnapshot::masks; ignored if its size differs from that of the image
+  FramePtr frame; ///< null for no image
+  cv::Mat mask;   ///< as in `TrackSnapshot::masks`; ignored if its size differs from the image size
   bool isOfMotion = false; ///< the mask shows moving pixels instead of targets
-  QRect part;              ///< part of the image that is drawn, pixels
+  QRect part;              ///< part of the image to draw, pixels
   QSize size;              ///< size of that part on the screen, device pixels
-  bool isZoomed = false;   ///< draws large pixels as squares
-  TrackSnapshotPtr maps;   ///< snapshot whose likelihood maps are drawn; null: none
+  bool isZoomed = false;   ///< draws enlarged pixels as squares
+  TrackSnapshotPtr maps;   ///< snapshot whose likelihood maps are drawn; null for none
 
   bool operator==(const PictureSource& other) const;
 };
@@ -42,11 +42,11 @@ struct PictureSource {
 struct CameraPicture {
   PictureSource source;
   QImage image;
-  std::vector<QImage> maps; ///< one per target; null where a target has no map
+  std::vector<QImage> maps; ///< one per target; null if a target has no map
   QImage motionMap;         ///< map of the whole image; null if there is none
 };
 
-/// Draws a picture. Slow for large images; may be called in any thread.
+/// Draws the pixels of a camera view. Slow for large images. May be called from any thread.
 CameraPicture drawPicture(const PictureSource& source);
 
 } // namespace dewpoint::ui

@@ -20,61 +20,62 @@ struct CameraOverlay;
 
 namespace dewpoint::ui {
 
-/// Image of one camera, letterboxed or zoomed, with the estimates of the filter projected into it:
-/// particles, estimate with 95 % ellipse, ground truth if known and, on demand, the mask of the
-/// target color. Pixels are drawn in another thread. Until the pixels of a newer snapshot are
+/// Image of one camera, letterboxed or zoomed, with the filter estimates projected into it:
+/// particles, the estimate with its 95 % ellipse, ground truth if known, and optionally the mask of
+/// the target color. Pixels are drawn in another thread. Until the pixels of a newer snapshot are
 /// ready, the view shows the previous snapshot with its estimates. Overlays follow `placement()`.
 class CameraView : public QWidget {
   Q_OBJECT
 public:
-  /// Creates the view of camera `camera`, an index into the rig of the snapshots.
+  /// Creates the view for the camera with index `camera` in the rig of the snapshots.
   explicit CameraView(int camera, QWidget* parent = nullptr);
 
-  /// Sets the snapshot to show; null: no images.
+  /// Sets the snapshot to show. If it is null, no image is shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void setMaskShown(bool shown);
   /// Shows or hides the likelihood maps and the candidate positions.
   void setEvidenceShown(bool shown);
-  /// Shows or hides the particle with the highest weight of each target.
+  /// Shows or hides each target's highest-weight particle.
   void setBestShown(bool shown);
-  /// Shows or hides the inset that enlarges a particle cloud too small to see.
+  /// Shows or hides the inset that enlarges a particle cloud that is too small to see.
   void setMagnifierShown(bool shown);
-  /// Shows the outline of the volume of interest, or none.
+  /// Shows the outline of the volume of interest. If `volume` is empty, no outline is shown.
   void setVolume(const std::optional<WorldBox>& volume);
-  /// Highlights the selected person; -1: none.
+  /// Highlights the selected person. If `target` is -1, no person is highlighted.
   void setChosenTarget(int target);
   HoldState state() const { return state_; }
-  /// Placement of the image in the widget, and its size in pixels. The size is empty before the
+  /// Placement of the image in the widget, and image size in pixels. The size is empty before the
   /// first image.
   const ImagePlacement& placement() const { return placement_; }
   const QSize& imageSize() const { return imageSize_; }
-  /// Visible part of the image, in widget coordinates.
+  /// Returns the visible part of the image in widget coordinates.
   QRectF shownArea() const { return placement_.areaOf(imageSize_) & QRectF(rect()); }
-  /// Returns the pixel at a position of this widget, or nothing outside the image.
+  /// Returns the image pixel at a widget position, or nothing if the position is outside the image.
   std::optional<QPointF> pixelAt(const QPointF& position) const;
-  /// Frame whose pixels are shown; null before the first one.
+  /// Returns the frame whose pixels are shown, or null before the first one.
   const FramePtr& shownFrame() const { return picture_.source.frame; }
 
   bool isZoomed() const;
-  /// Enlarges the image by `factor` (`ImageZoom`); the pixel at `position` (widget coordinates)
+  /// Enlarges the image by `factor` (see `ImageZoom`). The pixel at `position` (widget coordinates)
   /// stays in place.
   void zoomBy(double factor, const QPointF& position);
   /// Moves the zoomed image by `way`, in widget units.
   void panBy(const QPointF& way);
-  /// Moves the zoomed image until a pixel of it is visible.
+  /// Moves the zoomed image until `pixel` is visible.
   void reveal(const QPointF& pixel);
   /// Fits the whole image into the view again.
   void fitImage();
-  /// Requests the context menu at a position of this widget.
+  /// Requests the context menu at a position in this widget.
   void askForMenu(const QPointF& position) { Q_EMIT menuRequested(position); }
-  /// Whether the view shows everything it was given last; true while it is not visible.
+  /// Returns whether the view shows everything it was last given. Also true while the view is not
+  /// visible.
   bool isDrawn() const;
 
   QSize sizeHint() const override { return {400, 300}; }
   QSize minimumSizeHint() const override { return {120, 90}; }
 
 Q_SIGNALS:
-  /// The state in the title of this view has changed.
+  /// Emitted when the state in the title of this view has changed.
   void stateChanged(HoldState state);
   void menuRequested(const QPointF& position);
 
@@ -86,27 +87,27 @@ protected:
 
 private:
   HoldState stateNow() const;
-  /// Returns the input for drawing the newest snapshot; without a frame if there is no picture.
+  /// Returns the input for drawing the newest snapshot. Its frame is null if there is no image.
   PictureSource source() const;
-  /// Returns the zoom geometry for an image of the size of this frame in this view.
+  /// Returns the zoom geometry for an image of this frame's size in this view.
   ZoomRoom roomFor(const Frame& frame) const;
-  /// Places the image of the newest snapshot. Returns false if there is none.
+  /// Updates the placement for the newest snapshot's image. Returns false if there is none.
   bool place();
-  /// Places the image again after the zoom has changed.
+  /// Updates the placement after the zoom has changed.
   void placeAgain();
-  /// Area of the drawn picture, widget coordinates. The picture may cover another part of the image
-  /// than is visible now.
+  /// Returns the area of the drawn pixels in widget coordinates. They may cover a different part of
+  /// the image than is visible now.
   QRectF pictureArea() const;
-  /// Whether the view is visible, in a window that is not minimized.
+  /// Returns whether the view is visible, in a window that is not minimized.
   bool isSeen() const;
   void refresh();
-  /// Stops drawing while the view is not visible, and drops the picture of an earlier frame.
+  /// Stops drawing while the view is not visible, and discards the pixels of an earlier frame.
   void rest();
-  /// Returns true and shows the newest snapshot if its picture is ready; otherwise starts drawing
-  /// the picture.
+  /// Shows the newest snapshot and returns true if its pixels are ready. Otherwise starts drawing
+  /// them.
   bool follow();
   void paintBelief(QPainter& painter) const;
-  /// Text shown in place of the image when there is none.
+  /// Returns the text shown instead of the image if there is no image.
   QString whyThereIsNoImage() const;
   /// Returns the overlay of a target in this view.
   CameraOverlay overlayOf(std::size_t target) const;
@@ -126,7 +127,7 @@ private:
   QSize imageSize_;
   CameraPicture picture_;
   TrackSnapshotPtr shown_; ///< snapshot that belongs to `picture_`
-  PictureSource ordered_;  ///< input that `job_` works on, or will work on
+  PictureSource ordered_;  ///< input that `job_` is processing or will process
   LatestJob job_{LatestJob::Overtaken::Kept};
 };
 

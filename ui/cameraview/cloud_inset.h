@@ -18,9 +18,9 @@ struct CameraOverlay;
 
 namespace dewpoint::ui {
 
-/// Inset that enlarges a particle cloud too small to see in its camera view, in a corner away from
-/// the cloud. It shows the image around the cloud, the particles, the 95 % ellipse if that is small
-/// as well, and a scale bar in pixels. A thin line leads to the cloud.
+/// Inset that enlarges a particle cloud that is too small to see in its camera view. It lies in a
+/// corner away from the cloud. It shows the image around the cloud, the particles, the 95 % ellipse
+/// if that is also small, and a scale bar in pixels. A thin line leads to the cloud.
 struct CloudInset {
   const CameraOverlay& overlay; ///< overlay of a tracked target
   const cv::Mat& image;         ///< CV_8UC3
@@ -28,10 +28,10 @@ struct CloudInset {
   QRectF area; ///< visible part of the image, widget units
   QColor color;
   ParticleRamp ramp;
-  std::vector<QRectF> taken; ///< parts of that area that are already used
+  std::vector<QRectF> taken; ///< parts of that area that are already occupied
 };
 
-/// Draws the inset if the cloud is small and visible and there is room.
+/// Draws the inset if the cloud is small and visible and there is enough room.
 void paintCloudInset(QPainter& painter, const CloudInset& inset);
 
 } // namespace dewpoint::ui

@@ -11,9 +11,9 @@
 
 namespace dewpoint::ui {
 
-/// Draws the likelihood map of a target (`likelihoodImage()`; null: none) at its place in the image
-/// of the camera (`place`, pixels), and the candidate positions: solid circles for accepted ones,
-/// dashed for new ones, dotted for distractors.
+/// Draws a target's likelihood map (`likelihoodImage()`; null for none) at its position in the
+/// camera image (`place`, pixels). Also draws the candidate positions as circles: solid for
+/// accepted ones, dashed for new ones, dotted for distractors.
 void paintEvidence(QPainter& painter, const QRect& place, const QImage& map,
                    const std::vector<ProposedOutline>& proposed, const ImagePlacement& placement);
 

@@ -25,18 +25,18 @@ struct ImageMenuEntry {
   std::function<void()> run;
 };
 
-/// Context menu of the camera images, opened by a right click or the Menu key. Lists what features
-/// offer for the pixel there, then the zoom actions.
+/// Context menu of the camera images, opened by a right click or the Menu key. Lists the entries
+/// that features offer for the pixel there, followed by the zoom actions.
 class ImageMenu : public QObject {
   Q_OBJECT
 public:
   explicit ImageMenu(const Workbench& bench);
 
-  /// Returns the entries that a feature offers at a pixel of a camera's image; may be empty.
+  /// Returns the entries that a feature offers at a pixel of a camera image; may be empty.
   using Section = std::function<std::vector<ImageMenuEntry>(int camera, const QPointF& pixel)>;
   /// Adds a section below the existing ones.
   void addSection(Section section) { sections_.push_back(std::move(section)); }
-  /// Opens the menu at a position of a view. The position may lie outside the image.
+  /// Opens the menu at a position in a view. The position may lie outside the image.
   void open(int camera, CameraView* view, const QPointF& position);
 
 private:

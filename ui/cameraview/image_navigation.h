@@ -17,9 +17,9 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// Zooms and moves the image of a camera view, whatever overlay lies on it. The wheel zooms at the
-/// pointer; a drag with the middle button, or with Ctrl and the left button, moves a zoomed image.
-/// The overlays never receive these events.
+/// Zooms and moves the image of a camera view, regardless of the overlay on top of it. The wheel
+/// zooms at the pointer. Dragging with the middle button, or with Ctrl and the left button, moves a
+/// zoomed image. The overlays never receive these events.
 class ImageNavigation : public QObject {
   Q_OBJECT
 public:

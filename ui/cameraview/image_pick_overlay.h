@@ -13,24 +13,24 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// Overlay of a camera view that lets the user point at objects in the image and outlines regions.
-/// A drag that no tool uses moves a zoomed image; a double click fits the image. With the keyboard,
-/// while it has the focus and picks: arrows move a cross (Ctrl: by one pixel), and Enter picks
-/// there; Shift and Alt work as with a click.
+/// Camera view overlay that lets the user point at objects in the image, and that outlines regions.
+/// A drag that no tool uses moves a zoomed image; a double click fits the image. For keyboard use
+/// while the overlay has the focus and is picking: the arrow keys move a cross (with Ctrl by one
+/// pixel), and Enter picks there. Shift and Alt have the same effect as with a click.
 class ImagePickOverlay : public QWidget {
   Q_OBJECT
 public:
   explicit ImagePickOverlay(CameraView* view);
 
-  /// Sets whether a plain click picks. With Shift or Alt a click always picks.
+  /// Sets whether a plain click picks. A click with Shift or Alt always picks.
   void setPicking(bool picking);
-  /// Sets whether a magnifier shows the pixels under the pointer while picking, if pixels are
-  /// small.
+  /// Sets whether a magnifier shows the pixels under the pointer while picking. The magnifier
+  /// appears only if pixels are small.
   void setMagnifying(bool magnifying) { magnifying_ = magnifying; }
-  /// Sets whether a drag moves a point instead of drawing a box. It then emits `grabbed()`,
-  /// `pointed()` on the way, and `picked()` at the end.
+  /// Sets whether a drag moves a point instead of drawing a box. Such a drag emits `grabbed()` at
+  /// the start, `pointed()` during the drag, and `picked()` at the end.
   void setPointing(bool pointing) { pointing_ = pointing; }
-  /// Sets the pixel where the cross of the keyboard starts; by default the center of the image.
+  /// Sets the pixel where the keyboard cross starts; the image center by default.
   void setCrossStart(std::optional<QPointF> start) { crossStart_ = start; }
   /// Draws thin lines and a cross over the image, in image pixels.
   void setGuides(std::vector<QPolygonF> lines, std::optional<QPointF> point);
@@ -42,24 +42,24 @@ public:
     QString text;
   };
   void setRegions(std::vector<Region> regions);
-  /// Sets the hint at the lower edge of the image that tells what a click does while picking;
-  /// empty: none.
+  /// Sets the hint at the lower edge of the image that explains what a click does while picking. An
+  /// empty string removes the hint.
   void setHint(const QString& hint);
 
 Q_SIGNALS:
-  /// A click (`region` has an empty size) or a dragged box, in image pixels.
+  /// Emitted after a click (`region` has an empty size) or a dragged box, in image pixels.
   void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
-  /// A point is dragged. `grabbed()`: the mouse button went down; `pointed()`: the point moved,
-  /// also by keys; `pointingEnded()`: the drag is over, after `picked()` if a pixel was picked.
-  /// Positions are in image pixels.
+  /// Emitted while a point is dragged. `grabbed()`: the mouse button was pressed. `pointed()`: the
+  /// point moved, including by keys. `pointingEnded()`: the drag is over; emitted after `picked()`
+  /// if a pixel was picked. Positions are in image pixels.
   void grabbed(const QPointF& pixel);
   void pointMoved(const QPointF& pixel);
   void pointingEnded();
-  /// Esc was pressed: picking ends.
+  /// Emitted when Esc is pressed, which ends picking.
   void cancelled();
-  /// A plain click while not picking selects this view.
+  /// Emitted when a plain click outside picking mode selects this view.
   void chosen();
-  /// Position of that click, image pixels.
+  /// Emitted with the position of that click in image pixels.
   void imageClicked(const QPointF& pixel);
 
 protected:
@@ -77,13 +77,13 @@ protected:
   bool event(QEvent* event) override;
 
 private:
-  /// Returns the image pixel nearest to a widget position.
+  /// Returns the image pixel closest to a widget position.
   QPointF nearestPixel(QPointF position) const;
-  /// Draws a magnifier beside the pointer or the cross if pixels are small.
+  /// Draws a magnifier next to the pointer or the cross if pixels are small.
   void paintMagnified(QPainter& painter) const;
-  /// Ends the drag of a point.
+  /// Ends dragging the point.
   void endPointing();
-  /// Whether this key press moves the cross or picks.
+  /// Returns whether this key press moves the cross or picks.
   bool isForCross(const QKeyEvent& event) const;
   void moveCross(int key, bool fine);
 

@@ -12,33 +12,35 @@ namespace dewpoint::ui {
 
 class CameraListModel;
 
-/// Mouse and key input of all camera images. A click or a dragged box goes to the tool that
-/// requested one; otherwise it selects.
+/// Mouse and keyboard input of all camera images. A click or a dragged box goes to the tool that
+/// requested it. Without such a tool, it selects.
 class ImagePickTool : public QObject {
   Q_OBJECT
 public:
-  /// `cameras`: provides the names of the images.
+  /// `cameras` provides the camera names for the images.
   explicit ImagePickTool(const CameraListModel& cameras, QObject* parent = nullptr);
 
   /// Lets the user point at objects in this view. Deleted views are removed automatically.
   void attach(int camera, CameraView* view);
-  /// Sets whether a plain click picks, and the hint shown at the lower edge of the images.
+  /// Sets whether a plain click picks, and which hint is shown at the lower edge of the images.
   void setPicking(bool picking, const QString& hint);
-  /// Picks a pixel of a camera's image, as a click there with these modifiers would.
+  /// Picks a pixel of a camera image, like a click there with these modifiers.
   void pickAt(int camera, const QPointF& pixel, Qt::KeyboardModifiers modifiers);
-  /// Gives the keyboard focus to the first image, so that keys move its cross.
+  /// Gives the keyboard focus to the first image, so that the keys move its cross.
   void takeFocus();
-  /// Outlines regions of a camera's image.
+  /// Outlines regions in a camera image.
   void setRegions(int camera, const std::vector<ImagePickOverlay::Region>& regions);
   void clearRegions();
 
 Q_SIGNALS:
   void attached();
-  /// A click (`region` has an empty size) or a dragged box in the image of a camera, pixels.
+  /// Emitted after a click (`region` has an empty size) or a dragged box in a camera image, in
+  /// pixels.
   void picked(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
-  /// Esc was pressed: picking ends.
+  /// Emitted when Esc is pressed, which ends picking.
   void cancelled();
-  /// A plain click while not picking: the camera, and the position in image pixels.
+  /// Emitted after a plain click outside picking mode, with the camera and the position in image
+  /// pixels.
   void cameraChosen(int camera);
   void imageClicked(int camera, const QPointF& pixel);
 

@@ -10,7 +10,7 @@
 namespace dewpoint::ui {
 
 /// Placement of an image in its widget: upper left corner in widget coordinates, and widget units
-/// per image pixel. Pixel centers lie at integers.
+/// per image pixel. Pixel centers lie at integer coordinates.
 struct ImagePlacement {
   QPointF corner;
   double scale = 1.0;
@@ -21,7 +21,7 @@ struct ImagePlacement {
   QPointF pixelAt(const QPointF& position) const {
     return (position - corner) / scale - QPointF(0.5, 0.5);
   }
-  /// Returns the area that an image of this size covers, in widget coordinates.
+  /// Returns the area covered by an image of this size, in widget coordinates.
   QRectF areaOf(const QSize& image) const { return {corner, QSizeF(image) * scale}; }
 };
 

@@ -9,38 +9,38 @@
 
 namespace dewpoint::ui {
 
-/// Geometry of a zoom: size of the image (pixels), size of the view (widget units), and device
-/// pixels per widget unit. Neither size is empty.
+/// Geometry for zooming: image size (pixels), view size (widget units), and device pixels per
+/// widget unit. Neither size is empty.
 struct ZoomRoom {
   QSize image;
   QSize view;
   double ratio = 1.0;
 };
 
-/// Zoom and position of an image in a view. At first the image is fitted: all of it is visible. A
-/// zoomed image leaves no more of the view empty than a fitted one. It keeps its scale and center
-/// when the size of the view changes.
+/// Zoom and position of an image in a view. Initially the image is fitted, so all of it is visible.
+/// A zoomed image never leaves more of the view empty than a fitted one. It keeps its scale and
+/// center when the view size changes.
 class ImageZoom {
 public:
-  /// Zoom factor per step of the wheel or per key press.
+  /// Zoom factor per wheel step or key press.
   static constexpr double kStep = 1.4142135623730951;
   /// Maximum scale in widget units per image pixel. A fitted image may exceed it.
   static constexpr double kMost = 32.0;
 
   bool isFitted(const ZoomRoom& room) const;
-  /// Enlarges the image by `factor`, but never below the fitted size. The pixel at `position`
-  /// (widget units) stays in place.
+  /// Enlarges the image by `factor`, but never shrinks it below the fitted size. The pixel at
+  /// `position` (widget units) stays in place.
   void zoomBy(double factor, const QPointF& position, const ZoomRoom& room);
-  /// Moves a zoomed image by `way` (widget units), up to its limits.
+  /// Moves a zoomed image by `way` (widget units), within its limits.
   void panBy(const QPointF& way, const ZoomRoom& room);
-  /// Moves a zoomed image just far enough to make a pixel visible.
+  /// Moves a zoomed image just far enough to make `pixel` visible.
   void reveal(const QPointF& pixel, const ZoomRoom& room);
   void fit() { scale_ = 0.0; }
 
-  /// Returns the placement of the image; its corner lies on a whole device pixel.
+  /// Returns the placement of the image. Its corner lies on a whole device pixel.
   ImagePlacement placement(const ZoomRoom& room) const;
-  /// Returns the part of the image to draw, in pixels: the visible part plus a small margin, or all
-  /// of a fitted image.
+  /// Returns the part of the image to draw, in pixels: the visible part plus a small margin, or the
+  /// whole image if it is fitted.
   QRect part(const ZoomRoom& room) const;
   /// Returns the size of that part in device pixels.
   QSize partSize(const ZoomRoom& room) const;
@@ -49,8 +49,8 @@ private:
   ImagePlacement exactPlacement(const ZoomRoom& room) const;
   void moveTo(const QPointF& corner, double scale, const ZoomRoom& room);
 
-  double scale_ = 0.0; ///< widget units per image pixel; 0: fitted
-  /// image point at the center of the view: pixels from the upper left corner of the image
+  double scale_ = 0.0; ///< widget units per image pixel; 0 means fitted
+  /// image point at the view center, in pixels from the upper left corner of the image
   QPointF center_;
 };
 

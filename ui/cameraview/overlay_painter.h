@@ -15,12 +15,12 @@ struct ImageEllipse;
 
 namespace dewpoint::ui {
 
-/// Draws the overlay of a target for one camera: thin bright strokes with a dark halo, readable on
-/// any image. `ramp` colors the particles by weight.
+/// Draws a target's overlay for one camera: thin bright lines with a dark halo, readable on any
+/// image. `ramp` colors the particles by weight.
 void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
                   const QColor& color, const ParticleRamp& ramp);
 
-/// Draws the outline of an ellipse with the painter's pen.
+/// Draws the outline of an ellipse with the current pen of the painter.
 void paintEllipse(QPainter& painter, const ImageEllipse& ellipse, const ImagePlacement& placement);
 
 } // namespace dewpoint::ui

@@ -12,8 +12,9 @@ struct CameraOverlay;
 
 namespace dewpoint::ui {
 
-/// Draws the particles of a target as dots with a dark halo, colored by weight; the heaviest are
-/// drawn last. If there are few particles, heavier ones are drawn larger.
+/// Draws a target's particles as dots with a dark halo, colored by weight. The particles with the
+/// highest weights are drawn last. If there are few particles, those with higher weights are drawn
+/// larger.
 void paintParticles(QPainter& painter, const CameraOverlay& overlay,
                     const ImagePlacement& placement, const ParticleRamp& ramp);
 

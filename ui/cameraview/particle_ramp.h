@@ -14,10 +14,10 @@ namespace dewpoint::ui {
 /// by brightness alone.
 class ParticleRamp {
 public:
-  /// Returns a scale from dark violet over magenta to bright yellow-white, colors that are rare in
-  /// a room.
+  /// Returns a scale from dark violet through magenta to bright yellow-white. These colors are rare
+  /// in a room.
   static ParticleRamp heat();
-  /// Returns a scale of shades of one color, to distinguish the particles of several targets.
+  /// Returns a scale of shades of one color, which distinguishes the particles of several targets.
   static ParticleRamp tinted(const QColor& color);
 
   /// Returns the color of a weight, given relative to the largest weight (0 to 1).
@@ -26,7 +26,7 @@ public:
 private:
   explicit ParticleRamp(std::vector<QColor> stops) : stops_(std::move(stops)) {}
 
-  std::vector<QColor> stops_; ///< at equal distances; at least two
+  std::vector<QColor> stops_; ///< evenly spaced; at least two
 };
 
 } // namespace dewpoint::ui

@@ -12,18 +12,20 @@ class QSizeF;
 
 namespace dewpoint::ui {
 
-// Marks that picking tools draw over an image, in widget units: bright yellow with a dark halo.
+// Marks that picking tools draw over an image, in widget units. They are bright yellow with a dark
+// halo.
 
 /// Draws the outline of a region.
 void paintPickOutline(QPainter& painter, const QPolygonF& outline, Qt::PenStyle style);
-/// Draws the outline of a region with a label above it, inside a widget of size `room`.
+/// Draws the outline of a region with a label above it. The label stays within a widget of size
+/// `room`.
 void paintPickRegion(QPainter& painter, const QPolygonF& outline, const QString& text,
                      const QSizeF& room);
 /// Draws a cross with an open center.
 void paintPickCross(QPainter& painter, const QPointF& position);
 /// Draws a thin guide line.
 void paintPickGuide(QPainter& painter, const QPolygonF& line);
-/// Draws the hint about what a click does, at the lower edge of the area.
+/// Draws the hint that explains what a click does, at the lower edge of the area.
 void paintPickHint(QPainter& painter, const QString& hint, const QRectF& area);
 
 } // namespace dewpoint::ui

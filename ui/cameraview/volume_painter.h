@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Draws the edges of the volume of interest as the camera sees them: thin, dashed and half
-/// transparent, so that the image stays readable.
+/// Draws the edges of the volume of interest as the camera sees them. The lines are thin, dashed
+/// and semi-transparent, so that the image stays readable.
 void paintVolume(QPainter& painter, const Camera& camera, const WorldBox& volume,
                  const ImagePlacement& placement);
 

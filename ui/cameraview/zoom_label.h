@@ -8,8 +8,8 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Draws in the lower right corner of an image how large its pixels are shown (`scale`, widget
-/// units per pixel). Returns the area of the label.
+/// Draws the magnification (`scale`, widget units per pixel) in the lower right corner of an image.
+/// Returns the area of the label.
 QRectF paintZoomLabel(QPainter& painter, const QRectF& area, double scale);
 
 } // namespace dewpoint::ui

@@ -10,8 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// Returns the outlines to draw in each camera for the assessment of a color: other regions that
-/// match the color, and further regions of the target itself.
+/// Returns, for each camera, the outlines to draw for a color assessment: other regions that match
+/// the color, and further regions of the target itself.
 std::map<int, std::vector<ImagePickOverlay::Region>>
 assessedRegions(const ColorAssessment& assessment, const std::vector<setup::FoundOutline>& found);
 

@@ -11,22 +11,22 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Sets the bounding box of a target from where the user points, for methods that track boxes. A
-/// dragged box is used as it is. For a click, `boxFromClick()` finds the region that stands out
-/// there, in another thread. The result is an undoable step of the document.
+/// Sets the bounding box of a target at the position where the user points, for methods that track
+/// boxes. A dragged box is used unchanged. For a click, `boxFromClick()` finds the region that
+/// stands out there, in another thread. The result is an undoable step of the document.
 class BoxPicker : public QObject {
   Q_OBJECT
 public:
   explicit BoxPicker(Document& document, QObject* parent = nullptr);
 
-  /// Index of the target that gets the box; -1: a new target.
+  /// Sets the index of the target that gets the box; -1 for a new target.
   void setTarget(int target) { target_ = target; }
-  /// Handles a click (`region` has an empty size) or a dragged box in the image of a camera of this
-  /// snapshot. Pixel centers lie at integers.
+  /// Handles a click (`region` has an empty size) or a dragged box in a camera image of this
+  /// snapshot. Pixel centers lie at integer coordinates.
   void point(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region);
 
 Q_SIGNALS:
-  /// A target has got the box. `isFirst`: it had none before.
+  /// Emitted when a target has received its box. `isFirst`: the target had no box before.
   void learned(int target, bool isFirst);
   void failed(const QString& sentence);
 

@@ -13,22 +13,22 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// Buttons that select which color of a target is shown, and a button that removes a color. Hidden
-/// for a target with one color.
+/// Buttons that select which of a target's colors is shown, and a button that removes a color.
+/// Hidden for a target with one color.
 class ColorChoice : public QWidget {
   Q_OBJECT
 public:
   explicit ColorChoice(QWidget* parent = nullptr);
 
-  /// Shows the colors of a target. Keeps the selection if their number is unchanged; otherwise
-  /// selects the first.
+  /// Shows the colors of a target. Keeps the selection if the number of colors is unchanged;
+  /// otherwise selects the first color.
   void setColors(const ColorRanges& colors);
-  /// Index of the selected color.
+  /// Returns the index of the selected color.
   int chosen() const { return chosen_; }
   void retranslateUi();
 
 Q_SIGNALS:
-  /// The user selected another color.
+  /// Emitted when the user selects another color.
   void chosenChanged();
   void removeRequested(int color);
 

@@ -16,7 +16,7 @@ class ViewDock;
 struct TargetDock;
 
 /// Dock for the color of the selected target. After a color is learned from a click in a camera
-/// image, selects that target and allows the run to start.
+/// image, the dock selects the learned target and allows the run to start.
 class ColorDock : public QObject {
   Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
 private:
   void connectActions();
   void nameLearning();
-  /// Returns the menu entries offered at a pixel of an image.
+  /// Returns the menu entries offered at a pixel of a camera image.
   std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
   void learned(int target, bool isNew);
 

@@ -28,42 +28,42 @@ class ImagePickTool;
 class LearnModes;
 
 /// Panel for the color of the selected target: picker, color samples and assessment. With methods
-/// that track boxes, a click sets the box of the target instead of its color.
+/// that track boxes, a click sets the target's box instead of its color.
 class ColorPanel : public QWidget {
   Q_OBJECT
 public:
-  /// `pick`: provides the clicks in the images.
+  /// `pick` provides the clicks in the images.
   ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Target whose color is shown; -1: the next click creates a new target.
+  /// Sets the target whose color is shown. With -1, the next click creates a new target.
   void setTarget(int target);
   /// Sets whether a plain click in a view teaches the color.
   void setPicking(bool picking);
-  /// Sets whether the panel is visible. Colors are assessed only while it is.
+  /// Sets whether the panel is visible. Colors are assessed only while it is visible.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
-  /// Whether there is a target whose color is shown.
+  /// Returns whether there is a target whose color is shown.
   bool hasTarget() const;
-  /// Whether a click sets the box of a target instead of its color.
+  /// Returns whether a click sets a target's box instead of its color.
   bool takesBoxes() const;
 
 Q_SIGNALS:
   void pickingChanged(bool picking);
-  /// A color was learned from images; tracking can start.
+  /// Emitted when a color was learned from images and tracking can start.
   void learned(int target, bool isNew);
   void failed(const QString& sentence);
 
 private:
   void retranslateUi();
   void refresh();
-  /// Returns what a click with these modifiers does.
+  /// Returns the effect of a click with these modifiers.
   ColorLearner::SampleAction actionOf(Qt::KeyboardModifiers modifiers) const;
-  /// Hint about what to click, shown over the images.
+  /// Returns the hint about what to click, shown over the images.
   QString hint() const;
   void connectLearner();
-  /// Whether a plain click is expected although the button is off, because there is nothing to
-  /// track yet.
+  /// Returns whether a plain click is expected although the button is off, because there is nothing
+  /// to track yet.
   bool mustPoint() const;
   void showBox();
   void pickedIn(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
@@ -98,9 +98,9 @@ private:
   bool assessed_ = false;                  ///< whether the assessment matches the colors shown
   std::int64_t assessedFrame_ = -1;        ///< frame that was assessed
   bool outlined_ = false;                  ///< distractors are outlined in the views
-  std::vector<setup::FoundOutline> found_; ///< further regions of the target, outlined beside them
-  std::optional<double> shownRadius_; ///< radius in meters found by the last clicks on this target
-  bool isPart_ = false; ///< the last clicks hit a part of a larger object of this color
+  std::vector<setup::FoundOutline> found_; ///< further regions of the target, also outlined
+  std::optional<double> shownRadius_; ///< radius found by the last clicks on this target, meters
+  bool isPart_ = false;               ///< the last clicks hit part of a larger object of this color
   QTimer* assessSoon_;
   ImageSurvey* survey_;
 };

@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 class HueRing;
 class RangeBar;
 
-/// Shows and changes a color range: by dragging on a hue ring and bars, or exactly by numbers.
+/// Shows and edits a color range, by dragging on a hue ring and bars or by entering numbers.
 class ColorPicker : public QWidget {
   Q_OBJECT
 public:
@@ -32,7 +32,7 @@ public:
 
 Q_SIGNALS:
   void rangeEdited(const dewpoint::color::ColorRange& range);
-  /// A drag has ended; the next change is a new step.
+  /// Emitted when a drag has ended. The next change is a new undo step.
   void editingFinished();
 
 private:

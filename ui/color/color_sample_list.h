@@ -15,13 +15,13 @@ struct Project;
 
 namespace dewpoint::ui {
 
-/// List of the samples from which the color of a target was learned; hidden while empty.
+/// List of the samples from which a target's color was learned. Hidden while empty.
 class ColorSampleList : public QWidget {
   Q_OBJECT
 public:
   explicit ColorSampleList(QWidget* parent = nullptr);
 
-  /// Lists the samples of a target of the project; none if there is no such target.
+  /// Lists the samples of a target in the project. The list is empty if there is no such target.
   void setSamples(const Project& project, int target);
   void retranslateUi();
 

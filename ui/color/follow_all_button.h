@@ -13,18 +13,19 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Button that creates targets for all other objects with the color and size of a target, so that
-/// all of several equal balls are tracked. Hidden if there are none, or if each already has a
-/// target.
+/// Button that creates a target for each other object with the same color and size as a given
+/// target, so that several identical balls are all tracked. Hidden if there are no such objects, or
+/// if each already has a target.
 class FollowAllButton : public QPushButton {
   Q_OBJECT
 public:
   explicit FollowAllButton(Document& document, QWidget* parent = nullptr);
 
-  /// Offers the objects that an assessment of the color of a target found; null: none.
+  /// Offers the objects found by a color assessment of a target. If `assessment` is null, offers
+  /// nothing.
   void offer(const ColorAssessment* assessment, int target);
 
-  /// Whether there are objects to add.
+  /// Returns whether there are objects to add.
   bool offers() const { return missing_ > 0; }
 
 private:

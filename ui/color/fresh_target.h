@@ -11,7 +11,7 @@ struct Project;
 
 namespace dewpoint::ui {
 
-/// Returns a translated name that no target has yet: "target 1", "target 2", ...
+/// Returns an unused target name, translated: "target 1", "target 2", ...
 std::string freshTargetName(const Project& project);
 
 } // namespace dewpoint::ui

@@ -9,13 +9,14 @@
 
 namespace dewpoint::ui {
 
-/// Which colors the images have, found in the background and once a second at most.
+/// Computes the histogram of the colors in the images, in the background, at most once per second.
 class ImageSurvey : public QObject {
   Q_OBJECT
 public:
   using QObject::QObject;
 
-  /// The images shown now; a survey that is not due, or one without images, is left out.
+  /// Surveys the images of a snapshot in another thread; emits `taken()` afterwards. Does nothing
+  /// if no survey is due or the snapshot has no images.
   void take(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:

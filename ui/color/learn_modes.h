@@ -12,22 +12,23 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// Buttons that select what a click in a camera image does: learn the color of the target, add a
+/// Buttons that select the effect of a click in a camera image: learn the target's color, add a
 /// sample, or exclude a color. At most one button is down.
 class LearnModes : public QWidget {
   Q_OBJECT
 public:
-  using Mode = std::optional<ColorLearner::SampleAction>; ///< empty: a click selects
+  using Mode = std::optional<ColorLearner::SampleAction>; ///< empty if a click selects
 
   explicit LearnModes(QWidget* parent = nullptr);
 
   /// Shows a mode without emitting `modeChosen()`.
   void setMode(Mode mode);
-  /// Enables the buttons. `canAdd`: there is a target to add samples to; `canExclude`: it already
-  /// has samples to exclude from.
+  /// Enables the buttons. `canAdd`: there is a target that samples can be added to. `canExclude`:
+  /// that target already has samples.
   void setRefinable(bool canAdd, bool canExclude);
   bool offers(ColorLearner::SampleAction mode) const;
-  /// Sets whether a click sets the box of a target. Adding and excluding are not offered then.
+  /// Sets whether a click sets a target's box. If so, the buttons for adding and excluding are not
+  /// available.
   void setTakesBoxes(bool takesBoxes);
   void retranslateUi();
 
@@ -35,7 +36,7 @@ public:
   static QString hintOf(ColorLearner::SampleAction mode);
 
 Q_SIGNALS:
-  /// The user pressed a button.
+  /// Emitted when the user presses a button.
   void modeChosen(dewpoint::ui::LearnModes::Mode mode);
 
 private:

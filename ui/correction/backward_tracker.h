@@ -21,18 +21,18 @@ struct TrajectorySample;
 
 namespace dewpoint::ui {
 
-/// Tracks a target back in time from a position that the user corrected. A thread reads the
-/// recording separately; the positions found are added to the document as part of the step of the
-/// correction. Only the newest request counts. If the work takes long, a message shows its progress
-/// and offers to stop it.
+/// Tracks a target backward in time from a position that the user corrected. A thread opens and
+/// reads the recording separately. The positions found are added to the document as part of the
+/// correction step. Only the newest request counts. If the work takes long, a message shows its
+/// progress and offers to stop it.
 class BackwardTracker : public QObject {
   Q_OBJECT
 public:
   BackwardTracker(const Workbench& bench, QObject* parent);
 
-  /// Starts from a correction that is in the document. `believed`: as in `BackwardOrder`; later
-  /// frames are ignored. The step that stores the result is merged with the step of the correction
-  /// by `mergeKey`. Does nothing for live cameras.
+  /// Starts from a correction in the document. `believed` is as in `BackwardOrder`; later frames
+  /// are ignored. The step that stores the result is merged with the correction step by `mergeKey`.
+  /// Does nothing for live cameras.
   void start(const PositionCorrection& correction, std::vector<TrajectorySample> believed,
              const std::string& mergeKey);
   void cancel();
@@ -46,7 +46,7 @@ private:
 
   Workbench bench_;
   LatestJob job_{LatestJob::Overtaken::Dropped};
-  std::int64_t frame_ = 0; ///< frame of the correction that tracking started from
+  std::int64_t frame_ = 0; ///< frame of the correction where tracking started
   QElapsedTimer sinceStart_;
   QElapsedTimer sinceShown_;
   QString shown_; ///< text of the message

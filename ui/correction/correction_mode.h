@@ -22,9 +22,9 @@ class CameraDocks;
 class CorrectionTool;
 class TrajectoryPanel;
 
-/// Mode for correcting positions: the user drags targets in the images ("Correct position") and
-/// removes corrections. Each correction is a step of the document; the tracker then tracks again
-/// what depends on it.
+/// Mode for correcting positions. The user drags targets in the images ("Correct position") and
+/// removes corrections. Each correction is a step of the document. The tracker then recomputes all
+/// results that depend on it.
 class CorrectionMode : public QObject {
   Q_OBJECT
 public:
@@ -33,12 +33,12 @@ public:
 
 private:
   void connectActions();
-  /// Returns the menu entries offered at a pixel of an image.
+  /// Returns the menu entries offered at a pixel of a camera image.
   std::vector<ImageMenuEntry> menuEntries(int camera, const QPointF& pixel);
   void end();
   void setActive(bool active);
   void keep(const PositionCorrection& correction);
-  /// Removes the corrections at a frame, of one target or of all (-1).
+  /// Removes the corrections at a frame, for one target or for all targets (-1).
   void remove(std::int64_t frame, int target);
 
   Workbench bench_;

@@ -18,11 +18,11 @@ class BirdsEyeView;
 class CameraView;
 class ImagePickOverlay;
 
-/// Tool "Correct position". While it is active, the user drags a target in a camera image to its
+/// "Correct position" tool. While it is active, the user drags a target in a camera image to its
 /// true position in the frame shown, or uses the keyboard cross of the camera views. It moves the
-/// target whose estimate is pressed, else the selected one, else the only one. Other images show
-/// the ray through the pointer and the resulting position, also after the drag, so that a second
-/// image can fix the depth. A playing run is paused.
+/// target whose estimate is pressed, or else the selected target, or else the only target. Other
+/// images show the ray through the pointer and the resulting position, including after the drag, so
+/// that the user can set the depth in a second image. If the run is playing, it is paused.
 class CorrectionTool : public QObject {
   Q_OBJECT
 public:
@@ -33,20 +33,21 @@ public:
   void setActive(bool active);
   /// Sets the frame shown, with the estimates that can be dragged.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Updates after the corrections or the selection have changed.
+  /// Updates the tool after the corrections or the selection have changed.
   void refresh();
-  /// Corrects `preferredTarget()` to a pixel of a camera's image in the frame shown, without a
-  /// drag. A playing run is paused.
+  /// Corrects `preferredTarget()` to a pixel of a camera image in the frame shown, without a drag.
+  /// Pauses the run if it is playing.
   void correctAt(int camera, const QPointF& pixel);
-  /// Whether `correctAt()` is possible now.
+  /// Returns whether `correctAt()` is currently possible.
   bool canCorrect() const;
-  /// Target that a press away from all estimates applies to; -1 if it is ambiguous.
+  /// Returns the target that a press away from all estimates applies to, or -1 if this is
+  /// ambiguous.
   int preferredTarget() const;
 
 Q_SIGNALS:
-  /// The target was dropped at a corrected position.
+  /// Emitted when the target was dropped at a corrected position.
   void corrected(const dewpoint::project::PositionCorrection& correction);
-  /// Why the correction was not possible.
+  /// Emitted with the reason why the correction was not possible.
   void failed(const QString& sentence);
   void cancelled();
 
@@ -56,18 +57,19 @@ private:
     CameraView* view;
     ImagePickOverlay* overlay;
   };
-  /// A drag, tied to the snapshot whose image it started in.
+  /// Drag, tied to the snapshot whose image it started in.
   struct Drag {
-    int target; ///< -1: there is no target to drag
+    int target; ///< -1 if there is no target to drag
     TrackSnapshotPtr snapshot;
   };
   void grab(const Layer& layer, const QPointF& pixel);
   void point(int camera, const QPointF& pixel);
   void drop(int camera, const QPointF& pixel);
   void deliver(const Drag& drag, int camera, const QPointF& pixel);
-  /// Returns the drag under way, or the one that the keyboard would start.
+  /// Returns the current drag, or the drag that the keyboard would start.
   Drag held() const;
-  /// Returns the target whose estimate is nearest to a pixel and close enough; -1: none.
+  /// Returns the target whose estimate is closest to a pixel and close enough, or -1 if there is
+  /// none.
   int targetAt(const Layer& layer, const QPointF& pixel) const;
   std::optional<Gaussian3> estimateOf(const Drag& drag) const;
   Result<PositionCorrection> correctionOf(const Drag& drag, int camera, const QPointF& pixel) const;

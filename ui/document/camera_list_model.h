@@ -7,8 +7,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Cameras of the project by name, in their order; one model for every panel, combo box and
-/// palette. `Selection` knows which one is selected.
+/// List of the project's cameras by name, in project order. Every panel, combo box and palette uses
+/// this model. `Selection` stores which camera is selected.
 class CameraListModel : public NameListModel {
   Q_OBJECT
 public:
@@ -16,7 +16,7 @@ public:
 
   /// Returns the name of a camera, or "camera 2" if it has none.
   QString nameOf(int camera) const;
-  /// In another language.
+  /// Updates the names after a language change.
   void retranslateUi() { refresh(); }
 
 private:

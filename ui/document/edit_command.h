@@ -16,8 +16,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// One step of the history: replaces one state of the project by another. States are immutable and
-/// shared between neighboring steps.
+/// History step that replaces one state of the project by another. States are immutable and shared
+/// between neighboring steps.
 class EditCommand : public QUndoCommand {
 public:
   using State = std::shared_ptr<const Project>;

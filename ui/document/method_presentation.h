@@ -12,24 +12,23 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-/// Options of the window for a method, beyond those of its family (`tracking::MethodFamily`). There
-/// is one row per kind of target; only this part of the window depends on the kind.
+/// Window options for a method, in addition to those of its family (`tracking::MethodFamily`).
+/// There is one row per kind of target. No other part of the window depends on the kind of target.
 struct MethodPresentation {
-  /// A click or a drag in an image sets the box of a target; otherwise its color.
+  /// True if a click or a drag in an image sets a target's box; otherwise it sets the color.
   bool takesBoxes = false;
-  bool showsBoxes = false; ///< plots, table and export use boxes in images; otherwise positions
+  bool showsBoxes = false; ///< plots, table and export use image boxes; otherwise positions
   bool showsRoom = true;   ///< has a bird's-eye view
   bool hasOverlays = true; ///< masks and likelihood maps can be drawn over the images
-  /// Searches the volume of interest of the project, if it has one, and continues from a position
-  /// that the user sets for a target.
+  /// Searches the project's volume of interest, if there is one, and continues from a position that
+  /// the user sets for a target.
   bool searchesRoom = true;
   bool countsPeople = false; ///< lists people and shows how many are present
 };
 
-/// Returns the options for the method of a project. The reference stays valid until the program
-/// ends.
+/// Returns the options for a project's method. The reference stays valid until the program ends.
 const MethodPresentation& presentationOf(const Project& project);
-/// Returns the options for the method of a snapshot.
+/// Returns the options for a snapshot's method.
 const MethodPresentation& presentationOf(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

@@ -8,7 +8,8 @@
 
 namespace dewpoint::ui {
 
-/// List model of names. A change of names that keeps their number preserves selections in the list.
+/// List model of names. If the names change but their number does not, selections in the list are
+/// preserved.
 class NameListModel : public QAbstractListModel {
   Q_OBJECT
 public:

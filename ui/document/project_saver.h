@@ -24,15 +24,15 @@ using ProjectWriter =
     std::function<Status(const Project& project, const std::filesystem::path& file)>;
 
 /// Saves the document to its file in another thread, so that a slow disk does not block the window.
-/// A write that has begun completes even if the window closes meanwhile.
+/// A write that has begun completes even if the window is closed.
 class ProjectSaver : public QObject {
   Q_OBJECT
 public:
-  /// `write`: function to write with; `saveProject()` by default.
+  /// `write` is the function that writes the project; `saveProject()` by default.
   explicit ProjectSaver(Document& document, QObject* parent = nullptr, ProjectWriter write = {});
 
   void setWriter(ProjectWriter write) { write_ = std::move(write); }
-  /// Saves the current state of the document. Files are written one after the other.
+  /// Saves the current state of the document. Files are written one after another.
   void save(const std::filesystem::path& file);
   bool isSaving() const { return underWay_ > 0; }
 
@@ -44,8 +44,8 @@ private:
   Document& document_;
   ProjectWriter write_;
   JobQueue queue_;
-  int underWay_ = 0;           ///< number of writes under way
-  std::uint64_t projects_ = 0; ///< counts the projects that the document has held
+  int underWay_ = 0;           ///< number of writes in progress
+  std::uint64_t projects_ = 0; ///< number of projects that the document has held
 };
 
 } // namespace dewpoint::ui

@@ -19,45 +19,46 @@ namespace dewpoint::ui {
 class Document;
 
 /// Keeps a copy of unsaved work in the user's data folder, so that a crash loses at most two
-/// seconds. Each change reaches the disk within that time: it is written to a temporary file,
-/// flushed and renamed. The copy is removed when the work is saved or discarded. All of this runs
-/// in order in another thread; the window never waits for the disk.
+/// seconds of work. Each change reaches the disk within that time. The copy is written to a
+/// temporary file, flushed and renamed. It is removed when the work is saved or discarded. All of
+/// this runs in order in another thread; the window never waits for the disk.
 class Recovery : public QObject {
   Q_OBJECT
 public:
-  /// Creates `folder` if it is missing. `write`: function to write texts with; `writeTextFile()` by
-  /// default.
+  /// Creates `folder` if it is missing. `write` is the function that writes text files;
+  /// `writeTextFile()` by default.
   Recovery(Document& document, std::filesystem::path folder, QObject* parent = nullptr,
            TextWriter write = {});
   ~Recovery() override;
 
-  /// Finds the copies that closed windows left in the folder, newest first.
+  /// Finds the copies in the folder that belong to closed windows, newest first.
   void look(std::function<void(const std::vector<RecoverableWork>&)> then);
-  /// Reads the project of a copy, with the path of the file it was loaded from.
+  /// Reads the project in a copy, with the path of the file it was originally loaded from.
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
-  /// Reports that the document now contains this work. Its copy is removed once this window has
-  /// written its own copy, or the work is saved or discarded.
+  /// Tells this object that the document now contains this work. The copy is removed once this
+  /// window has written its own copy, or when the work is saved or discarded.
   void take(const RecoverableWork& work) { taken_.push_back(work); }
-  /// Discards a copy: it is not offered any more and is deleted after a week. `restore()` undoes
+  /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
   /// this.
   void discard(const RecoverableWork& work);
   void restore(const RecoverableWork& work);
-  /// Removes the copy of this window and those it took over, because the work is saved or
+  /// Removes this window's copy and the copies it has taken over, because the work was saved or
   /// discarded.
   void removeBackup();
 
   static std::filesystem::path standardFolder();
 
 Q_SIGNALS:
-  /// A copy is about to be written; pending changes must enter the document now.
+  /// Emitted before a copy is written. Pending changes must enter the document now.
   void writing();
-  /// A copy is safely on the disk.
+  /// Emitted when a copy is safely on the disk.
   void kept();
-  /// The copy cannot be written. The sentence gives the reason; each reason is reported once.
+  /// Emitted when the copy cannot be written. The sentence gives the reason. Each reason is
+  /// reported once.
   void failed(const QString& sentence);
 
 private:
-  using Folder = std::optional<RecoveryFolder>; ///< created, used and closed only by the queue
+  using Folder = std::optional<RecoveryFolder>; ///< created, used and destroyed only in the queue
   void inFolder(std::function<void(RecoveryFolder&)> work);
   void schedule();
   void removeOwn();

@@ -7,8 +7,9 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Targets of the project by name, each with a chip in the color it has in all views; one model for
-/// every panel, combo box and palette. `Selection` knows which one is selected.
+/// List of the project's targets by name, each with a chip in its color, which is the same in all
+/// views. Every panel, combo box and palette uses this model. `Selection` stores which target is
+/// selected.
 class TargetListModel : public NameListModel {
   Q_OBJECT
 public:

@@ -25,8 +25,8 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Dialog that reproduces the figures of the papers and runs further studies: select one, follow
-/// its progress, open its report. The computation runs in another thread.
+/// Dialog that reproduces figures from the papers and runs further studies. The user selects a
+/// study, follows its progress, and opens its report. The computation runs in another thread.
 class ExperimentDialog : public QDialog {
   Q_OBJECT
 public:
@@ -47,7 +47,7 @@ private:
   void finish(const QString& report);
   void openReport();
 
-  /// Rows of the list; null: a heading for the rows below.
+  /// List rows; null for a heading of the rows below it.
   std::vector<const FigureExperiment*> rows_;
   BackgroundJob* job_;
   QListWidget* list_;
@@ -55,7 +55,7 @@ private:
   QLabel* runsLabel_;
   QSpinBox* runs_;
   QLabel* clothesLabel_;
-  QComboBox* clothes_; ///< clothes of simulated people
+  QComboBox* clothes_; ///< clothing of simulated people
   QLabel* recordingsLabel_;
   QLineEdit* recordings_;
   QPushButton* browseRecordings_;
@@ -68,7 +68,7 @@ private:
   QPushButton* cancel_;
   QPushButton* open_;
   QPushButton* close_;
-  QString report_; ///< the newest report
+  QString report_; ///< newest report
 };
 
 } // namespace dewpoint::ui

@@ -7,7 +7,7 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Adds the dialog that reproduces the experiments of the papers.
+/// Adds the dialog that reproduces the experiments in the papers.
 void installExperiments(const Workbench& bench);
 
 } // namespace dewpoint::ui

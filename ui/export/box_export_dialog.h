@@ -17,15 +17,15 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Exports the bounding boxes of a run to a folder: boxes.csv and boxes_mot.txt. Not modal; files
+/// Exports a run's bounding boxes to a folder: boxes.csv and boxes_mot.txt. Not modal; the files
 /// are written in the background.
 class BoxExportDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `boxes` returns the run so far; called in the thread of the window.
+  /// `boxes` returns the run so far. It is called in the GUI thread.
   explicit BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent = nullptr);
 
-  /// Proposes this folder.
+  /// Proposes `folder` as the destination.
   void proposeIn(const QString& folder);
 
 Q_SIGNALS:
@@ -40,8 +40,8 @@ private:
   void chooseFolder();
   void start();
   void askToReplace(bool ask);
-  /// Asks whether to replace an existing file `name` in the folder. If the question is not visible,
-  /// or another folder was selected meanwhile, reports that nothing was written.
+  /// Asks whether to replace the existing file `name` in the folder. If the question is not
+  /// visible, or another folder was selected meanwhile, reports that nothing was written.
   void askAbout(const std::filesystem::path& folder, const char* name);
   std::filesystem::path chosenFolder() const;
 

@@ -23,27 +23,29 @@ class ExportForm;
 class ExportOutcome;
 class PreviewPane;
 
-/// Exports the trajectory: selects content and format, and previews the file. Not modal: tracking
-/// continues and the preview follows it. Exports run in the background; signals report the result.
+/// Exports the trajectory. The user selects content and format, and a preview shows the file. Not
+/// modal: tracking continues, and the preview is updated. Exports run in the background; signals
+/// report the result.
 class ExportDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `trajectory` returns the run so far; called in the thread of the window.
+  /// `trajectory` returns the run so far. It is called in the GUI thread.
   explicit ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent = nullptr);
 
-  /// Reads the current state of the run and shows it.
+  /// Reads and shows the current state of the run.
   void refresh();
-  /// Proposes to export only this range of seconds; nothing: withdraws the proposal.
+  /// Proposes to export only this time range (seconds). No range withdraws the proposal.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
-  /// Sets whether a part of the run has results of earlier settings; the preview warns of it.
+  /// Sets whether part of the run has results from earlier settings. The preview shows a warning
+  /// about them.
   void setHasOldResults(bool has);
-  /// Proposes a file in this folder.
+  /// Proposes a file in `folder`.
   void proposeIn(const QString& folder);
-  /// Resets all choices for another project, and proposes a file in this folder.
+  /// Resets all choices for another project, and proposes a file in `folder`.
   void startAnew(const QString& folder);
 
 Q_SIGNALS:
-  /// Result of an export. While the dialog is visible, it shows the result itself.
+  /// Emitted with the result of an export. While the dialog is visible, it shows the result itself.
   void done(const QString& sentence);
   void failed(const QString& sentence);
 
@@ -60,8 +62,8 @@ private:
   void formatChanged();
   void askFile();
   void start();
-  /// Asks before existing files are replaced; any change withdraws the question. The export checks
-  /// in its own thread whether the files exist. If something changes before the check ends, the
+  /// Asks before replacing existing files; any change withdraws the question. The export checks in
+  /// its own thread whether the files exist. If something changes before the check ends, the
   /// question is not shown, and the dialog reports that nothing was written.
   void askToReplace(const QString& file);
   void forgetQuestion();
@@ -71,7 +73,7 @@ private:
   void setRunning(bool running);
   void stop();
   void showFinished(const ExportSummary& summary);
-  /// `file`: the file that was written.
+  /// Reports the result. `file` is the file that was written.
   void reportDone(const QString& sentence, const QString& file = {});
   void reportFailed(const QString& sentence);
   std::filesystem::path file() const;
@@ -92,9 +94,9 @@ private:
   QPushButton* export_;
   QPushButton* close_;
   bool running_ = false;
-  bool mayReplace_ = false; ///< the question was shown, and nothing changed since
-  int questions_ = 0;       ///< grows with every change that takes a question back
-  int startedAt_ = 0;       ///< questions_ when the export under way began
+  bool mayReplace_ = false; ///< the question was shown and nothing has changed since
+  int questions_ = 0;       ///< incremented by every change that withdraws a question
+  int startedAt_ = 0;       ///< value of `questions_` when the current export began
 };
 
 } // namespace dewpoint::ui

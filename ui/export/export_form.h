@@ -16,21 +16,21 @@ class QListWidget;
 
 namespace dewpoint::ui {
 
-/// Fields that define ExportOptions: which part of a trajectory is exported, and how.
+/// Fields that define ExportOptions: which part of a trajectory is exported, and in which form.
 class ExportForm : public QWidget {
   Q_OBJECT
 public:
   explicit ExportForm(QWidget* parent = nullptr);
 
   ExportOptions options() const;
-  /// File name suffix of the selected format, including the dot.
+  /// Returns the file name suffix of the selected format, including the dot.
   QString suffix() const;
-  /// Whether the live estimates are exported.
+  /// Returns whether the live estimates are exported.
   bool isLive() const;
-  /// Lists the targets of a trajectory. If the list is unchanged, its check marks stay.
+  /// Lists the targets in a trajectory. If the list is unchanged, its check marks are kept.
   void setTargetsOf(const Trajectory& trajectory);
-  /// Proposes to export only this range of seconds; nothing: withdraws the proposal unless the user
-  /// has edited it.
+  /// Proposes to export only this time range (seconds). No range withdraws the proposal
+  /// unless the user has edited it.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Resets all choices for another project.
   void startAnew();
@@ -55,7 +55,7 @@ private:
   QComboBox* axes_;
   QComboBox* unit_;
   QCheckBox* header_;
-  std::pair<double, double> given_; ///< range that was proposed, seconds
+  std::pair<double, double> given_; ///< proposed range, seconds
 };
 
 } // namespace dewpoint::ui

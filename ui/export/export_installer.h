@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 class Timeline;
 struct Workbench;
 
-/// Adds the export of the run: of its trajectory, or of its bounding boxes if the method tracks
-/// boxes. `timeline` provides the times of the selected range.
+/// Adds the export of the run: its trajectory, or its bounding boxes if the method tracks boxes.
+/// `timeline` provides the times of the selected range.
 void installExport(const Workbench& bench, const Timeline& timeline);
 
 } // namespace dewpoint::ui

@@ -15,8 +15,8 @@
 
 namespace dewpoint::ui {
 
-/// Computes previews and exports in other threads. Only the newest requested preview is computed;
-/// an export ends the preview under way.
+/// Computes previews and exports in other threads. Only the newest requested preview is computed.
+/// An export cancels the current preview.
 class ExportJobs : public QObject {
   Q_OBJECT
 public:
@@ -27,16 +27,16 @@ public:
                const std::filesystem::path& file);
   void run(TrajectoryPtr trajectory, const ExportOptions& options,
            const std::filesystem::path& file);
-  /// Runs another long task, such as drawing a figure; `finished()` or `failed()` follows.
+  /// Runs another long task, such as drawing a figure; emits `finished()` or `failed()` afterwards.
   void run(std::function<Status()> task, const std::filesystem::path& file);
   /// Reports whether a file exists. Only the newest request is answered.
   void find(const std::filesystem::path& file, std::function<void(bool exists)> report);
   void cancel() { *cancelled_ = true; }
-  /// Cancels a preview that is requested or under way.
+  /// Cancels a preview that is waiting or in progress.
   void stopPreview() { preview_.cancel(); }
 
 Q_SIGNALS:
-  /// Progress of a preview that takes long.
+  /// Emitted with the progress (percent) of a preview that takes long.
   void previewing(int percent);
   void previewReady(const dewpoint::trajectory::ExportPreview& preview);
   void previewFailed(const QString& sentence);
@@ -48,8 +48,7 @@ private:
   LatestJob preview_{LatestJob::Overtaken::Dropped};
   LatestJob finding_{LatestJob::Overtaken::Dropped};
   BackgroundJob export_;
-  /// Separate from the cancel flag of the job, so that the result of a canceled export is reported,
-  /// too.
+  /// Separate from the job's cancel flag, so that the result of a canceled export is also reported.
   std::shared_ptr<std::atomic<bool>> cancelled_;
 };
 

@@ -10,14 +10,14 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// Result of an export, shown in its dialog: one sentence, and a button that opens the folder of
-/// the written file. Hidden while empty.
+/// Export result, shown in its dialog: one sentence, and a button that opens the folder of the
+/// written file. Hidden while empty.
 class ExportOutcome : public QWidget {
   Q_OBJECT
 public:
   explicit ExportOutcome(QWidget* parent = nullptr);
 
-  /// `file`: the file that was written; empty: none.
+  /// Shows a result. `file` is the file that was written, or empty if there is none.
   void show(const QString& sentence, const QString& file = {});
   void clear();
   void retranslateUi();

@@ -14,13 +14,14 @@ struct ExportSummary;
 
 namespace dewpoint::ui {
 
-/// Translated name of a format.
+/// Returns the translated name of a format.
 QString exportFormatName(std::string_view id);
-/// "Lengths in mm, times in s. Y points up: ..."
+/// Returns the units of an export: "Lengths in mm, times in s. Y points up: ..."
 QString exportUnitsText(const ExportPreview& preview);
-/// "2 targets, 180 rows at 30 per second, 12 positions unknown".
+/// Returns the size of an export: "2 targets, 180 rows at 30 per second, 12 positions unknown".
 QString exportSizeText(const ExportPreview& preview);
-/// "Exported 180 rows to trajectory.csv."; the summary must have at least one file.
+/// Returns the result of an export: "Exported 180 rows to trajectory.csv." The summary must have at
+/// least one file.
 QString exportedText(const ExportSummary& summary);
 
 } // namespace dewpoint::ui

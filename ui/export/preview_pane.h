@@ -13,34 +13,35 @@ class QTimer;
 
 namespace dewpoint::ui {
 
-/// The first lines of the file that an export would write, with its units and size. Made in the
-/// background, a little after what it depends on has changed.
+/// First lines of the file that an export would write, with its units and size. The preview is
+/// computed in the background, a short time after its input has changed.
 class PreviewPane : public QWidget {
   Q_OBJECT
 public:
-  /// `order`: orders a preview of what is chosen from the jobs.
+  /// `order` requests a preview of the current choices from `jobs`.
   PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget* parent = nullptr);
 
-  /// Several requests in a row make one preview.
+  /// Requests a preview. Several requests in quick succession produce one preview.
   void request();
-  /// Whether a preview is requested or under way.
+  /// Returns whether a preview is requested or in progress.
   bool isBusy() const;
-  /// Nobody looks at it any more.
+  /// Cancels the preview because it is no longer visible.
   void abandon();
-  /// Somebody waits no longer: says so in place of the preview.
+  /// Cancels the preview on the user's request and shows a note in its place.
   void stop();
-  /// Ends the current preview when an export begins, and makes it again when the export is over.
+  /// Cancels the current preview when an export begins, and requests it again when the export is
+  /// over.
   void setExporting(bool exporting);
-  /// A request is dropped; what is under way goes on.
+  /// Drops a pending request. A preview in progress continues.
   void dropRequest();
-  /// Whether some of the run is of earlier settings: it says so.
+  /// Sets whether part of the run has results from earlier settings. The pane then shows a note.
   void setHasOldResults(bool has);
   void retranslateUi();
 
 Q_SIGNALS:
-  /// It takes long: there should be a way to stop it.
+  /// Emitted when a preview takes long, so that the user can be offered a way to stop it.
   void takesLong();
-  /// No preview is under way any more.
+  /// Emitted when no preview is in progress any more.
   void ended();
 
 private:

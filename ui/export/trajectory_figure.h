@@ -12,13 +12,13 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Draws the `figureDrawing()` of a trajectory into a rectangle of a page: in the colors of the
-/// targets, dark on white.
+/// Draws the `figureDrawing()` of a trajectory into a rectangle of a page, in the target colors,
+/// dark on white.
 void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTable& table,
                           const FigureTexts& texts);
 
-/// Writes the figure as SVG or, depending on the suffix, as PDF (A4, landscape), to a temporary
-/// file that is then renamed. May be called in any thread.
+/// Writes the figure as SVG or PDF (A4, landscape), depending on the suffix. Writes to a temporary
+/// file that is then renamed. May be called from any thread.
 Status writeTrajectoryFigure(const ExportTable& table, const FigureTexts& texts,
                              const std::filesystem::path& file);
 

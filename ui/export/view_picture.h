@@ -11,11 +11,11 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Returns a view as it is shown now, in device pixels. The bird's-eye view is drawn without its
-/// buttons.
+/// Returns an image of a view as currently shown, in device pixels. The bird's-eye view is drawn
+/// without its buttons.
 QImage pictureOf(QWidget* view);
 
-/// Writes a picture as PNG, to a temporary file that is then renamed. May be called in any thread.
+/// Writes an image as PNG, to a temporary file that is then renamed. May be called from any thread.
 Status writePicture(const QImage& picture, const std::filesystem::path& file);
 
 } // namespace dewpoint::ui

@@ -9,11 +9,11 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Connects the actions of the menu *Help*.
+/// Connects the actions in the *Help* menu.
 void installHelp(const Workbench& bench);
 
-/// Returns the manual page about what is in use now: the view with the keyboard focus, else the
-/// open page, else the window as a whole.
+/// Returns the manual page for the part of the window that is in use: the view with the keyboard
+/// focus, or else the open page, or else the window as a whole.
 QString manualPageInUse(const Workbench& bench);
 
 } // namespace dewpoint::ui

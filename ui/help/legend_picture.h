@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Signs that are drawn over the images; the legend shows a small picture of each.
+/// Signs that are drawn over the images. The legend shows a small image of each.
 enum class LegendSign {
   Particles,
   Estimate, ///< the cross
@@ -19,7 +19,7 @@ enum class LegendSign {
   Mask
 };
 
-/// Small picture of one sign, drawn by the painters of the camera views.
+/// Small image of one sign, drawn by the painters of the camera views.
 class LegendPicture : public QWidget {
   Q_OBJECT
 public:

@@ -7,17 +7,17 @@
 
 namespace dewpoint::ui {
 
-/// Shows pages of Markdown with pictures and links. Links reach other pages and headings, by the
-/// anchor names that GitHub uses. Pictures are never wider than the page and are read in another
-/// thread. The desktop opens links to the web.
+/// Shows Markdown pages with images and links. Links lead to other pages and headings and use the
+/// same anchor names as GitHub. Images are never wider than the page and are read in another
+/// thread. Web links open in the default browser.
 class ManualBrowser : public QTextBrowser {
   Q_OBJECT
 public:
   explicit ManualBrowser(QWidget* parent = nullptr);
 
-  /// Whether all requested pictures are loaded.
+  /// Returns whether all requested images are loaded.
   bool hasPictures() const { return waiting_ == 0; }
-  /// Anchor name of a heading: "12. Targets of any shape" → "12-targets-of-any-shape"
+  /// Returns the anchor name of a heading: "12. Targets of any shape" → "12-targets-of-any-shape"
   static QString slugOf(const QString& heading);
 
 protected:

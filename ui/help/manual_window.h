@@ -14,17 +14,18 @@ namespace dewpoint::ui {
 
 class ManualBrowser;
 
-/// Window of the manual: a list of pages beside the current page. Not modal. If the folder is
-/// missing, it shows where the folder should be.
+/// Manual window: a list of pages next to the current page. Not modal. If the folder is missing,
+/// the window shows where it should be.
 class ManualWindow : public QDialog {
   Q_OBJECT
 public:
-  /// `folder`: folder of the pages; empty: not found, and the window shows `expected` instead.
+  /// `folder` contains the pages. If it is empty, no pages were found, and the window shows
+  /// `expected` instead.
   ManualWindow(const QString& folder, const QString& expected, QWidget* parent);
 
-  /// Shows a page ("window.md", "window.md#correct-position").
+  /// Shows a page ("window.md") or a heading in it ("window.md#correct-position").
   void showPage(const QString& page);
-  /// File name of the page shown; empty if there is none.
+  /// Returns the file name of the page shown, or an empty string if there is none.
   QString shownPage() const;
 
 protected:

@@ -9,13 +9,13 @@ class QGridLayout;
 
 namespace dewpoint::ui {
 
-/// Explains the signs over the images with a small picture and a sentence each. Not modal.
+/// Explains the signs drawn over the images, with a small image and a sentence for each. Not modal.
 class OverlayLegend : public QDialog {
   Q_OBJECT
 public:
   explicit OverlayLegend(QWidget* parent);
 
-  /// Adds a row for each sign; the sentences follow a change of language.
+  /// Adds a row for each sign. The sentences are updated when the language changes.
   static void addRows(QGridLayout* rows, const std::vector<LegendSign>& signs, QWidget* parent);
 };
 

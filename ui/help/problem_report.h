@@ -13,12 +13,11 @@ class QPushButton;
 namespace dewpoint::ui {
 
 /// Collects information that helps to find a fault, as text to copy: versions, system, OpenGL, and
-/// the last messages of the window. Also tells the user what to add. Not modal. Nothing is sent.
+/// the window's last messages. Also tells the user what to add. Not modal. Nothing is sent.
 class ProblemReport : public QDialog {
   Q_OBJECT
 public:
-  /// `messages`: the last messages that were shown; `project`: short description of the open
-  /// project.
+  /// `messages` are the last messages shown. `project` is a short description of the open project.
   ProblemReport(const QStringList& messages, const QString& project, QWidget* parent);
 
   QString text() const;

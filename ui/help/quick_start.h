@@ -14,8 +14,8 @@ class QVBoxLayout;
 
 namespace dewpoint::ui {
 
-/// Short introduction: the parts of the window, the words for the state of a target, and five steps
-/// to begin. Not modal.
+/// Short introduction: the parts of the window, the words for the target states, and five steps to
+/// get started. Not modal.
 class QuickStart : public QDialog {
   Q_OBJECT
 public:

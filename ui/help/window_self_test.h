@@ -10,18 +10,18 @@
 
 namespace dewpoint::ui {
 
-/// Tests what only the window needs: versions of Qt and VTK, graphics, languages. Call it in the
-/// thread of the window; it takes about a second.
+/// Tests what only the window needs: Qt and VTK versions, graphics, languages. Call it in the GUI
+/// thread. It takes about a second.
 std::vector<SelfTestLine> graphicsSelfTest();
 
-/// Returns the parts that `runSelfTest()` uses on this computer; `opener` opens the demo.
+/// Returns the parts that `runSelfTest()` uses on this computer. `opener` opens the demo.
 SelfTestParts selfTestParts(const ProjectOpener& opener);
 
 /// Returns the lines as text, one per line.
 QString selfTestReport(const std::vector<SelfTestLine>& lines);
 
-/// Implements `dewpoint --self-test`: prints all results and returns the exit code, 1 if there is a
-/// problem.
+/// Implements `dewpoint --self-test`: prints all results and returns the exit code, which is 1 if
+/// there is a problem.
 int printSelfTest(const ProjectOpener& opener);
 
 } // namespace dewpoint::ui

@@ -17,20 +17,20 @@ class BackgroundJob : public QObject {
   Q_OBJECT
 public:
   explicit BackgroundJob(QObject* parent = nullptr);
-  ~BackgroundJob() override; ///< cancels; running work ends later, and its result is dropped
+  ~BackgroundJob() override; ///< cancels; running work ends later, and its result is discarded
 
-  /// Reports the progress of the work (0 to 1; negative: unknown) and returns whether the result is
-  /// still wanted. When it returns false, the work should end as soon as possible.
+  /// Reports the progress of the work (0 to 1; negative if unknown) and returns whether the result
+  /// is still needed. When it returns false, the work should end as soon as possible.
   using Progress = std::function<bool(double part)>;
-  /// Work to run in the thread of the job. It may use only what it holds itself, not even the owner
-  /// of the job. The function it returns runs in the thread of the window afterwards, unless the
-  /// job was canceled or deleted meanwhile. Must not throw.
+  /// Work to run in the job's thread. It may use only data that it owns, not even the owner of the
+  /// job. Unless the job was canceled or deleted meanwhile, the function it returns then runs in
+  /// the GUI thread. Must not throw.
   using Work = std::function<std::function<void()>(const Progress& progress)>;
 
-  /// Starts the work. Returns false and starts nothing while other work is running.
+  /// Starts the work. Returns false and does nothing while other work is running.
   bool start(Work work);
-  void cancel(); ///< `ended()` follows once the work has noticed
-  /// Cancels without waiting for the work to notice: the job counts as ended, and new work can
+  void cancel(); ///< `ended()` follows once the work has noticed the cancellation
+  /// Cancels without waiting for the work to notice. The job counts as ended, and new work can
   /// start.
   void abandon();
   bool isRunning() const { return running_; }
@@ -45,7 +45,7 @@ private:
 
   JobMailbox mailbox_;
   bool running_ = false;
-  std::uint64_t run_ = 0; ///< number of the work whose result is delivered
+  std::uint64_t run_ = 0; ///< number of the work whose result will be delivered
   std::stop_source stop_;
 };
 

@@ -12,16 +12,15 @@
 
 namespace dewpoint::ui {
 
-/// Runs work in order and to completion, such as writing and removing files. Everything that was
-/// added is done, even if the queue is deleted meanwhile. Nothing waits for it.
+/// Runs work in order and to completion, such as writing and removing files. All added work is
+/// done, even if the queue is deleted meanwhile. Nothing waits for it.
 class JobQueue : public QObject {
   Q_OBJECT
 public:
   explicit JobQueue(QObject* parent = nullptr);
 
-  /// Work to run in the thread of the queue. It may use only what it holds itself. The function it
-  /// returns (may be empty) runs in the thread of the window, unless the queue was deleted
-  /// meanwhile. Must not throw.
+  /// Work to run in the queue's thread. It may use only data that it owns. The function it returns
+  /// (may be empty) runs in the GUI thread, unless the queue was deleted meanwhile. Must not throw.
   using Work = std::function<std::function<void()>()>;
   void add(Work work);
 

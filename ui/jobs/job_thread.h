@@ -13,36 +13,36 @@
 
 namespace dewpoint::ui {
 
-/// Runs `work` in a detached thread. It must hold everything it uses, because the window and the
-/// object that started it may be deleted before it ends. Must not throw.
+/// Runs `work` in a detached thread. The work must own everything it uses, because the window and
+/// the object that started it may be deleted before it ends. Must not throw.
 void runDetached(std::function<void()> work);
 
-/// Deleter that deletes an object in a thread of `runDetached()`. For objects whose destructor
-/// waits for a thread or a device: whichever thread releases the last reference does not block.
+/// Deleter that deletes an object in a thread started by `runDetached()`. For objects whose
+/// destructor waits for a thread or a device: releasing the last reference never blocks the calling
+/// thread.
 struct DetachedDelete {
   template <class Object> void operator()(Object* object) const {
     runDetached([object] { delete object; });
   }
 };
 
-/// Waits at most `patience` until all threads of `runDetached()` have ended; returns false if some
-/// are still running. For the end of the program, when no window is open: a job that hangs in a
-/// dead stream is abandoned then.
+/// Waits at most `patience` until all threads of `runDetached()` have ended. Returns false if some
+/// are still running. For the end of the program, when no window is open. A job that still hangs,
+/// for example in a dead stream, is abandoned.
 bool waitForDetached(std::chrono::milliseconds patience);
 
-/// Delivers functions from other threads to the thread of the window. A mutex guards the queue of
-/// functions; the wake-up event carries no data.
+/// Delivers functions from other threads to the GUI thread. A mutex guards the queue of functions;
+/// the wake-up event carries no data.
 class JobMailbox : public QObject {
   Q_OBJECT
 public:
   explicit JobMailbox(QObject* parent = nullptr);
-  ~JobMailbox() override; ///< drops everything posted from now on
+  ~JobMailbox() override; ///< discards everything posted from now on
 
-  /// Sending end of a mailbox, for other threads; it may outlive the mailbox.
+  /// Sending end of a mailbox, for use in other threads. It may outlive the mailbox.
   class Sender {
   public:
-    /// Posts a function that runs in the thread of the mailbox, unless the mailbox was deleted
-    /// meanwhile.
+    /// Posts a function that will run in the mailbox's thread, unless the mailbox is deleted first.
     void post(std::function<void()> letter) const;
 
   private:
@@ -50,7 +50,7 @@ public:
     struct State {
       std::mutex mutex;
       std::deque<std::function<void()>> letters;
-      JobMailbox* receiver = nullptr; ///< null after the mailbox was deleted
+      JobMailbox* receiver = nullptr; ///< null after the mailbox is deleted
     };
     std::shared_ptr<State> state_ = std::make_shared<State>();
   };

@@ -10,15 +10,15 @@
 
 namespace dewpoint::ui {
 
-/// A job for which only the newest request counts. While one request is being processed, only the
-/// newest of the later ones waits; the others never start.
+/// Job for which only the newest request counts. While one request is being processed, only the
+/// newest of the later requests waits. The others never start.
 class LatestJob : public QObject {
   Q_OBJECT
 public:
-  /// What happens to running work when a newer request arrives.
+  /// Defines what happens to running work when a newer request arrives.
   enum class Overtaken {
-    Dropped, ///< canceled; abandoned if it does not end within some seconds
-    Kept,    ///< completed, and its result delivered: for views that follow a drag
+    Dropped, ///< canceled; abandoned if it does not end within a few seconds
+    Kept,    ///< completed, and its result is delivered; for views that follow a drag
   };
   explicit LatestJob(Overtaken overtaken, QObject* parent = nullptr);
 
@@ -29,7 +29,7 @@ public:
 
 Q_SIGNALS:
   void progressChanged(double part);
-  /// No work is running or waiting.
+  /// Emitted when no work is running or waiting.
   void idle();
 
 private:

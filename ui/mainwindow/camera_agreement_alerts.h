@@ -14,16 +14,16 @@ namespace dewpoint::ui {
 class MessageBar;
 
 /// Shows in the message bar that cameras disagree, the reason, and a button for each way to correct
-/// it. Each reason is shown once; the next one follows when the first is resolved. A bar that the
-/// user closes does not come back.
+/// it. Each reason is shown once; the next one follows when the first is resolved. Once closed by
+/// the user, a message does not reappear.
 class CameraAgreementAlerts : public QObject {
   Q_OBJECT
 public:
   explicit CameraAgreementAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// Sets the frame shown; null: the run is over, and earlier alerts are forgotten.
+  /// Sets the frame shown. Null means that the run is over; earlier alerts are forgotten.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Suppresses alerts, while the user calibrates.
+  /// Suppresses alerts while the user calibrates.
   void setResting(bool resting) { resting_ = resting; }
 
 Q_SIGNALS:
@@ -35,8 +35,8 @@ private:
   void show(const CameraDisagreement& found, const QStringList& names);
 
   MessageBar& bar_;
-  std::vector<CameraDisagreement> shown_; ///< disagreements that still exist and were shown
-  QString text_;                          ///< text shown last in the bar
+  std::vector<CameraDisagreement> shown_; ///< disagreements that were shown and still exist
+  QString text_;                          ///< last text shown in the bar
   bool resting_ = false;
 };
 

@@ -11,15 +11,15 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Shows in the message bar that a camera moved, and what to do: one click computes its pose again
-/// where that is possible. Each state of a moved camera is reported once. A bar that the user
-/// closes does not come back.
+/// Shows in the message bar that a camera moved, and what to do. Where possible, one click
+/// recomputes its pose. Each state of a moved camera is reported once. Once closed by the user, a
+/// message does not reappear.
 class CameraMotionAlerts : public QObject {
   Q_OBJECT
 public:
   explicit CameraMotionAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// Sets the frame shown; null: the run is over, and earlier alerts are forgotten.
+  /// Sets the frame shown. Null means that the run is over; earlier alerts are forgotten.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:
@@ -33,7 +33,7 @@ private:
 
   MessageBar& bar_;
   CameraMotionNews news_;
-  QString text_; ///< text shown last in the bar
+  QString text_; ///< last text shown in the bar
 };
 
 } // namespace dewpoint::ui

@@ -10,33 +10,32 @@ namespace dewpoint::ui {
 
 class ProjectSaver;
 
-/// Saves the project, asking where to when it has no file yet, and asks before unsaved changes are
-/// lost.
+/// Saves the project, asking for a file if it has none, and asks before unsaved changes are lost.
 class ChangesGuard : public QObject {
   Q_OBJECT
 public:
   explicit ChangesGuard(const Workbench& bench, QObject* parent = nullptr);
 
   ProjectSaver& saver() { return *saver_; }
-  /// Asks about unsaved changes. True: go on. False: not now; `then` runs once they are saved, if
-  /// that was the answer.
+  /// Asks about unsaved changes and returns whether they may be discarded. If it returns false and
+  /// the user chose to save, `then` runs once the changes are saved.
   bool mayDiscard(const std::function<void()>& then);
-  /// Runs `next` as soon as nothing unsaved is lost by it.
+  /// Runs `next` as soon as no unsaved changes can be lost by it.
   void whenSettled(const std::function<void()>& next);
 
 Q_SIGNALS:
-  /// The project is in this file.
+  /// Emitted when the project was saved to this file.
   void saved(const QString& file);
 
 private:
   void connectSaver();
   void save();
   void askSaveAs();
-  void saveTo(std::filesystem::path file); ///< by value: it may be the project's own
+  void saveTo(std::filesystem::path file); ///< by value, because it may be the project's own path
 
   Workbench bench_;
   ProjectSaver* saver_;
-  std::function<void()> afterSaving_; ///< what waits until the project is in its file
+  std::function<void()> afterSaving_; ///< runs once the project is saved
 };
 
 } // namespace dewpoint::ui

@@ -5,14 +5,14 @@
 
 namespace dewpoint::ui {
 
-/// Dock with the history of changes, and the actions that undo and redo them.
+/// Dock with the history of changes, and the undo and redo actions.
 class HistoryDock : public QObject {
   Q_OBJECT
 public:
   explicit HistoryDock(const Workbench& bench);
 
   /// Names the next step in the texts of the undo and redo actions, so that menus and lists of
-  /// actions show what would happen.
+  /// actions show their effect.
   void nameSteps();
 
 private:

@@ -35,54 +35,54 @@ class TargetListModel;
 struct Workbench;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Main window: creates the parts that all features share, and installs the features.
+/// Main window. Creates the parts shared by all features, and installs the features.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 public:
   explicit MainWindow(ProjectOpener opener, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Opens a project in the background; empty path: the demo.
+  /// Opens a project in the background. An empty path opens the demo.
   void openProject(const std::filesystem::path& file);
-  /// Sets whether a project plays as soon as it is open.
+  /// Sets whether a project starts to play as soon as it is open.
   void setPlayOnOpen(bool play);
   void setTheme(Theme theme);
   Theme theme() const;
 
-  /// Restores the size and position of the window from the last session, and saves them on close.
+  /// Restores the window size and position from the last session, and saves them on close.
   void keepGeometry();
-  /// Keeps a copy of unsaved work in this folder, and offers copies that an earlier window left
-  /// there. `write`: function that writes the copies; `writeTextFile()` by default.
+  /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
+  /// there. `write` is the function that writes the copies; `writeTextFile()` by default.
   void useRecovery(const std::filesystem::path& folder, TextWriter write = {});
-  /// Saves projects to their files.
+  /// Returns the object that saves projects to their files.
   ProjectSaver& saver();
   /// Changes the language and saves it in the preferences.
   void setLanguage(const QString& language);
 
-  /// Writes the results of the run so far (`RunRecord`) into a folder, in another thread. Requests
+  /// Writes the results of the run so far (`RunRecord`) to a folder, in another thread. Requests
   /// are processed in order, even if the window closes meanwhile. Errors are shown in the window.
-  /// `written` is called with the success, in the writing thread; if nothing is open, at once with
-  /// false.
+  /// `written` is called from the writing thread with true on success. If nothing is open, it is
+  /// called immediately with false.
   void saveRun(const std::filesystem::path& folder, std::function<void(bool)> written = {});
 
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
   Selection& selection() { return *selection_; }
-  /// Shared parts that further views are installed with.
+  /// Returns the shared parts with which further views are installed.
   const Workbench& workbench() const { return *bench_; }
-  /// The newest snapshot shown; null before a project is open.
+  /// Returns the newest snapshot shown, or null before a project is open.
   TrackSnapshotPtr shown() const;
 
 Q_SIGNALS:
   void projectOpened();
   void openFailed(const QString& sentence);
-  /// All views have received this snapshot.
+  /// Emitted when all views have received this snapshot.
   void snapshotShown(TrackSnapshotPtr snapshot);
 
 protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
-  /// Skips docks that lie behind another tab.
+  /// Moves the focus, skipping docks behind another tab.
   bool focusNextPrevChild(bool next) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -102,7 +102,7 @@ private:
   ActionRegistry* actions_;
   DockManager* docks_;
   MessageBar* messages_;
-  MessageRow* messageRow_ = nullptr; ///< place of the message bar in the window
+  MessageRow* messageRow_ = nullptr; ///< row for the message bar in the window
   std::unique_ptr<Workbench> bench_;
   ProjectController* projects_ = nullptr;
   HistoryDock* history_ = nullptr;

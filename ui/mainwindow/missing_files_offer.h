@@ -6,8 +6,8 @@
 
 namespace dewpoint::ui {
 
-/// Offers to locate the files of a project that cannot be opened because files were moved. The
-/// project opens with the new paths, which are stored when the user saves it.
+/// Offers to locate files that were moved, so that their project cannot be opened. The project then
+/// opens with the new paths, which are stored when the user saves it.
 class MissingFilesOffer : public QObject {
   Q_OBJECT
 public:

@@ -5,8 +5,9 @@
 
 namespace dewpoint::ui {
 
-/// Offers to track again the frames whose results are from earlier settings: a message with a
-/// button when the settings change, and an action that is enabled while such results exist.
+/// Offers to track again those frames whose results are from earlier settings. Shows a message with
+/// a button when the settings change, and provides an action that is enabled while such results
+/// exist.
 class OldResultsOffer : public QObject {
   Q_OBJECT
 public:
@@ -16,7 +17,7 @@ private:
   void offer(bool offers);
 
   Workbench bench_;
-  QString shown_; ///< message, as shown
+  QString shown_; ///< message currently shown
 };
 
 } // namespace dewpoint::ui

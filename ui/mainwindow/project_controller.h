@@ -33,22 +33,22 @@ class ThumbnailKeeper;
 class ProjectController : public QObject {
   Q_OBJECT
 public:
-  /// Creates the pages as the central widget of the window.
+  /// Creates the pages as the window's central widget.
   explicit ProjectController(const Workbench& bench);
 
-  /// Opens a project in the background; empty path: the demo.
+  /// Opens a project in the background. An empty path opens the demo.
   void open(const std::filesystem::path& file);
   /// Shows the start page.
   void showStart();
-  /// Keeps a copy of unsaved work in this folder, and offers copies that an earlier window left
+  /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
   /// there.
   void useRecovery(const std::filesystem::path& folder, TextWriter write);
   ProjectSaver& saver();
-  /// Whether the window may close now; it is closed later if its work is saved first. The copy of
-  /// what was given up goes.
+  /// Returns whether the window may close now. If the work is saved first, the window closes later.
+  /// Removes the recovery copy when it returns true.
   bool mayClose();
   void fillRecentMenu(QMenu* menu);
-  /// Whether the data contain something that can be opened.
+  /// Returns whether the data contain something that can be opened.
   static bool canDrop(const QMimeData& data);
   void drop(const QMimeData& data);
 

@@ -7,9 +7,9 @@
 
 namespace dewpoint::ui {
 
-/// Whether a file is a project by its ending.
+/// Returns whether a file name has the suffix of a project.
 bool isProject(const QString& file);
-/// A filter of a file dialog that names *.toml, with all endings of projects.
+/// Returns a file dialog filter in which *.toml is replaced by all project suffixes.
 QString withAllEndings(QString filter);
 
 } // namespace dewpoint::ui

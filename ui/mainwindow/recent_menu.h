@@ -13,14 +13,14 @@ namespace dewpoint::ui {
 
 class RecentProjects;
 
-/// Menu of the recent projects.
+/// Menu of recent projects.
 class RecentMenu : public QObject {
   Q_OBJECT
 public:
   explicit RecentMenu(RecentProjects& recent, QObject* parent = nullptr);
 
-  /// Fills a menu that is about to be shown. Entries whose files prove to be missing disappear
-  /// while it is open.
+  /// Fills a menu that is about to be shown. Entries whose files turn out to be missing disappear
+  /// while the menu is open.
   void fill(QMenu* menu);
 
 Q_SIGNALS:
@@ -30,7 +30,7 @@ private:
   void list();
 
   RecentProjects& recent_;
-  QPointer<QMenu> menu_; ///< menus are created again after a change of language
+  QPointer<QMenu> menu_; ///< menus are recreated after a language change
 };
 
 } // namespace dewpoint::ui

@@ -12,30 +12,31 @@
 
 namespace dewpoint::ui {
 
-/// Offers unsaved work that earlier windows left behind, one copy at a time, and keeps copies of
-/// the work of this window.
+/// Offers unsaved work left by earlier windows, one copy at a time, and keeps copies of this
+/// window's work.
 class RecoveryOffer : public QObject {
   Q_OBJECT
 public:
   RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder, TextWriter write);
 
-  /// Asks about the newest work left behind, if there is any.
+  /// Asks about the newest copy of unsaved work, if there is one.
   void offer();
   /// Sets how often the folder is searched until work is found.
   void setInterval(std::chrono::milliseconds interval) { lookAgain_.setInterval(interval); }
-  /// Reports that the document now contains this work.
+  /// Tells this object that the document now contains this work.
   void take(const RecoverableWork& work) { recovery_->take(work); }
-  /// Removes the copy, because the work of this window was saved or discarded.
+  /// Removes the copy, because this window's work was saved or discarded.
   void removeBackup() { recovery_->removeBackup(); }
-  /// Reads the work; `recovered()` follows, or an error in the window.
+  /// Reads the work. Emits `recovered()` afterwards, or shows an error in the window.
   void recover(const RecoverableWork& work);
 
 Q_SIGNALS:
-  /// The folder was searched, and a question is shown if work was found.
+  /// Emitted after the folder was searched. If work was found, a question is now shown.
   void looked();
-  /// The user wants to recover it: call `recover()`, or `offer()` it again later.
+  /// Emitted when the user wants to recover this work. The receiver calls `recover()`, or calls
+  /// `offer()` later to ask again.
   void wanted(const RecoverableWork& work);
-  /// The work was read and can be opened.
+  /// Emitted when the work was read and can be opened.
   void recovered(const Project& project, const RecoverableWork& work);
 
 private:
@@ -44,7 +45,7 @@ private:
 
   Workbench bench_;
   Recovery* recovery_;
-  QTimer lookAgain_; ///< runs until some work was offered
+  QTimer lookAgain_; ///< runs until work was offered
   bool looking_ = false;
 };
 

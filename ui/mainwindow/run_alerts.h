@@ -11,8 +11,8 @@ namespace dewpoint::ui {
 class CameraAgreementAlerts;
 class ManualCalibration;
 
-/// Shows alerts of a run: its notices, cameras that moved, and cameras that disagree. Performs the
-/// corrections that the alerts offer.
+/// Shows the alerts of a run: its notices, cameras that moved, and cameras that disagree. Performs
+/// the corrections that the alerts offer.
 class RunAlerts : public QObject {
   Q_OBJECT
 public:
@@ -21,12 +21,12 @@ public:
 private:
   void showNotices(const TrackSnapshotPtr& snapshot);
   void applyFirstNewPose();
-  /// Applies the pose that the run found for a moved camera to the project.
+  /// Applies the pose found by the run for a moved camera to the project.
   void applyNewPose(int camera);
   void calibrate(int camera);
   void connectAgreement();
-  /// Changes the project so that its cameras agree, as one step. `choice`: index of the correction
-  /// that the user selected.
+  /// Changes the project in one step so that its cameras agree. `choice` is the index of the
+  /// correction that the user selected.
   void mend(const CameraDisagreement& found, std::size_t choice);
 
   Workbench bench_;

@@ -20,17 +20,17 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Details of a run for experts, in a popup over the status bar: time per iteration, latency from
-/// image to estimate, time budget, effective sample size, and the length of the stored history.
-/// Updates while it is open.
+/// Run details for experts, in a popup above the status bar: time per iteration, latency from image
+/// to estimate, time budget, effective sample size, and the length of the stored history. The
+/// values are updated while it is open.
 class RunDetails : public QFrame {
   Q_OBJECT
 public:
   explicit RunDetails(QWidget* parent = nullptr);
 
-  /// Sets the frame shown and the target to describe; null: none.
+  /// Sets the frame shown and the target to describe. If they are null, no values are shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target);
-  /// Opens above this widget, aligned with its right end.
+  /// Opens the popup above `widget`, aligned with its right edge.
   void openAbove(const QWidget* widget);
 
 private:

@@ -9,15 +9,15 @@
 
 namespace dewpoint::ui {
 
-/// Writes what a run leaves so far (RunRecord) into a folder, beside the window: one run after the
-/// other, and also when the window closes meanwhile. What failed is shown in the window.
+/// Writes the results of a run so far (`RunRecord`) to a folder in another thread. Runs are written
+/// one after another, even if the window closes meanwhile. Errors are shown in the window.
 class RunWriter : public QObject {
   Q_OBJECT
 public:
   explicit RunWriter(const Workbench& bench);
 
-  /// `written` is called with whether it succeeded, in the thread that writes; with false at once
-  /// when nothing is open.
+  /// Writes the run to `folder`. `written` is called from the writing thread with true on success.
+  /// If nothing is open, it is called immediately with false.
   void write(const std::filesystem::path& folder, std::function<void(bool)> written);
 
 private:

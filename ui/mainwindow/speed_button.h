@@ -11,7 +11,7 @@ class QActionGroup;
 
 namespace dewpoint::ui {
 
-/// Button beside Play that shows the playback speed and offers all speeds in a menu. Handles the
+/// Button next to Play that shows the playback speed and offers all speeds in a menu. Handles the
 /// speed actions.
 class SpeedButton : public QToolButton {
   Q_OBJECT

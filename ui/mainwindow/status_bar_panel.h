@@ -28,20 +28,21 @@ class RunDetails;
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Status bar: the state of the target; its position with uncertainty, and its speed; why it is not
-/// held; the frame shown. RunDetails, behind a button, shows values for experts. Values keep their
-/// positions while they change; without enough room, the rightmost values are hidden first.
+/// Status bar with the target's state, its position with uncertainty, its speed, the reason why it
+/// is not held, and the frame shown. A button opens RunDetails, which shows values for experts.
+/// Values keep their positions while they change. Without enough room, the rightmost values are
+/// hidden first.
 class StatusBarPanel : public QWidget {
   Q_OBJECT
 public:
   explicit StatusBarPanel(QWidget* parent = nullptr);
 
-  /// Sets the frame shown; null: no values.
+  /// Sets the frame shown. If it is null, no values are shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Index of the selected target; -1: the target that needs attention is shown.
+  /// Sets the index of the selected target. With -1, the target that needs attention is shown.
   void setTarget(int target);
-  /// State of the target: held while two cameras see it; searching at first and for a second after
-  /// a loss.
+  /// Returns the state of the target: held while two cameras see it; searching initially and for
+  /// one second after a loss.
   HoldState state() const { return state_; }
 
   QSize minimumSizeHint() const override;
@@ -57,9 +58,9 @@ private:
   void refresh();
   void showPosition(const TargetSnapshot& target);
   void showBox(const BoxEstimate& estimate);
-  void clearBelief(); ///< clears values of an earlier frame that are not known now
+  void clearBelief(); ///< clears values of an earlier frame that are now unknown
   void applyPalette();
-  /// Shows as many values as there is room for.
+  /// Shows as many values as fit.
   void fit();
 
   QLabel* held_;
@@ -72,13 +73,13 @@ private:
   QLabel* rate_;
   QToolButton* more_;
   RunDetails* details_;
-  /// Widgets in the order in which they are hidden without enough room.
+  /// Widgets in the order in which they are hidden when there is not enough room.
   std::vector<QWidget*> dispensable_;
   TrackSnapshotPtr snapshot_;
   TargetSpeed motion_;
   int target_ = -1;
-  QString name_;      ///< name of the target shown if there are several
-  QString stateText_; ///< shown instead of the word for the state; empty: that word is shown
+  QString name_;      ///< name of the target shown, if there are several targets
+  QString stateText_; ///< shown instead of the state word; if empty, the state word is shown
   HoldState state_ = HoldState::NoImages;
 };
 

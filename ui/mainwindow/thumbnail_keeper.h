@@ -9,14 +9,14 @@
 
 namespace dewpoint::ui {
 
-/// Keeps a thumbnail of each project for the list of recent projects, made when the project is
-/// saved and when it is closed.
+/// Keeps a thumbnail of each project for the list of recent projects. The thumbnail is created when
+/// the project is saved and when it is closed.
 class ThumbnailKeeper : public QObject {
   Q_OBJECT
 public:
   explicit ThumbnailKeeper(const Workbench& bench, QObject* parent);
 
-  /// Makes the thumbnail from the snapshot shown last. Does nothing if no file contains the
+  /// Creates the thumbnail from the last snapshot shown. Does nothing if no file contains the
   /// project.
   void keep();
 
@@ -28,8 +28,8 @@ private:
   QString fileNow() const;
 
   Workbench bench_;
-  TrackSnapshotPtr shown_; ///< last snapshot with images; null: none
-  QString file_;           ///< file of the project of that snapshot
+  TrackSnapshotPtr shown_; ///< last snapshot with images; null if none
+  QString file_;           ///< file of the project that this snapshot belongs to
   ProjectThumbnails thumbnails_;
 };
 

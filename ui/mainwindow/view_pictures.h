@@ -10,15 +10,15 @@ namespace dewpoint::ui {
 
 class ViewDock;
 
-/// Saves pictures of views as files or to the clipboard: from the title menu of each dock, and
-/// through an action for all docks.
+/// Saves images of views to files or the clipboard, from the title menu of each dock and through an
+/// action for all docks.
 class ViewPictures : public QObject {
   Q_OBJECT
 public:
-  /// Handles all docks that are created from now on.
+  /// Handles all docks created from now on.
   explicit ViewPictures(const Workbench& bench);
 
-  /// Writes a picture as PNG in another thread; the message bar shows the result.
+  /// Writes an image as PNG in another thread. The message bar shows the result.
   void write(const QImage& picture, const QString& file);
 
 private:

@@ -12,18 +12,18 @@ class QMenu;
 
 namespace dewpoint::ui {
 
-/// Menus of the window, and the command palette, which finds every entry by name.
+/// Window menus, and the command palette, which finds every entry by name.
 class WindowMenus : public QObject {
   Q_OBJECT
 public:
-  /// Functions of the window that the menus call.
+  /// Window functions that the menus call.
   struct Owners {
     std::function<void(QMenu*)> fillRecent; ///< fills a menu with the recent projects
     std::function<void(const QString&)> setLanguage;
   };
   WindowMenus(const Workbench& bench, Owners owners);
 
-  /// Creates all menus; call it again after a change of language.
+  /// Creates all menus. Call it again after a language change.
   void make();
   void openPalette() { palette_->open(); }
   void openShortcuts();
@@ -38,7 +38,7 @@ private:
   Workbench bench_;
   Owners owners_;
   CommandPalette* palette_;
-  std::vector<QAction*> languages_; ///< actions of the language menu, listed in the palette
+  std::vector<QAction*> languages_; ///< actions in the language menu, listed in the palette
 };
 
 } // namespace dewpoint::ui

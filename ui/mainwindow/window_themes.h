@@ -8,12 +8,12 @@ namespace dewpoint::ui {
 
 class SystemColors;
 
-/// The colors of the window: those of the theme chosen in the menu, or of the system, which may
-/// change while the program runs.
+/// Manages the window colors: those of the theme selected in the menu, or those of the system,
+/// which may change while the program runs.
 class WindowThemes : public QObject {
   Q_OBJECT
 public:
-  /// The actions are there already.
+  /// The theme actions must already exist in the workbench.
   explicit WindowThemes(const Workbench& bench);
 
   void set(Theme theme);

@@ -23,46 +23,51 @@ class Document;
 class JobQueue;
 class Selection;
 
-/// Writes an image as the background image of a camera and returns the file: keepBackgroundImage().
+/// Writes an image as a camera's background image and returns the file, as keepBackgroundImage()
+/// does.
 using BackgroundImageKeeper = std::function<Result<std::filesystem::path>(
     const Project& project, std::size_t camera, const cv::Mat& image,
     const std::filesystem::path& folder)>;
 
-/// Makes the image that a camera shows its background image: asks when a target is in it, writes it
-/// without waiting for the disk, and enters the file into the project, as a step.
+/// Makes the image that a camera currently shows its background image. Asks for confirmation if a
+/// target is in the image, writes the image in another thread, and adds the file to the project in
+/// one step.
 class BackgroundImageTaker : public QObject {
   Q_OBJECT
 public:
   BackgroundImageTaker(Document& document, Selection& selection, const CameraListModel& cameras,
                        QObject* parent = nullptr);
-  ~BackgroundImageTaker() override; ///< what is being written is written to its end, and unheard
+  ~BackgroundImageTaker() override; ///< a write in progress completes, but its result is ignored
 
-  /// The images that may be taken: those shown.
+  /// Sets the snapshot shown. A background image is taken from its images.
   void setSnapshot(const TrackSnapshotPtr& snapshot) { snapshot_ = snapshot; }
-  /// Who writes them, in a thread of its own: it may take long.
+  /// Sets the function that writes the images. It is called from another thread, because writing
+  /// may take long.
   void setKeeper(BackgroundImageKeeper keep) { keep_ = std::move(keep); }
-  /// Whether a camera shows an image, and none is being written.
+  /// Returns whether the camera shows an image and no image is being written.
   bool canTake(int camera) const;
   void take(int camera);
 
 Q_SIGNALS:
-  /// An image is being written from now on, or no more.
+  /// Emitted when a write starts or ends.
   void busyChanged();
   void failed(const QString& sentence);
-  /// Something was done, and this is what.
+  /// Emitted with a sentence that describes what was done.
   void messageRequested(const QString& sentence);
-  /// Something is done only after this question was answered with yes.
+  /// Emitted with a question. `act` is called only if the user answers yes.
   void confirmationRequested(const QString& question, const QString& yes,
                              const std::function<void()>& act);
 
 private:
-  /// The image that a camera shows; empty when there is none.
+  /// Returns the image that a camera shows, or an empty image if there is none.
   cv::Mat shownImage(int camera) const;
-  /// The target that is tracked in the image of a camera that is shown; empty: none.
+  /// Returns the name of a target that is tracked in the image shown by a camera, or an empty
+  /// string if there is none.
   QString targetSeenBy(int camera) const;
-  /// Writes the image without waiting for it; useKept() follows unless another project is opened.
+  /// Writes the image in another thread. `useKept()` is called afterwards unless another project is
+  /// opened.
   void keep(int camera, const cv::Mat& image);
-  /// What became of the image; `then`: the project as it was when the image was taken.
+  /// Handles the result of the write. `then` is the project at the time the image was taken.
   void useKept(const Project& then, int camera, const Result<std::filesystem::path>& kept);
   void forgetKept();
 
@@ -71,7 +76,7 @@ private:
   const CameraListModel& cameras_;
   TrackSnapshotPtr snapshot_;
   BackgroundImageKeeper keep_;
-  std::unique_ptr<JobQueue> keeping_; ///< of this project; one that is given up is not heard
+  std::unique_ptr<JobQueue> keeping_; ///< for this project; replaced to drop its results
   bool isKeeping_ = false;
 };
 

@@ -28,7 +28,7 @@ class CameraListModel;
 class Document;
 class Selection;
 
-/// The cameras: name, where the images come from, how they are rotated, and what is known of their
+/// Panel of the cameras: name, image source, image rotation, and what is known about the
 /// calibration.
 class CameraPanel : public QWidget {
   Q_OBJECT
@@ -36,18 +36,18 @@ public:
   CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
               QWidget* parent = nullptr);
 
-  /// Sets the images shown, from which a background image can be taken.
+  /// Sets the snapshot shown. A background image can be taken from its images.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   BackgroundImageTaker& taker() { return *taker_; }
 
 Q_SIGNALS:
-  /// A calibration file is to be read for all cameras.
+  /// Emitted when a calibration file should be read for all cameras.
   void calibrationWanted(const QString& file);
 
 private:
   void retranslateUi();
   void refresh();
-  /// Index of the selected camera; -1 without cameras.
+  /// Returns the index of the selected camera, or -1 without cameras.
   int chosen() const;
   void showChosen();
   void showCalibration(const ProjectCamera& camera);

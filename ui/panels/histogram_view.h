@@ -10,14 +10,14 @@
 
 namespace dewpoint::ui {
 
-/// Compares the color histogram of a bounding box when it was set with that of the box now: a pair
-/// of bars per bin in the color of the bin, one hollow and one filled.
+/// Compares the color histogram of a bounding box at the time it was set with the histogram of the
+/// box now. Each bin has two bars in the bin's color, one hollow and one filled.
 class HistogramView : public QWidget {
   Q_OBJECT
 public:
   explicit HistogramView(QWidget* parent = nullptr);
 
-  /// Sets the histograms; null: nothing is shown.
+  /// Sets the histograms; null shows nothing.
   void setHistograms(const std::shared_ptr<const ColorHistograms>& histograms);
 
   QSize sizeHint() const override { return {220, 72}; }

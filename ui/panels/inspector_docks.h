@@ -10,10 +10,11 @@ class TargetPanel;
 class ViewDock;
 struct Workbench;
 
-/// Adds the parameters of the method, and messages for the user when another method is selected.
+/// Adds the panel for the method and its parameters, and the messages shown when another method is
+/// selected.
 void installParameters(const Workbench& bench);
 
-/// Dock of the targets.
+/// Dock with the list of targets.
 struct TargetDock {
   ViewDock* dock;
   TargetPanel* panel;

@@ -11,19 +11,20 @@ struct Project;
 
 namespace dewpoint::ui {
 
-/// Selection of the method. Methods are grouped under headings by their use. Each has two lines
-/// that describe what it tracks and how it differs, and shows its name in files and its paper.
-/// Methods that do not work with the project are disabled and show why. The texts keep the language
-/// in which the list was filled.
+/// Combo box that selects the method. Methods are grouped under headings by use. Each method has
+/// two lines that describe what it tracks and how it differs from others, and shows its name in
+/// files and its paper. Methods that do not work with the project are disabled and show the reason.
+/// The texts keep the language in which the list was filled.
 class MethodChoice : public QComboBox {
   Q_OBJECT
 public:
-  /// Data roles of an item. Qt::UserRole has the name used in files; a heading has none.
+  /// Data roles of an item. Qt::UserRole contains the name used in files; it is empty for a
+  /// heading.
   enum Role { SentenceRole = Qt::UserRole + 1, PaperRole };
 
   explicit MethodChoice(QWidget* parent = nullptr);
 
-  /// Lists all methods, enabled if they suit the project, and shows the method of the project.
+  /// Lists all methods, enables those that suit the project, and selects the project's method.
   void showMethods(const Project& project);
 };
 

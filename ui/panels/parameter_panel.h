@@ -24,9 +24,9 @@ class Document;
 class MethodChoice;
 class ParameterRow;
 
-/// Panel of the method and its parameters, with a slider and a number for each, generated from
-/// their declarations. The essential parameters come first; the others are in sections by group.
-/// All changes go through the document, so they can be undone.
+/// Panel for the method and its parameters. Each parameter has a slider and a number field,
+/// generated from its declaration. The essential parameters come first; the others are in sections
+/// by group. All changes are made through the document, so they can be undone.
 class ParameterPanel : public QWidget {
   Q_OBJECT
 public:
@@ -39,16 +39,16 @@ private:
   void addSections();
   void addVolume();
   ParameterRow* makeRow(const ParameterDeclaration& declaration);
-  /// Adds a section, open or closed as the user left it.
+  /// Adds a section, open or closed as the user last left it.
   CollapsibleSection* addSection(const QString& name, const QString& title);
   void showValue(const QString& key);
-  /// Marks values that differ from their defaults, and values that bound each other.
+  /// Marks values that differ from their defaults, and values that limit each other.
   void showMarks();
   ParameterRow* rowOf(const std::string& key) const;
 
   Document& document_;
   QWidget* form_ = nullptr;
-  QVBoxLayout* column_ = nullptr; ///< layout of the form
+  QVBoxLayout* column_ = nullptr; ///< form layout
   MethodChoice* methods_ = nullptr;
   QPushButton* resetAll_ = nullptr;
   std::vector<ParameterRow*> rows_;

@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// Row of one parameter: label, slider and number with unit. A value that differs from its default
-/// has a dot and a button that resets it; Backspace and Delete on the slider reset it, too.
+/// Row for one parameter: label, slider, and number with unit. A value that differs from its
+/// default has a dot and a reset button. Pressing Backspace or Delete on the slider also resets it.
 class ParameterRow : public QWidget {
   Q_OBJECT
 public:
@@ -24,13 +24,13 @@ public:
   void setValue(double value);
   /// Sets whether the value differs from the default, and shows the default.
   void setChanged(bool changed, double defaultValue);
-  /// Shows a short note below the value; empty: none.
+  /// Shows a short note below the value. An empty string removes the note.
   void setNote(const QString& note);
 
 Q_SIGNALS:
-  /// The user moved the slider or typed a number.
+  /// Emitted when the user moves the slider or enters a number.
   void valueEdited(double value);
-  /// The user wants the default value.
+  /// Emitted when the user requests the default value.
   void resetRequested();
 
 protected:

@@ -29,8 +29,8 @@ class TargetListModel;
 class TargetRowDelegate;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Panel of the targets: a list by name, each with its color, state and size, and fields for the
-/// selected target.
+/// Panel of the targets: a list by name, each target with its color, state and size, and fields for
+/// the selected target.
 class TargetPanel : public QWidget {
   Q_OBJECT
 public:
@@ -39,14 +39,14 @@ public:
   /// Adds buttons for these actions above the list.
   void addTools(QAction* add, QAction* remove, QAction* learn);
 
-  /// Index of the selected target; -1 without targets.
+  /// Returns the index of the selected target, or -1 without targets.
   int chosen() const;
-  /// Selects a target of the list; other indices are ignored.
+  /// Selects a target in the list. Invalid indices are ignored.
   void choose(int target);
-  /// Sets the frame shown: the states of its targets and, for methods that track boxes, the
-  /// estimated box of the selected target.
+  /// Sets the frame shown, which provides the target states. For methods that track boxes, it also
+  /// provides the estimated box of the selected target.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Removes the selected target, as an undoable step.
+  /// Removes the selected target in an undoable step.
   void removeChosen();
 
 Q_SIGNALS:
@@ -68,7 +68,7 @@ private:
   QListView* list_;
   TargetRowDelegate* rows_;
   QVBoxLayout* column_ = nullptr;
-  QToolButton* add_ = nullptr; ///< null before addTools(), like the other two
+  QToolButton* add_ = nullptr; ///< null before addTools(), as are the other two
   QToolButton* remove_ = nullptr;
   QToolButton* learn_ = nullptr;
   QLabel* nameLabel_;
@@ -76,8 +76,8 @@ private:
   QLabel* radiusLabel_;
   QDoubleSpinBox* radius_;
   QLabel* shapeLabel_;
-  QComboBox* shape_; ///< items are in the order of TargetShape
-  QLabel* box_;      ///< numbers of the bounding box
+  QComboBox* shape_; ///< items in the order of TargetShape
+  QLabel* box_;      ///< coordinates of the bounding box
   HistogramView* histograms_;
   QLabel* hint_;
   TrackSnapshotPtr snapshot_;

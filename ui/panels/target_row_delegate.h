@@ -10,24 +10,24 @@
 
 namespace dewpoint::ui {
 
-/// Content of the row of a target besides its name.
+/// Content of a target's row in addition to its name.
 struct TargetRow {
-  QColor identity;                ///< color of the target in all views
-  std::optional<QColor> learned;  ///< learned color of the target; nothing if it needs no color
-  std::optional<HoldState> state; ///< nothing without a run
+  QColor identity;                ///< target color in all views
+  std::optional<QColor> learned;  ///< learned target color; empty if the target needs no color
+  std::optional<HoldState> state; ///< empty without a run
   QString size;
 
   bool operator==(const TargetRow&) const = default;
 };
 
-/// Draws the targets of a list in two lines. First: a disc in the learned color, inside a ring in
-/// the color of the target in the views; the name; and the state as a word, shape and color.
-/// Second: the size.
+/// Draws the targets in a list, each in two lines. The first line has a disc in the learned color,
+/// inside a ring in the target's color in the views; the name; and the state as a word, shape and
+/// color. The second line has the size.
 class TargetRowDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  /// Sets the rows; returns whether they differ from the previous ones.
+  /// Sets the rows. Returns whether they differ from the previous ones.
   bool setRows(std::vector<TargetRow> rows);
   const std::vector<TargetRow>& rows() const { return rows_; }
 

@@ -18,9 +18,9 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Fields of the volume of interest: the box in which targets are searched for, given by two
-/// corners, or none. Without a box, the fields show the volume that the cameras see; editing a
-/// number starts from it. Every change is a step of the document. The texts keep the language in
+/// Fields for the volume of interest, which limits the search for targets to a box given by two
+/// corners. Without a box, the fields show the volume that the cameras see, and editing a number
+/// starts from that volume. Every change is a step of the document. The texts keep the language in
 /// which the form was created.
 class VolumeForm : public QWidget {
   Q_OBJECT
@@ -31,9 +31,11 @@ private:
   void build();
   void connectFields();
   void refresh();
-  /// Box of the project, else the volume that its cameras see; nothing if they see none.
+  /// Returns the project's box, or else the volume that its cameras see, or nothing if they see
+  /// none.
   std::optional<WorldBox> shown() const;
-  /// Sets a coordinate of a corner (`corner` 0: minimum, 1: maximum; `axis` 0 to 2), in meters.
+  /// Sets a corner coordinate in meters. `corner`: 0 for the minimum, 1 for the maximum. `axis`: 0
+  /// to 2.
   void setCoordinate(std::size_t corner, int axis, double meters);
   void set(const QString& step, const std::optional<WorldBox>& volume,
            const std::string& mergeKey = {});
@@ -42,7 +44,7 @@ private:
   QLabel* state_;
   QPushButton* fromCameras_;
   QPushButton* none_;
-  /// Fields of the corners minimum and maximum: x, y and z of each.
+  /// Fields for the minimum and maximum corners: x, y and z of each.
   std::array<std::array<QDoubleSpinBox*, 3>, 2> fields_{};
 };
 

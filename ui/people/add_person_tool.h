@@ -15,17 +15,17 @@ class CameraListModel;
 class CameraView;
 class ImagePickOverlay;
 
-/// Tool "A person stands here". While it is active, the user clicks a person in a camera view or
+/// "A person stands here" tool. While it is active, the user clicks a person in a camera view or
 /// the floor in the bird's-eye view, or uses the keyboard cross of the camera views.
 class AddPersonTool : public QObject {
   Q_OBJECT
 public:
-  /// `cameras`: provides the names of the images.
+  /// `cameras` provides the camera names for the images.
   AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras, QObject* parent);
 
   /// Adds a camera view, which may be deleted at any time.
   void attach(int camera, CameraView* view);
-  /// Starts or stops the tool. `floor`: height of the floor, world z in meters.
+  /// Starts or stops the tool. `floor` is the floor height, world z in meters.
   void setPlacing(bool placing, double floor = 0.0);
 
 Q_SIGNALS:

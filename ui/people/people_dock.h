@@ -22,17 +22,18 @@ class PeoplePanel;
 class AddPersonTool;
 class ViewDock;
 
-/// Connects methods for people to the window: shows who is present and where, handles corrections,
-/// and exports tables. While such a method is selected, its panel replaces those of other methods.
+/// Connects the methods for people to the window. Shows who is present and where, handles
+/// corrections, and exports tables. While such a method is selected, its panel replaces those of
+/// other methods.
 class PeopleDock : public QObject {
   Q_OBJECT
 public:
-  /// `others`: docks that methods for people do not use. They are hidden while the dock of people
+  /// `others` are docks that methods for people do not use. They are hidden while the people dock
   /// is shown.
   PeopleDock(const Workbench& bench, const CameraDocks& cameras, BirdsEyeView& birdsEye,
              std::vector<ViewDock*> others);
 
-  /// Selects the person seen at a pixel of a camera's image.
+  /// Selects the person seen at a pixel of a camera image.
   void selectSeenAt(int camera, const QPointF& pixel);
 
 private:
@@ -42,18 +43,18 @@ private:
   void updateForMethod();
   void placePeople(bool placing);
   void askExport();
-  /// Writes the tables of the run with number `run` (see `run_`); reports an error if that run is
+  /// Writes the tables of the run with number `run` (see `run_`). Reports an error if that run is
   /// over.
   void write(const QString& folder, int run);
   bool isOfPeople() const;
-  /// Applies a correction for the frame shown, as an undoable step of the document.
+  /// Applies a correction to the frame shown, in an undoable step of the document.
   void correct(const QString& step, PersonCorrection correction);
 
   Workbench bench_;
   PeoplePanel* panel_;
   AddPersonTool* placer_;
   LatestJob* check_;   ///< checks whether the tables already exist
-  LatestJob* writing_; ///< writes tables; meanwhile the next request waits
+  LatestJob* writing_; ///< writes tables; the next request waits until this is done
   int run_ = 0;        ///< incremented at the end of each run
   ViewDock* dock_;
   std::vector<ViewDock*> others_;

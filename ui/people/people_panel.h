@@ -16,16 +16,16 @@ namespace dewpoint::ui {
 
 class Selection;
 
-/// Lists the people present: one row per person, in the color of the identity. Above the table, the
-/// progress of background learning. Selecting a row selects the person in all views.
+/// Lists the people present, one row per person, in the identity color. Shows the progress of
+/// background learning above the table. Selecting a row selects the person in all views.
 class PeoplePanel : public QWidget {
   Q_OBJECT
 public:
-  /// `place`, `remove`: actions of the buttons below the table.
+  /// `place` and `remove` are the actions for the buttons below the table.
   PeoplePanel(Selection& selection, QAction* place, QAction* remove, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Identity of the selected person; 0: none.
+  /// Returns the identity of the selected person, or 0 if none is selected.
   int chosen() const;
 
   QSize minimumSizeHint() const override { return {200, 160}; }
@@ -47,7 +47,7 @@ private:
   QToolButton* remove_;
   TrackSnapshotPtr snapshot_;
   QElapsedTimer sinceRefresh_;
-  bool following_ = false; ///< the table is following the selection
+  bool following_ = false; ///< true while the table adopts the selection
 };
 
 } // namespace dewpoint::ui

@@ -8,8 +8,8 @@
 
 namespace dewpoint::ui {
 
-/// Range of the shared axis that plots show: the whole run, or a part of it. A part that reaches
-/// the newest data moves along with it.
+/// Range of the axis shared by all plots: the whole run, or part of it. A part that reaches the
+/// newest data moves along with them.
 class PlotAxisRange {
 public:
   using Range = std::pair<double, double>; ///< lower and upper end, in units of the axis
@@ -17,25 +17,26 @@ public:
   PlotAxis axis() const { return axis_; }
   /// Sets the minimum length of the axis in iterations; a shorter run fills it gradually.
   void setLeastIterations(double least) { leastIterations_ = least; }
-  /// Changes the axis and shows the whole run. Returns false if the axis stays the same.
+  /// Changes the axis and shows the whole run. Returns false if the axis is already set.
   bool setAxis(PlotAxis axis);
-  /// Returns the range of the whole run, extended to the minimum length. Null: nothing was tracked.
+  /// Returns the range of the whole run, extended to the minimum length. A null series means that
+  /// nothing was tracked.
   Range whole(const PlotSeries* series) const;
   Range shown(const PlotSeries* series) const;
   /// Follows the newest data and returns the range to show. Shows the whole run again if the run
-  /// went back to before the range shown.
+  /// returned to a point before the range shown.
   Range advance(const PlotSeries* series);
   bool showsAll() const { return !part_.has_value(); }
   void showAll();
-  /// Shows this range, limited to the run and to a readable minimum length.
+  /// Shows this range, clamped to the run and to a readable minimum length.
   void show(const PlotSeries* series, double lower, double upper);
 
 private:
   PlotAxis axis_ = PlotAxis::Iterations;
   double leastIterations_ = 60.0;
-  std::optional<Range> part_; ///< range shown; empty: the whole run
+  std::optional<Range> part_; ///< range shown; empty for the whole run
   bool following_ = false;    ///< the range moves along with the newest data
-  double newest_ = 0.0;       ///< newest position on the axis when the range was shown last
+  double newest_ = 0.0;       ///< newest position on the axis when the range was last shown
 };
 
 } // namespace dewpoint::ui

@@ -10,18 +10,18 @@ class QCustomPlot;
 
 namespace dewpoint::ui {
 
-/// Numbers of the shared axis of a stack of plots. The strip lies below the scrolled plots, so it
-/// is always visible.
+/// Axis numbers shared by a stack of plots. The strip lies below the scrolled plots, so it is
+/// always visible.
 class PlotAxisStrip : public QWidget {
 public:
-  /// Creates the strip as a sibling of the plot; it is redrawn with every redraw of the plot.
+  /// Creates the strip as a sibling of the plot. It is redrawn whenever the plot is redrawn.
   PlotAxisStrip(QCustomPlot& plot, QWidget* parent);
 
-  /// Sets the axis of the plot whose numbers are drawn; null: none.
+  /// Sets the plot axis whose numbers are drawn. If it is null, no numbers are drawn.
   void setAxis(QCPAxis* axis, PlotAxis kind);
-  /// Sets whether the name of the axis is drawn at its right end.
+  /// Sets whether the axis name is drawn at the right end.
   void setNamed(bool named) { named_ = named; }
-  /// Texts of the numbers as drawn.
+  /// Returns the axis numbers as drawn.
   QStringList labels() const;
 
   QSize sizeHint() const override;

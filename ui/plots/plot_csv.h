@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 class PlotRow;
 
-/// Returns the curves of these plots within a range of the axis as CSV, with all data points: one
-/// line per iteration or frame. Values are in SI units, except lengths, which are in millimeters.
+/// Returns the curves of these plots within an axis range as CSV, with all data points: one line
+/// per iteration or frame. Values are in SI units, except lengths, which are in millimeters.
 std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
                     PlotAxis axis, const std::pair<double, double>& range);
 

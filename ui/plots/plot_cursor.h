@@ -11,7 +11,7 @@
 
 namespace dewpoint::ui {
 
-/// Lines and a range drawn across all plots of a stack. They have their own layer, so they move
+/// Lines and a range drawn across all plots in a stack. They have their own layer, so they move
 /// without redrawing the curves. Positions are in units of the shared axis.
 class PlotCursor : public QCPLayerable {
 public:
@@ -21,7 +21,7 @@ public:
   std::optional<double> currentFrame;
   std::optional<double> hovered;
   std::optional<std::pair<double, double>> selectedRange;
-  std::optional<std::pair<double, double>> dragged; ///< range to zoom to, while it is dragged
+  std::optional<std::pair<double, double>> dragged; ///< range to zoom to, while it is being dragged
 
 protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;

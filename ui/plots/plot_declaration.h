@@ -12,7 +12,7 @@
 
 namespace dewpoint::ui {
 
-/// Quantity of a plot. It determines how numbers are written and how the axis is fitted.
+/// Quantity shown in a plot. It determines the number format and the axis range.
 enum class PlotQuantity {
   Length,        ///< meters; drawn in millimeters on a logarithmic axis
   Position,      ///< meters
@@ -25,22 +25,23 @@ enum class PlotQuantity {
   PixelPosition, ///< position in an image, pixels
 };
 
-/// Declares one curve of a plot.
+/// Declaration of one curve in a plot.
 struct CurveDeclaration {
-  QString name;           ///< translated; "x", "camera 1"
+  QString name;           ///< translated: "x", "camera 1"
   QString csvName;        ///< column name in a table, with the unit: "spread_x_mm"
-  std::size_t column = 0; ///< column of the PlotSeries
+  std::size_t column = 0; ///< column in the PlotSeries
   int color = 0;          ///< index for curveColor()
-  /// Column of the standard deviation: a band of two standard deviations is drawn around the curve.
+  /// Column of the standard deviation. If set, a band of two standard deviations is drawn around
+  /// the curve.
   std::optional<std::size_t> deviation = std::nullopt;
-  /// Column of the ground truth: a thin dashed line.
+  /// Column of the ground truth. If set, it is drawn as a thin dashed line.
   std::optional<std::size_t> truth = std::nullopt;
   QString truthCsvName = {}; ///< column name in a table: "true_x_m"
 };
 
-/// Declares one plot of a stack.
+/// Declaration of one plot in a stack.
 struct PlotDeclaration {
-  QString id; ///< "spread"
+  QString id; ///< identifies the plot: "spread"
   QString title;
   PlotQuantity quantity = PlotQuantity::Count;
   std::vector<CurveDeclaration> curves;
@@ -48,18 +49,18 @@ struct PlotDeclaration {
 
 /// Returns a value with its unit and a suitable precision; "–" if it is not a number.
 QString quantityText(PlotQuantity quantity, double value);
-/// Returns the number without its unit, in the unit of the axis. The number of decimals does not
-/// change with the value.
+/// Returns the number without its unit, in the axis unit. The number of decimals does not depend on
+/// the value.
 QString drawnNumberText(PlotQuantity quantity, double value);
-/// Unit of the axis; may be empty.
+/// Returns the axis unit; may be empty.
 QString axisUnit(PlotQuantity quantity);
-/// Title with the unit of the axis: "Spread (mm)".
+/// Returns the title with the axis unit: "Spread (mm)".
 QString titleWithUnit(const PlotDeclaration& plot);
-/// Converts a stored value to the unit of the axis and of tables.
+/// Converts a stored value to the unit used on the axis and in tables.
 double drawnValue(PlotQuantity quantity, double value);
 
-/// Color of a curve, safe for color-blind users (Okabe-Ito, darker on a light background). A
-/// negative index: the color of text.
+/// Returns a curve color that color-blind users can distinguish (Okabe-Ito, darker on a light
+/// background). A negative index returns the text color.
 QColor curveColor(int index, const QColor& text);
 
 } // namespace dewpoint::ui

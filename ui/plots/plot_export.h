@@ -12,16 +12,18 @@ namespace dewpoint::ui {
 
 class PlotNavigation;
 
-/// Plots as they are shown now, for other programs. To be used at once: it holds nothing itself.
+/// Exports plots as currently shown, for use in other programs. Use it immediately: it stores only
+/// references.
 class PlotExport {
 public:
-  /// `drawAgain`: gives the plots the looks of the window again.
+  /// `drawAgain` restores the appearance of the plots in the window.
   PlotExport(QCustomPlot& plot, const std::vector<std::unique_ptr<PlotRow>>& rows,
              const PlotNavigation& navigation, PlotCursor& cursor, std::function<void()> drawAgain);
 
-  /// The curves within the part shown, not thinned out for drawing: one line per row.
+  /// Returns the curves within the range shown as CSV, one line per row. All data points are
+  /// included.
   std::string csv() const;
-  /// A figure for paper: a drawing (SVG), or pixels.
+  /// Returns a figure for publication, as SVG (`asDrawing`) or as pixels.
   PlotPicture picture(bool asDrawing) const;
 
 private:

@@ -20,16 +20,17 @@ class PlotRow;
 
 /// Plots as drawn, ready to be written to a file.
 struct PlotPicture {
-  QByteArray drawing; ///< SVG; empty: `pixels` is used
+  QByteArray drawing; ///< SVG; if empty, `pixels` is used
   QImage pixels;
 
-  /// Writes the picture as SVG, or else as PNG. Returns false on failure. May be called in any
+  /// Writes SVG if there is any, otherwise PNG. Returns false on failure. May be called from any
   /// thread.
   bool save(const QString& file) const;
 };
 
-/// Draws plots as a figure for publication: antialiased lines, named axes, and the cursor only if
-/// needed. Plots are drawn in this way while the object exists and must be redrawn afterwards.
+/// Draws plots as a figure for publication, with antialiased lines, named axes, and the cursor only
+/// if needed. The plots keep this appearance while the object exists and must be redrawn
+/// afterwards.
 class PlotFigure {
   Q_DECLARE_TR_FUNCTIONS(PlotFigure)
 public:

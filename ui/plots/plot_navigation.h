@@ -14,58 +14,59 @@
 
 namespace dewpoint::ui {
 
-/// Where a stack of plots is along its axis: the part that is shown, the current frame, the one the
-/// pointer is on, and the range. Mouse, keys and other views change it; the stack draws it.
+/// Navigation state of a stack of plots: the visible part of the axis, the current frame, the frame
+/// under the pointer, and the selected range. Mouse, keys and other views change the state; the
+/// stack draws it.
 class PlotNavigation : public QObject {
   Q_OBJECT
 public:
   using QObject::QObject;
 
-  /// What is drawn; must outlive this, or be replaced.
+  /// Sets the series that is drawn. It must outlive this object or be replaced.
   void setSeries(const PlotSeries* series) { series_ = series; }
   const PlotSeries* series() const { return series_; }
   void setLeastIterations(int least) { range_.setLeastIterations(least); }
-  /// False when it is the same.
+  /// Changes the axis. Returns false if the axis is already set.
   bool setAxis(PlotAxis axis) { return range_.setAxis(axis); }
   PlotAxis axis() const { return range_.axis(); }
 
-  /// The part of the axis that is shown.
+  /// Returns the visible part of the axis.
   std::pair<double, double> shownRange() const { return range_.shown(series_); }
-  /// The same, gone along with the newest.
+  /// Follows the newest data and returns the visible part of the axis.
   std::pair<double, double> advance() { return range_.advance(series_); }
   bool showsAll() const { return range_.showsAll(); }
-  /// The whole run again.
+  /// Shows the whole run again.
   void showAll();
-  /// This part of the axis.
+  /// Shows this part of the axis.
   void showPart(double lower, double upper);
-  /// Nearer by `factor` (above 1) about a position on the axis, or about the cursor.
+  /// Zooms in by `factor` (above 1) around a position on the axis, or around the cursor.
   void zoom(double factor, std::optional<double> about = std::nullopt);
-  /// By a share of the width shown.
+  /// Pans by a fraction of the visible width.
   void pan(double share);
 
-  /// The frame all views show; nothing: the newest.
+  /// Sets the frame that all views show. Without a value, this is the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame);
   std::optional<std::int64_t> currentFrame() const { return currentFrame_; }
-  /// The frame the pointer is on, here or in another view; nothing: nowhere.
+  /// Sets the frame under the pointer, here or in another view; nothing if there is none.
   void setHovered(std::optional<std::int64_t> frame);
   std::optional<std::int64_t> hovered() const { return hovered_; }
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
   std::optional<SelectedRange> selectedRange() const { return selectedRange_; }
-  /// The part that is being dragged over, to be zoomed to.
+  /// Sets the part of the axis that is being dragged over and will be zoomed to.
   void setDragged(std::optional<std::pair<double, double>> part);
   std::optional<std::pair<double, double>> dragged() const { return dragged_; }
 
-  /// Position of a frame on the axis; nothing before the first.
+  /// Returns the position of a frame on the axis, or nothing before the first frame.
   std::optional<double> positionOf(const std::optional<std::int64_t>& frame) const;
-  /// The frame nearest to a position on the axis.
+  /// Returns the frame closest to a position on the axis.
   std::optional<std::int64_t> frameAt(double position) const;
-  /// Row of the series that the cursor is on.
+  /// Returns the series row under the cursor.
   std::optional<std::size_t> cursorRow() const;
 
 Q_SIGNALS:
-  /// Another part of the axis is to be shown.
+  /// Emitted when another part of the axis must be shown.
   void partChanged();
-  /// A line or a range is elsewhere.
+  /// Emitted when a line or a range has moved.
   void cursorChanged();
 
 private:

@@ -28,13 +28,13 @@ class Selection;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
 /// Plots of a run, for one target: position and spread per axis, effective sample size, likelihood
-/// and existence probability per camera, error against the ground truth, and time per step, over
-/// iterations or time. The convergence within the frame shown is beside them. The user selects
-/// which plots are shown; the selection is saved in the preferences.
+/// and existence probability per camera, error relative to the ground truth, and time per step,
+/// over iterations or time. Next to them is the convergence within the frame shown. The user
+/// selects which plots are shown; the preferences store the selection.
 class PlotPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Connects the plot actions of the registry.
+  /// Connects the plot actions in the registry.
   PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~PlotPanel() override;
 
@@ -42,20 +42,20 @@ public:
   void append(const std::vector<IterationRecord>& records);
   /// Clears the plots for a new run.
   void clear();
-  /// Sets the snapshot, which provides the names of the cameras; null: there is no run, and no
+  /// Sets the snapshot, which provides the camera names. Null means that there is no run and no
   /// curves are shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Index of the target to show, from 0.
+  /// Sets the index of the target to show, counted from 0.
   void setTarget(int target);
   int shownIterations() const;
   FrameConvergence& convergence() { return *convergence_; }
   PlotStack& stack() { return *stack_; }
 
-  /// Creates buttons and the readout of the cursor position for the title of the dock.
+  /// Creates buttons and the cursor position readout for the dock title.
   QWidget* makeTools(QWidget* parent);
   void copyCsv();
-  /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. `notice()` or
-  /// `failed()` follows.
+  /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. Emits `notice()`
+  /// or `failed()` afterwards.
   void savePicture(const QString& file);
 
 Q_SIGNALS:
@@ -76,11 +76,11 @@ private:
   Selection& selection_;
   PlotStack* stack_;
   FrameConvergence* convergence_;
-  QLabel* targetName_ = nullptr; ///< in the title of the dock
+  QLabel* targetName_ = nullptr; ///< in the dock title
   QStringList cameras_;
   QStringList targets_;
   bool camerasKnown_ = false;
-  bool showsBoxes_ = false; ///< whether curves are of bounding boxes instead of positions
+  bool showsBoxes_ = false; ///< whether the curves show bounding boxes instead of positions
   std::vector<std::unique_ptr<PlotSeries>> series_; ///< one per target
   int target_ = 0;
   JobQueue files_;

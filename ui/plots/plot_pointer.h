@@ -20,19 +20,20 @@ namespace dewpoint::ui {
 
 class PlotNavigation;
 
-/// Mouse and keys on a stack of plots. Wheel: zoom at the pointer. Drag: pan; with Ctrl: zoom to
-/// the dragged range; with Shift: select a range. Click: go to that frame. Double click: show the
-/// whole run. Arrow keys: move the cursor (with Shift: select a range); + and -: zoom; Page Up and
-/// Down: pan; Home and End: first and last frame; Return: go to the cursor; Backspace: show the
-/// whole run; Escape: clear the range.
+/// Mouse and keyboard input for a stack of plots. Wheel: zoom at the pointer. Drag: pan; with Ctrl,
+/// zoom to the dragged range; with Shift, select a range. Click: go to that frame. Double click:
+/// show the whole run. Arrow keys: move the cursor; with Shift, select a range. + and -: zoom. Page
+/// Up and Down: pan. Home and End: first and last frame. Return: go to the cursor. Backspace: show
+/// the whole run. Escape: clear the range.
 class PlotPointer : public QObject {
   Q_OBJECT
 public:
-  /// `axis`: the one all plots share; null while there are none.
+  /// `axis` returns the axis shared by all plots, or null if there are no plots.
   PlotPointer(PlotNavigation& navigation, QCustomPlot* plot, std::function<QCPAxis*()> axis);
 
 Q_SIGNALS:
-  /// The pointer (or the arrow keys) is on this frame; negative: it has left.
+  /// Emitted when the pointer or the cursor moved by arrow keys reaches this frame; negative when
+  /// it has left.
   void hovered(qint64 frame);
   void frameChosen(qint64 frame);
   void rangeChosen(qint64 first, qint64 last);
@@ -50,7 +51,7 @@ private:
   bool key(QKeyEvent* event);
   void walk(std::int64_t frames, bool choosing);
   void hover(std::optional<std::int64_t> frame);
-  /// Position on the axis of a pixel of the plot, and the frame there.
+  /// Returns the axis position or the frame at the horizontal plot pixel `x`.
   double keyAt(int x) const;
   std::optional<std::int64_t> frameAt(int x) const;
 

@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 class PlotCaption : public QCPLayoutElement {
 public:
   PlotCaption(QCustomPlot* plot, const PlotDeclaration& declaration);
-  /// Returns the width in pixels in which each title of these plots fits in two lines.
+  /// Returns the width (pixels) in which each title of these plots fits in two lines.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
   void setWidth(int width);
 
@@ -24,20 +24,20 @@ private:
   const PlotDeclaration& declaration_;
 };
 
-/// Names, colors and values of the curves of one plot, shown beside it in the unit of its title.
-/// Drawn on the layer of the cursor, so that moving the cursor does not redraw curves.
+/// Names, colors and values of the curves in one plot, shown next to it in the unit of its title.
+/// The readout is drawn on the cursor layer, so that moving the cursor does not redraw curves.
 class PlotReadout : public QCPLayoutElement {
 public:
   PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration);
-  /// Returns the width in pixels that the readouts of these plots need to form one column.
+  /// Returns the width (pixels) that the readouts of these plots need to form one column.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
-  /// Returns the number of text lines that the readout of a plot takes.
+  /// Returns the number of text lines in a plot's readout.
   static int linesOf(const PlotDeclaration& plot);
-  /// Height of a text line in readouts and captions, pixels.
+  /// Returns the height of a text line in readouts and captions, in pixels.
   static int lineHeight(const QFont& font);
   void setWidth(int width);
   void setValues(std::vector<double> values) { values_ = std::move(values); }
-  /// Sets whether a ground truth is known; it then has an entry.
+  /// Sets whether a ground truth is known. If so, the readout has an entry for it.
   void setTruthKnown(bool known) { truthKnown_ = known; }
   /// Returns the readout as a sentence: "x 12 mm, y 9 mm".
   QString asText() const;

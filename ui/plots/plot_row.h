@@ -11,11 +11,11 @@
 
 namespace dewpoint::ui {
 
-/// One plot of a stack, in one row of the layout: its title, axes, curves and readout.
+/// One plot in a stack, in one row of the layout: its title, axes, curves and readout.
 class PlotRow {
 public:
-  /// Curves with at most this many points also show dots, so that a run that has just begun is
-  /// visible.
+  /// Maximum number of points for which a curve also shows dots. Dots make a run visible that has
+  /// just begun.
   static constexpr int kMostDots = 29;
 
   /// Creates the plot. The declaration must outlive it.
@@ -28,30 +28,31 @@ public:
   QCPAxis* yAxis() const { return rect_->axis(QCPAxis::atLeft); }
   PlotCaption* caption() const { return caption_; }
   PlotReadout* readout() const { return readout_; }
-  /// Returns the minimum height (pixels) at which title, readout and two axis numbers are readable.
+  /// Returns the minimum height (pixels) at which the title, readout and two axis numbers are
+  /// readable.
   int leastHeight(const QFont& font) const;
-  /// Share of the height, relative to other rows.
+  /// Returns the row's share of the height, relative to other rows.
   double heightShare() const;
-  /// Draws the data within the range of the x axis, and fits the y axis to them.
+  /// Draws the data within the range of the x axis, and fits the y axis to the data.
   void fill(const PlotSeries& series, PlotAxis axis);
   void showValues(const PlotSeries& series, std::optional<std::size_t> row);
   void applyPalette(const QPalette& palette, const QFont& font);
-  /// Sets whether lines are drawn as in a figure for publication, from the next `fill()` on.
+  /// Sets whether lines are drawn as in a figure for publication, starting with the next `fill()`.
   void drawForFigure(bool figure);
-  /// Number of points in the drawn curves.
+  /// Returns the number of points in the drawn curves.
   int pointCount() const;
-  /// Whether any curve shows dots.
+  /// Returns whether any curve shows dots.
   bool hasDots() const;
 
 private:
-  /// Graphs of one curve; null where the curve has no such graph.
+  /// Graphs of one curve; null for a graph that the curve does not have.
   struct Drawn {
     QCPGraph* curve = nullptr;
     QCPGraph* bandLower = nullptr;
     QCPGraph* bandUpper = nullptr;
     QCPGraph* truth = nullptr;
   };
-  /// Smallest and largest drawn value.
+  /// Minimum and maximum drawn values.
   struct Extremes {
     Extremes();
     void add(const Extremes& other);
@@ -74,7 +75,7 @@ private:
   PlotCaption* caption_;
   QCPAxisRect* rect_;
   PlotReadout* readout_;
-  std::vector<Drawn> drawn_; ///< in the order of the curves of the declaration
+  std::vector<Drawn> drawn_; ///< in the order of the declared curves
 };
 
 } // namespace dewpoint::ui

@@ -14,20 +14,20 @@ namespace dewpoint::ui {
 
 class PlotAxisStrip;
 
-/// Frame around the plots of a stack. Without enough room the plots scroll above the axis numbers,
-/// which stay in place. Without data, a sentence covers the plots.
+/// Scroll area around a stack of plots. Without enough room, the plots scroll above the axis
+/// numbers, which stay in place. Without data, a sentence covers the plots.
 class PlotScroll : public QWidget {
 public:
   /// Takes ownership of the plot.
   PlotScroll(QCustomPlot* plot, QWidget* parent);
 
-  /// Sets the axis whose numbers are shown below; null: none.
+  /// Sets the axis whose numbers are shown below. If it is null, no numbers are shown.
   void setAxis(QCPAxis* axis, PlotAxis kind);
-  /// Sets whether the name of that axis is shown as well.
+  /// Sets whether the name of that axis is also shown.
   void setNamed(bool named);
   void setEmptyText(const QString& sentence);
   void showEmpty(bool isEmpty);
-  /// Visible part of the plot, in its coordinates.
+  /// Returns the visible part of the plot, in plot coordinates.
   QRect sight() const;
 
 protected:

@@ -12,11 +12,11 @@
 
 namespace dewpoint::ui {
 
-/// Quantity on the x axis of plots.
+/// Quantity on the x axis of a plot.
 enum class PlotAxis { Iterations, Time };
 
-/// Rows of numbers that several curves are drawn from: one row per filter iteration (or frame), in
-/// chronological order. The size is limited: above kMostRows every second row of the older half is
+/// Rows of numbers from which several curves are drawn: one row per filter iteration (or frame), in
+/// chronological order. The size is limited: above kMostRows, every second row of the older half is
 /// removed, repeatedly, so that the newest rows are complete. Unknown values are NaN.
 class PlotSeries {
 public:
@@ -26,16 +26,16 @@ public:
     std::int64_t frame = 0;
     double time = 0.0; ///< seconds
   };
-  /// Points of a drawn curve; keys ascend.
+  /// Points of a drawn curve, in ascending key order.
   struct Line {
     std::vector<double> keys;
     std::vector<double> values;
   };
 
-  /// Removes all rows; later rows have this many values.
+  /// Removes all rows. Later rows have this many values.
   void reset(std::size_t columns);
   void append(const Row& row, std::span<const float> values);
-  /// Removes the rows of this frame and of all later ones.
+  /// Removes the rows of this frame and of all later frames.
   void removeFrom(std::int64_t frame);
 
   std::size_t size() const { return rows_.size(); }
@@ -44,26 +44,27 @@ public:
   double value(std::size_t index, std::size_t column) const {
     return static_cast<double>(values_[index * columns_ + column]);
   }
-  /// Whether any row has a number in this column.
+  /// Returns whether any row has a number in this column.
   bool isKnown(std::size_t column) const { return known_[column]; }
-  /// Position of a row on the axis.
+  /// Returns the position of a row on the axis.
   double key(std::size_t index, PlotAxis axis) const;
-  /// Returns the row nearest to a position on the axis, or nothing without rows. Over time, the
-  /// last iteration of a frame represents it.
+  /// Returns the row closest to a position on the axis, or nothing without rows. On the time axis,
+  /// each frame is represented by its last iteration.
   std::optional<std::size_t> nearest(PlotAxis axis, double key) const;
-  /// Returns the last row of this frame, or of the last frame before it.
+  /// Returns the last row of this frame, or of the closest earlier frame.
   std::optional<std::size_t> atFrame(std::int64_t frame) const;
   /// Returns the rows [first, last) whose keys are within [lower, upper].
   std::pair<std::size_t, std::size_t> within(PlotAxis axis, double lower, double upper) const;
-  /// Whether a row is drawn. Over time, only the last iteration of a frame is.
+  /// Returns whether a row is drawn. On the time axis, only the last iteration of a frame is drawn.
   bool isDrawn(std::size_t index, PlotAxis axis) const;
-  /// Offset added to the values of a curve: `factor` times another column.
+  /// Offset added to the values of a curve: another column times `factor`.
   struct Offset {
     std::size_t column = 0;
     double factor = 0.0;
   };
-  /// Returns the column within [lower, upper] and one row beyond each end, reduced to about two
-  /// points for each of `pixels` intervals: the smallest and the largest value.
+  /// Returns the values of a column within [lower, upper] plus one row beyond each end. They are
+  /// reduced to about two points for each of `pixels` intervals: the smallest and the largest
+  /// value.
   Line line(std::size_t column, PlotAxis axis, double lower, double upper, int pixels,
             const std::optional<Offset>& offset = std::nullopt) const;
 

@@ -22,73 +22,73 @@ class PlotPointer;
 class PlotRow;
 class PlotScroll;
 
-/// Plots one above the other that share an axis of iterations or time, a cursor and a range.
-/// Without enough room they scroll above the axis numbers; without data a sentence is shown. New
-/// data are drawn at most a few times per second, however often `refresh()` is called. The whole
-/// run is shown unless a part of the axis is selected.
+/// Stack of plots that share an axis of iterations or time, a cursor and a range. Without enough
+/// room, the plots scroll above the axis numbers. Without data, a sentence is shown. New data are
+/// drawn at most a few times per second, no matter how often `refresh()` is called. The whole run
+/// is shown unless part of the axis is selected.
 class PlotStack : public QWidget {
   Q_OBJECT
 public:
   explicit PlotStack(QWidget* parent = nullptr);
   ~PlotStack() override;
 
-  /// Sets all plots; data of earlier plots are dropped.
+  /// Sets all plots. Data of earlier plots are discarded.
   void setPlots(std::vector<PlotDeclaration> plots);
-  /// Sets which plots are shown, by id. Plots without data take no space.
+  /// Sets which plots are shown, by id. Plots without data take up no space.
   void setShown(const QStringList& ids);
   /// Sets the data to draw. The series must outlive the stack or be replaced.
   void setSeries(const PlotSeries* series);
-  /// Schedules a redraw, because the series has changed.
+  /// Schedules a redraw because the series has changed.
   void refresh();
   /// Sets the sentence shown while there are no data.
   void setEmptyText(const QString& sentence);
-  /// Sets whether only curves and axes are shown, for a stack that is explained by its
-  /// surroundings.
+  /// Sets whether only curves and axes are shown, for a stack whose surroundings explain it.
   void setBare(bool bare);
-  /// A run of fewer iterations than that grows into the axis.
+  /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
   void setLeastIterations(int least) { navigation_->setLeastIterations(least); }
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return navigation_->axis(); }
 
-  /// Shows the range of the selection, and selects what the user points at.
+  /// Shows the selected range, and selects what the user points at.
   void link(Selection& selection);
   /// Shows the frame under the pointer in both stacks.
   void shareCursor(PlotStack& other);
-  /// The frame all views show; nothing: the newest.
+  /// Sets the frame that all views show. Without a value, this is the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame) { navigation_->setCurrentFrame(frame); }
-  /// The frame the pointer is on, here or in another view; nothing: nowhere.
+  /// Sets the frame under the pointer, here or in another view; nothing if there is none.
   void setHovered(std::optional<std::int64_t> frame) { navigation_->setHovered(frame); }
   std::optional<SelectedRange> selectedRange() const { return navigation_->selectedRange(); }
-  /// The part of the axis that is shown.
+  /// Returns the visible part of the axis.
   std::pair<double, double> shownRange() const { return navigation_->shownRange(); }
-  /// The whole run again.
+  /// Shows the whole run again.
   void showAll() { navigation_->showAll(); }
-  /// This part of the axis.
+  /// Shows this part of the axis.
   void showPart(double lower, double upper) { navigation_->showPart(lower, upper); }
   bool showsAll() const { return navigation_->showsAll(); }
 
-  /// What is shown now, for other programs.
+  /// Exports what is currently shown, for use in other programs.
   PlotExport exported();
-  /// All values at the cursor, with names and units.
+  /// Returns all values at the cursor, with names and units.
   QString valuesText() const;
-  /// Returns "frame 132, iteration 660, 4.40 s"; empty before the first frame.
+  /// Returns "frame 132, iteration 660, 4.40 s", or an empty string before the first frame.
   QString cursorText() const;
-  /// Duration of the last redraw, milliseconds.
+  /// Returns the duration of the last redraw in milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
-  /// Whether everything given last is drawn.
+  /// Returns whether the newest data and settings are drawn.
   bool isDrawn() const { return !timer_.isActive(); }
-  /// Number of points in the drawn curves.
+  /// Returns the number of points in the drawn curves.
   int drawnPoints() const;
   QStringList visiblePlots() const;
-  /// Visible plots that are fully in view without scrolling.
+  /// Returns the plots that are fully visible without scrolling.
   QStringList plotsInSight() const;
-  /// Whether any curve shows dots.
+  /// Returns whether any curve shows dots.
   bool hasDots() const;
 
   QSize sizeHint() const override { return {700, 240}; }
 
 Q_SIGNALS:
-  /// The pointer (or the cursor moved by arrow keys) is on this frame; negative: on none.
+  /// Emitted when the pointer, or the cursor moved by arrow keys, reaches this frame. A negative
+  /// number means that it is on no frame.
   void hovered(qint64 frame);
   void cursorMoved();
   void contextMenuWanted(const QPoint& global);

@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Ticker with ticks only at powers of ten and with a maximum number of ticks; the lowest and the
-/// highest have priority.
+/// Ticker with ticks only at powers of ten and a maximum number of ticks. The lowest and the
+/// highest tick have priority.
 class DecadeTicker : public QCPAxisTicker {
 public:
   void setMost(int most) { most_ = most; }
@@ -31,14 +31,14 @@ protected:
   QVector<double> createTickVector(double step, const QCPRange& range) override;
   QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override;
 
-  double step_ = 1.0; ///< step between the newest ticks
+  double step_ = 1.0; ///< current step between ticks
 
 private:
   bool whole_ = false;
 };
 
-/// Ticker for low plots: at least two and at most a set number of ticks, at multiples of 1, 2 or 5
-/// times a power of ten.
+/// Ticker for plots of small height. It draws at least two and at most a set number of ticks, at
+/// multiples of 1, 2 or 5 times a power of ten.
 class ValueTicker : public StepTicker {
 public:
   void setMost(int most) { most_ = most; }

@@ -14,16 +14,18 @@ struct IterationRecord;
 
 namespace dewpoint::ui {
 
-/// Returns the plots of a run, translated: position, spread, sampleSize, likelihood, existence,
-/// error, duration. Likelihood and existence have one curve per camera; existence has one more for
-/// all cameras together.
+/// Returns the translated plots of a run: position, spread, sampleSize, likelihood, existence,
+/// error, duration. Likelihood and existence have one curve per camera. Existence has an additional
+/// curve for all cameras together.
 std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
-/// Returns the plots, with the same ids, of a run that tracks bounding boxes: position and spread
-/// are in pixels, the similarity replaces the likelihood, and there is neither existence nor error.
+/// Returns the plots of a run that tracks bounding boxes. They have the same ids, except that there
+/// is neither existence nor error. Position and spread are in pixels, and the similarity replaces
+/// the likelihood.
 std::vector<PlotDeclaration> boxRunPlots();
-/// Number of values per row of the series that these plots are drawn from.
+/// Returns the number of values per row in the series from which these plots are drawn.
 std::size_t runPlotColumns(int cameraCount);
-/// Spread of a row of such a series, all axes together: meters, of boxes pixels.
+/// Returns the spread in a row of such a series, combined over all axes: meters, or pixels for
+/// bounding boxes.
 double spreadOf(const PlotSeries& series, std::size_t row);
 /// Adds one iteration to the series of its target.
 void appendTo(PlotSeries& series, const IterationRecord& record);

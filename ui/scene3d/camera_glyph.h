@@ -11,11 +11,11 @@
 
 namespace dewpoint::ui {
 
-/// A camera as drawn in the scene: its viewing pyramid. World coordinates, meters.
+/// Viewing pyramid that represents a camera in the scene. World coordinates, meters.
 struct CameraGlyph {
   std::string name;
   Eigen::Vector3d center; ///< apex
-  /// corners of the image, going around from the upper left
+  /// image corners in circular order, starting at the upper left
   std::array<Eigen::Vector3d, 4> corners;
   std::size_t camera = 0; ///< index in the rig
 };

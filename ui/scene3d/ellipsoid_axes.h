@@ -8,17 +8,17 @@
 
 namespace dewpoint::ui {
 
-/// Principal axes of an ellipsoid (columns of `directions`) and the eigenvalues along them. The
+/// Principal axes of an ellipsoid (columns of `directions`) and the corresponding eigenvalues. The
 /// axes are right-handed, because a mirrored sphere would be lit from inside.
 struct EllipsoidAxes {
   Eigen::Matrix3d directions;
   Eigen::Vector3d values;
 };
 
-/// Returns the axes of a symmetric matrix; nothing if no eigenvalue is positive.
+/// Returns the axes of a symmetric matrix, or nothing if no eigenvalue is positive.
 std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix);
 
-/// Rotates an actor so that its axes point along the columns of `directions`, which are
+/// Rotates an actor so that its axes point along the columns of `directions`, which must be
 /// right-handed.
 void turn(vtkActor* actor, const Eigen::Matrix3d& directions);
 

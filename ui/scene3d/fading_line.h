@@ -14,17 +14,19 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Line through positions, of which older ones fade, with an outline under it.
+/// Line through a sequence of positions. It fades toward the oldest position and has an outline
+/// under it.
 class FadingLine {
 public:
-  /// `widthPx`: width in logical pixels; `outlinePx`: width of the outline on each side, 0: none.
+  /// `widthPx` is the line width in logical pixels. `outlinePx` is the outline width on each side;
+  /// 0 for no outline.
   FadingLine(vtkRenderer* renderer, double widthPx, double outlinePx);
   ~FadingLine();
   FadingLine(const FadingLine&) = delete;
   FadingLine& operator=(const FadingLine&) = delete;
 
-  /// Shows positions in meters, oldest first. A position that is not finite makes a gap, because
-  /// nothing is known about the section around it.
+  /// Shows positions in meters, oldest first. A position that is not finite leaves a gap, because
+  /// nothing is known about that section.
   void show(const std::vector<Eigen::Vector3d>& points);
   /// Sets the colors at the newest position.
   void setColors(const SceneColor& line, const SceneColor& outline);

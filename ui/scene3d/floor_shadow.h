@@ -12,8 +12,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Shadow of an object on the floor z = 0: a soft dark disc below it and a thin plumb line, which
-/// together show its position and height.
+/// Shadow of an object on the floor z = 0: a soft dark disc below the object and a thin plumb line.
+/// Together they show its position and height.
 class FloorShadow {
 public:
   explicit FloorShadow(vtkRenderer* renderer);
@@ -21,7 +21,7 @@ public:
   FloorShadow(const FloorShadow&) = delete;
   FloorShadow& operator=(const FloorShadow&) = delete;
 
-  /// Shows the shadow below `point` of an object with this radius. Meters.
+  /// Shows the shadow below `point` of an object with this radius. World coordinates, meters.
   void show(const Eigen::Vector3d& point, double radius);
   void hide();
   void setColors(const SceneColor& plumb, bool darkGround);

@@ -18,17 +18,17 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Newest images of the cameras, each at the far end of its camera's viewing pyramid, slightly
-/// translucent. Distortion is not removed, because it would not be visible at this size.
+/// Newest camera images, each at the far end of its camera's viewing pyramid, slightly translucent.
+/// Distortion is not removed, because it would not be visible at this size.
 class FrustumImages {
 public:
-  /// Creates the images; they are drawn over everything added to `renderer` before.
+  /// Creates the image actors. They are drawn over everything added to `renderer` before.
   explicit FrustumImages(vtkRenderer* renderer);
   ~FrustumImages();
   FrustumImages(const FrustumImages&) = delete;
   FrustumImages& operator=(const FrustumImages&) = delete;
 
-  /// Shows the images in `frames` (null: none) of the cameras that have a glyph.
+  /// Shows the images in `frames` (null for none) for the cameras that have a glyph.
   void show(const std::vector<CameraGlyph>& glyphs, const FrameSetPtr& frames);
   void hide();
 

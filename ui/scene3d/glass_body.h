@@ -10,12 +10,12 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Sphere or ellipsoid drawn as one layer of glass: faint at its center and strong towards its rim.
+/// Sphere or ellipsoid drawn as one layer of glass, faint at its center and strong toward its rim.
 /// Two layers, with the content drawn between them, form a body that hides nothing.
 class GlassBody {
 public:
   enum class Layer {
-    Fill, ///< the whole body, with a highlight
+    Fill, ///< whole body, with a highlight
     Rim   ///< only the rim, drawn over the content
   };
   GlassBody(vtkRenderer* renderer, Layer layer);
@@ -24,9 +24,10 @@ public:
   GlassBody& operator=(const GlassBody&) = delete;
 
   void setVisible(bool visible) { actor_->SetVisibility(visible); }
-  /// Sets the colors and the opacities (0 to 1) of the center (only Fill) and of the rim.
+  /// Sets the colors and opacities (0 to 1) of the center (only Fill) and the rim.
   void setLook(const SceneColor& color, const SceneColor& rim, double middle, double atRim);
-  /// Places the body at `center`. The columns of `directions` are the axes, right-handed. Meters.
+  /// Places the body at `center`. The columns of `directions` are the axes, right-handed. World
+  /// coordinates, meters.
   void place(const Eigen::Vector3d& center, const Eigen::Matrix3d& directions,
              const Eigen::Vector3d& semiAxes, const ScreenScale& scale);
 

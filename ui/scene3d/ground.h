@@ -12,22 +12,22 @@
 namespace dewpoint::ui {
 
 /// Floor z = 0: a faint plane, lines every 0.1 m or 1 m, numbers in meters along two edges, and the
-/// axes at the origin. In the front view, where the floor is a line, a wall in the x-z plane
-/// replaces it.
+/// axes at the origin. In the front view, in which the floor is only a line, a wall in the x-z
+/// plane replaces it.
 class Ground {
 public:
   explicit Ground(vtkRenderer* renderer);
-  /// Sets the rectangle to cover, rounded outwards to whole steps, and the height of the room. The
-  /// plane lies below `lowest`, so that it hides nothing from above if z = 0 is not the floor.
+  /// Sets the rectangle to cover, rounded outward to whole steps, and the room height. The plane
+  /// lies below `lowest`, so that it hides nothing from above even if z = 0 is not the floor.
   /// Meters.
   void cover(const Eigen::AlignedBox2d& extent, double height, double lowest = 0.0);
-  /// Sets the decimal separator of the numbers.
+  /// Sets the decimal separator for the numbers.
   void setDecimalPoint(const std::string& sign);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
-  /// Adds the areas of the texts, see `SceneLabels::appendPlaces()`.
+  /// Adds the areas of the texts; see `SceneLabels::appendPlaces()`.
   void appendTexts(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
-  /// Rectangle covered by the floor after rounding, meters.
+  /// Returns the rectangle covered by the floor after rounding, in meters.
   const Eigen::AlignedBox2d& extent() const { return extent_; }
 
 private:
@@ -49,8 +49,8 @@ private:
   vtkSmartPointer<vtkActor> wallMinor_;
   vtkSmartPointer<vtkActor> wallMajor_;
   vtkSmartPointer<vtkActor> axes_[3];
-  SceneLabels numbers_[3]; ///< along x, y and, on the wall, z
-  SceneLabels names_[3];   ///< names of the axes
+  SceneLabels numbers_[3]; ///< along x, along y, and along z on the wall
+  SceneLabels names_[3];   ///< axis names
   Eigen::AlignedBox2d extent_;
   double height_ = 0.0;
   double planeHeight_ = 0.0;

@@ -15,7 +15,7 @@ class vtkImageData;
 
 namespace dewpoint::ui {
 
-/// Map of the accuracy of a rig in the room: the box of its volume, a layer of colored cells, and
+/// Map of a rig's accuracy in the room: the box around its volume, a layer of colored cells, and
 /// surfaces around the parts with good accuracy and around all parts that can be measured.
 class MapActor {
 public:
@@ -24,16 +24,16 @@ public:
   MapActor(const MapActor&) = delete;
   MapActor& operator=(const MapActor&) = delete;
 
-  /// Shows a map; null: nothing is shown.
+  /// Shows a map; null shows nothing.
   void show(std::shared_ptr<const RigMap> map, const MapLook& look);
   const MapLook& look() const { return look_; }
-  /// Volume of the map, meters; empty without a map.
+  /// Returns the volume of the map in meters; empty without a map.
   Eigen::AlignedBox3d volume() const;
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
 
 private:
-  /// Surface between two classes. It is kept, because creating an actor is more expensive than
+  /// Surface between two classes. It is kept because creating an actor is more expensive than
   /// replacing its data.
   struct Surface {
     vtkNew<vtkPolyData> data;

@@ -10,15 +10,15 @@
 
 namespace dewpoint::ui {
 
-/// Path of the mean of each particle cloud over the last snapshots, while its target is not held
-/// yet. It shows how the filter converges, iteration by iteration.
+/// Path of each particle cloud's mean over the last snapshots, while its target is not yet held. It
+/// shows how the filter converges, iteration by iteration.
 class MeanPath {
 public:
-  static constexpr std::size_t kLongest = 60; ///< positions
+  static constexpr std::size_t kLongest = 60; ///< number of positions
 
-  /// Adds the next snapshot. A snapshot of the past, or of a restarted run, starts a new path.
+  /// Adds the next snapshot. A snapshot from the past, or from a restarted run, starts a new path.
   void add(const TrackSnapshot& snapshot);
-  /// Path of a target in world coordinates (meters), oldest first; empty for a held target.
+  /// Returns a target's path in world coordinates (meters), oldest first; empty for a held target.
   const std::vector<Eigen::Vector3d>& of(std::size_t target) const;
 
 private:

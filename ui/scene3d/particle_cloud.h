@@ -17,8 +17,9 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Particles as small discs of constant size on the screen, colored by weight, the heaviest on top.
-/// Drawn over everything added before, regardless of depth, unless that is opaque.
+/// Particles drawn as small discs of constant size on the screen, colored by weight, with the
+/// highest weights on top. They are drawn over everything added before, regardless of depth, except
+/// opaque objects.
 class ParticleCloud {
 public:
   explicit ParticleCloud(vtkRenderer* renderer);
@@ -26,13 +27,13 @@ public:
   ParticleCloud(const ParticleCloud&) = delete;
   ParticleCloud& operator=(const ParticleCloud&) = delete;
 
-  /// Shows one particle per row: x, y, z in meters, and its weight (linear). All weights are equal
-  /// if there are fewer weights than rows. Particles that are not finite are left out, and so are
-  /// some if there are too many.
+  /// Shows one particle per row: x, y, z in meters, and its weight (linear). If there are fewer
+  /// weights than rows, all weights are equal. Particles that are not finite are omitted. If there
+  /// are too many particles, some are omitted.
   void show(const Eigen::ArrayXXd& rows, const Eigen::ArrayXd& weights);
   void hide() { actor_->VisibilityOff(); }
   void setColors(const SceneColor& unlikely, const SceneColor& likely);
-  /// `about`: position of the cloud, world coordinates.
+  /// Prepares the next rendering. `about` is the position of the cloud in world coordinates.
   void prepareFrame(const ScreenScale& scale, const Eigen::Vector3d& about);
 
 private:

@@ -25,7 +25,7 @@ public:
   PersonActors(const PersonActors&) = delete;
   PersonActors& operator=(const PersonActors&) = delete;
 
-  /// Shows a person; null: nothing is shown.
+  /// Shows a person; null shows nothing.
   void show(const PersonShape* shape);
   void setChosen(bool chosen);
   void setColor(const SceneColor& color, const ScenePalette& palette);

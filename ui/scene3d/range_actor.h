@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// Selected part of a trajectory, drawn as a broad stroke under the tail.
+/// Selected part of a trajectory, drawn as a wide line under the tail.
 class RangeActor {
 public:
   explicit RangeActor(vtkRenderer* renderer);
@@ -17,7 +17,7 @@ public:
   RangeActor(const RangeActor&) = delete;
   RangeActor& operator=(const RangeActor&) = delete;
 
-  /// Shows one stroke per list of positions, meters.
+  /// Shows one line per list of positions (meters).
   void show(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);

@@ -18,15 +18,15 @@ namespace dewpoint::ui {
 
 class SceneParts;
 
-/// The room as a 3D scene: ground grid and axes, cameras, particles, estimates, tails, ground
-/// truth. Uses VTK without Qt: the owner of a render window adds `renderer()` to it. World
-/// coordinates, meters, z up. Not thread safe. Creating it needs no OpenGL context; rendering does.
+/// 3D scene of the room: ground grid and axes, cameras, particles, estimates, tails, ground truth.
+/// Uses VTK without Qt: the owner of a render window adds `renderer()` to it. World coordinates,
+/// meters, z up. Not thread safe. Creating it needs no OpenGL context, but rendering does.
 class Scene3d {
 public:
   enum class View {
     Above, ///< parallel projection onto the x-y plane, x right, y up (the view in the papers)
     Front, ///< parallel projection onto the x-z plane, looking along +y, x right, z up
-    Free   ///< perspective, at first obliquely from above; the user can orbit
+    Free   ///< perspective, initially obliquely from above; the user can orbit
   };
 
   Scene3d();
@@ -34,85 +34,89 @@ public:
   Scene3d(const Scene3d&) = delete;
   Scene3d& operator=(const Scene3d&) = delete;
 
-  /// The renderer, owned by the scene.
+  /// Returns the renderer, which the scene owns.
   vtkRenderer* renderer();
   void setTheme(bool dark);
-  /// Sets the decimal separator, as in the language of the user.
+  /// Sets the decimal separator, which depends on the user's language.
   void setDecimalPoint(const std::string& sign);
-  /// Sets the device pixels per logical pixel, which scale line widths and text sizes.
+  /// Sets the number of device pixels per logical pixel, which scales line widths and text sizes.
   void setPixelRatio(double ratio);
-  /// Shows one frame. Values that are not finite are left out. The view is fitted to each new rig,
-  /// also after a recalibration of all its cameras. It is fitted to objects that appear later,
-  /// unless the user moved the view.
+  /// Shows one frame. Values that are not finite are omitted. The view is fitted to each new rig,
+  /// including after a recalibration of all its cameras. It is also fitted to objects that appear
+  /// later, unless the user has moved the view.
   void setSnapshot(const TrackSnapshot& snapshot);
-  /// Records every snapshot, whether it is drawn or not. The next drawing shows the path of the
-  /// mean of each target that is not held yet.
+  /// Records every snapshot, whether it is drawn or not. The next rendering shows the path of the
+  /// mean for each target that is not yet held.
   void follow(const TrackSnapshot& snapshot);
-  /// Highlights the selected target if it is a person; -1: none.
+  /// Highlights the selected target if it is a person. If `target` is -1, nothing is highlighted.
   void choose(int target);
-  /// Sets whether the particle with the highest weight of each target is marked; off by default.
+  /// Sets whether each target's highest-weight particle is marked; off by default.
   void showBest(bool shown);
-  /// Sets whether a line connects each camera with the estimates in its image, broken if the camera
-  /// does not see the target; on by default.
+  /// Sets whether a line connects each camera with the estimates in its image; on by default. The
+  /// line is dashed if the camera does not see the target.
   void showRays(bool shown);
   /// Sets whether camera images are shown on the viewing pyramids; off by default.
   void showImages(bool shown);
-  /// Highlights positions: one stroke per list, meters. Stays until the next call.
+  /// Highlights positions (meters), one line per list. They stay highlighted until the next call.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
-  /// Shows the map of expected errors; null: none. Stays until the next call.
+  /// Shows the map of expected errors, or hides it if `map` is null. Stays in effect until the next
+  /// call.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
-  /// The position on the map's layer that is seen here in the picture, as of the last
-  /// `prepareFrame`; nothing without a layer, or beside it. Device pixels as in placeInPicture().
+  /// Returns the position on the map layer that is seen at `place` in the rendered image, as of the
+  /// last `prepareFrame()`. Returns nothing outside the layer or without one. `place` is in device
+  /// pixels, as in `placeInPicture()`.
   std::optional<Eigen::Vector3d> positionInLayer(const Eigen::Vector2d& place) const;
-  /// The point of this height (world z, meters) at a position in the picture; nothing when that is
-  /// seen edge on.
+  /// Returns the point at this height (world z, meters) that is seen at `place` in the rendered
+  /// image. Returns nothing if the plane at this height is seen edge-on.
   std::optional<Eigen::Vector3d> positionAtHeight(const Eigen::Vector2d& place,
                                                   double height) const;
-  /// The volume of interest as a wire box; nothing: none. Stays until called again.
+  /// Shows the volume of interest as a wireframe box, or hides it if `volume` is empty. Stays in
+  /// effect until the next call.
   void showVolume(const std::optional<WorldBox>& volume);
-  /// Shows a line of sight through the room (points in meters); empty: none. Stays until the next
-  /// call. The view is never fitted to it.
+  /// Shows a line of sight through the room (points in meters), or hides it if `line` is empty.
+  /// Stays in effect until the next call. The view is never fitted to it.
   void showSight(const std::vector<Eigen::Vector3d>& line);
-  /// Shows planned cameras, drawn differently from those of the rig.
+  /// Shows planned cameras, which look different from those of the rig.
   void showPlanned(const CameraRig& cameras);
-  /// Removes everything but the empty grid.
+  /// Removes everything except the empty grid.
   void clear();
   void look(View view);
   View view() const;
-  /// Fits the current view to everything again.
+  /// Fits the current view to the whole scene again.
   void resetView();
-  /// Reports that the user has moved the view: new rigs no longer change it.
+  /// Keeps the view that the user has chosen: new rigs no longer change it.
   void keepCamera();
   /// Zooms in by `factor` (above 1) or out (below 1).
   void zoom(double factor);
-  /// Prepares the next rendering, with the size of the picture in device pixels: fits the view and
+  /// Prepares the next rendering for an image of this size (device pixels). Fits the view, and
   /// updates the clipping range and everything of constant size on the screen.
   void prepareFrame(int width, int height);
 
-  /// Color in which a target is drawn; the palette color for a target that is not shown.
+  /// Returns the color in which a target is drawn, or the palette color if the target is not shown.
   SceneColor colorOf(std::size_t target) const;
-  /// Cameras as drawn: those of the rig and the planned ones.
+  /// Returns the cameras as drawn: those of the rig and the planned ones.
   std::vector<CameraGlyph> cameraGlyphs() const;
-  /// Areas of the axis numbers and names in the picture, as of the last `prepareFrame`; coordinates
-  /// as in `placeInPicture()`.
+  /// Returns the areas of the axis numbers and names in the rendered image, as of the last
+  /// `prepareFrame()`. Coordinates are as in `placeInPicture()`.
   std::vector<Eigen::AlignedBox2d> textsInPicture() const;
-  /// Right and up axes of the picture as unit vectors in world coordinates, as of the last
-  /// `prepareFrame`.
+  /// Returns the right or up axis of the rendered image as a unit vector in world coordinates, as
+  /// of the last `prepareFrame()`.
   Eigen::Vector3d rightInPicture() const;
   Eigen::Vector3d upInPicture() const;
-  /// Whether a point is in front of the viewer; if not, it has no position in the picture.
+  /// Returns whether a point is in front of the viewer. If it is not, it has no position in the
+  /// rendered image.
   bool isInFront(const Eigen::Vector3d& point) const;
-  /// World point at the center of the picture, as of the last `prepareFrame`.
+  /// Returns the world point at the center of the rendered image, as of the last `prepareFrame()`.
   Eigen::Vector3d focus() const;
-  /// Returns the position of a world point in the picture, as of the last `prepareFrame`: device
-  /// pixels to the right of and above the center.
+  /// Returns the position of a world point in the rendered image, as of the last `prepareFrame()`:
+  /// device pixels to the right of and above the center.
   Eigen::Vector2d placeInPicture(const Eigen::Vector3d& point) const;
-  /// Returns the world point at a position in the picture, at the same depth as the point `depth`:
-  /// the inverse of `placeInPicture()`.
+  /// Returns the world point at a position in the rendered image, at the same depth as the point
+  /// `depth`. This is the inverse of `placeInPicture()`.
   Eigen::Vector3d placeInWorld(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
-  /// Converts a length in meters at `point` to logical pixels, as of the last `prepareFrame`.
+  /// Converts a length in meters at `point` to logical pixels, as of the last `prepareFrame()`.
   double logicalPixels(const Eigen::Vector3d& point, double meters) const;
-  /// Meters per device pixel at the focus, as of the last `prepareFrame`.
+  /// Returns the meters per device pixel at the focus, as of the last `prepareFrame()`.
   double metersPerPixel() const;
 
 private:

@@ -23,41 +23,43 @@ namespace dewpoint::ui {
 /// Projection of the current view, used to keep lines and texts at a constant size on the screen.
 struct ScreenScale {
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();
-  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ(); ///< unit vector into the picture
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ(); ///< unit vector of the viewing direction
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   bool parallel = true;
-  double metersPerPixel = 0.01; ///< at the focus
-  double slope = 0.0;           ///< meters per pixel and meter of depth; only for perspective
+  double metersPerPixel = 0.01; ///< at the focus, per device pixel
+  double slope = 0.0;           ///< meters per pixel and per meter of depth; only for perspective
   double pixelRatio = 1.0;
 
-  /// Depth of a point in front of the viewer, meters.
+  /// Returns the depth of a point in front of the viewer, in meters.
   double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
-  /// Returns the scale factor about the viewer that brings an object `distance` meters nearer
-  /// without changing its apparent size. In parallel views the object is only moved.
+  /// Returns the scale factor, relative to the viewer, that brings an object `distance` meters
+  /// closer without changing its apparent size. In parallel views, the object is only moved.
   double nearerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d nearer(const Eigen::Vector3d& point, double distance) const;
   /// Converts a length in logical pixels at `point` to meters.
   double meters(const Eigen::Vector3d& point, double pixels) const;
-  /// Position of a point in the picture: device pixels to the right of and above the center.
+  /// Returns the position of a point in the rendered image: device pixels to the right of and above
+  /// the center.
   Eigen::Vector2d place(const Eigen::Vector3d& point) const;
-  /// Returns the world point at a position in the picture, at the same depth as `like`.
+  /// Returns the world point at a position in the rendered image, at the same depth as `like`.
   Eigen::Vector3d world(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 
-/// Adds a prop that the renderer does not have yet. AddActor searches all existing props first, so
-/// adding thousands would take quadratic time.
+/// Adds a prop that has not been added to the renderer yet. AddActor first searches all existing
+/// props, so adding thousands of them would take quadratic time.
 void addNew(vtkRenderer* renderer, vtkProp* prop);
-/// Creates an actor for lines or faces without lighting.
+/// Creates an unlit actor for lines or faces.
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
-/// Creates such an actor, hidden at first, and adds it; it is blended in the order of addition.
+/// Creates such an actor, initially hidden, and adds it. Actors are blended in the order of
+/// addition.
 vtkSmartPointer<vtkActor> addedInTurn(vtkRenderer* renderer, vtkPolyData* data);
-/// Sets the color and the opacity (0 to 1) of an actor.
+/// Sets an actor's color and opacity (0 to 1).
 void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
-/// Red, green and blue, 0 to 255.
+/// Returns red, green and blue, 0 to 255.
 std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 
-/// Builds poly data of lines and faces.
+/// Builder for poly data of lines and faces.
 class Strokes {
 public:
   Strokes();
@@ -80,14 +82,14 @@ public:
   SceneLabels(const SceneLabels&) = delete;
   SceneLabels& operator=(const SceneLabels&) = delete;
   void clear();
-  /// `right`, `up`: offset of the text from the point, in text heights.
+  /// Adds a text. `right` and `up` are its offset from the point, in text heights.
   void add(const std::string& text, const Eigen::Vector3d& point, double sizePx, double right = 0.0,
            double up = 0.0);
   void setVisible(bool visible) { visible_ = visible; }
   void setColors(const SceneColor& text, const SceneColor& background);
   void prepareFrame(const ScreenScale& scale);
-  /// Appends the approximate areas of the texts in the picture: device pixels to the right of and
-  /// above the center.
+  /// Appends the approximate areas of the texts in the rendered image: device pixels to the right
+  /// of and above the center.
   void appendPlaces(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
 
 private:

@@ -12,13 +12,13 @@
 
 namespace dewpoint::ui {
 
-/// RGB, 0 to 1 each.
+/// RGB color, 0 to 1 each.
 using SceneColor = Eigen::Vector3d;
 
-/// Returns the color 0xRRGGBB.
+/// Returns the color for 0xRRGGBB.
 SceneColor sceneColor(unsigned rgb);
 
-/// Colors of the scene for a light or a dark window.
+/// Scene colors for a light or a dark window.
 struct ScenePalette {
   SceneColor background;
   SceneColor floor;
@@ -32,18 +32,20 @@ struct ScenePalette {
 /// Returns the colors for a dark or a light window.
 const ScenePalette& scenePalette(bool dark);
 
-/// Colors in the scene of targets whose own color does not tell them apart, from the
-/// color-blind-safe set of Okabe and Ito (2008). Not those of targetColor() (ui/style): the ground
-/// of the scene is light or dark with the window, strokes over images need lighter colors.
+/// Returns the scene colors for targets that their own colors do not distinguish, from the
+/// color-blind-safe set of Okabe and Ito (2008). They differ from targetColor() (ui/style): the
+/// scene background is light or dark like the window, whereas lines over images need lighter
+/// colors.
 const std::vector<SceneColor>& sceneTargetColors();
-/// The i-th of them, again from the first on.
+/// Returns the color with this index in `sceneTargetColors()`, starting again after the last one.
 SceneColor sceneTargetColor(std::size_t index);
-/// Persons have the color of their identity everywhere; nothing for the name of any other target.
+/// Returns the identity color of a person, which is the same in all views, or nothing if `name` is
+/// the name of another kind of target.
 std::optional<SceneColor> identityColorOf(const std::string& name);
-/// Color of the x, y or z axis, from the same set.
+/// Returns the color of the x, y or z axis, from the same set.
 SceneColor axisColor(int axis);
 
-/// Interpolates linearly between `from` (share 0) and `to` (share 1).
+/// Interpolates linearly between `from` (fraction 0) and `to` (fraction 1).
 inline SceneColor mix(const SceneColor& from, const SceneColor& to, double share) {
   return from + (to - from) * share;
 }

@@ -27,11 +27,11 @@ namespace dewpoint::ui {
 class SceneParts {
 public:
   using View = Scene3d::View;
-  // Thin compared with targets and tails, because they are less important.
+  // Thinner than targets and tails, because these lines are less important.
   static constexpr double kVolumeWidthPx = 1.2; ///< logical pixels
   static constexpr double kSightWidthPx = 1.6;
-  /// Maximum number of targets that are drawn in full. Of further targets only the mean is drawn: a
-  /// viewer cannot distinguish that many, and drawing thousands of clouds would block the window.
+  /// Maximum number of targets that are drawn in full. For further targets, only the mean is drawn:
+  /// a viewer cannot distinguish that many, and drawing thousands of clouds would block the window.
   static constexpr std::size_t kMostBodies = 100;
 
   SceneParts()
@@ -46,20 +46,20 @@ public:
   const ScenePalette& palette() const { return scenePalette(dark); }
   ScenePalette plannedPalette() const;
   double rigSize() const { return rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm(); }
-  /// Length of the viewing pyramids, meters. They are longer when they carry images, so that the
-  /// images are recognizable.
+  /// Returns the length of the viewing pyramids in meters. They are longer if they carry images, so
+  /// that the images are recognizable.
   double frustumLength() const {
     return imagesShown ? std::clamp(0.25 * rigSize(), 0.1, 2.0)
                        : std::clamp(0.09 * rigSize(), 0.05, 1.0);
   }
   void applyPalette();
-  /// Updates the colors of all targets; call it after one of them or the ground has changed.
+  /// Updates the colors of all targets. Call it after a target color or the ground has changed.
   void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void include(const TrackSnapshot& snapshot);
   void showCrowd(const TrackSnapshot& snapshot);
   void coverGround();
-  Eigen::AlignedBox3d room() const; ///< box around floor and content, meters
+  Eigen::AlignedBox3d room() const; ///< box around the floor and the content, meters
   void frame();
   void keepUpright();
   void setClipping();
@@ -68,12 +68,12 @@ public:
   vtkNew<OrderedRenderer> renderer;
   vtkNew<vtkCamera> camera;
   Ground ground;
-  FrustumImages images; ///< drawn first; other parts are drawn over them
+  FrustumImages images; ///< drawn first; other parts are drawn over it
   CameraFrusta frusta;
   CameraFrusta planned;
   MapActor map;
   WireActor volume;    ///< volume of interest
-  WireActor sight;     ///< line of sight of a camera
+  WireActor sight;     ///< camera line of sight
   RangeActor range;    ///< drawn before the targets, which cover it
   ParticleCloud crowd; ///< means of the targets beyond `kMostBodies`
   std::vector<std::unique_ptr<TargetActors>> targets;
@@ -90,7 +90,7 @@ public:
   bool bestShown = false;
   bool raysShown = true;
   bool imagesShown = false;
-  bool moved = false; ///< whether the user moved the view
+  bool moved = false; ///< whether the user has moved the view
   bool frameWanted = true;
   int width = 0;
   int height = 0;

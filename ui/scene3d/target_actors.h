@@ -20,9 +20,9 @@
 
 namespace dewpoint::ui {
 
-/// Actors of one target: a glass body with the particles inside, the 95 % ellipsoid as rings, the
-/// particle with the highest weight, tail, ground truth, lines of sight, path of the mean, and
-/// shadow on the floor. Parts added later cover those added before.
+/// Actors for one target: a glass body with the particles inside, the 95 % ellipsoid as rings, the
+/// highest-weight particle, tail, ground truth, lines of sight, path of the mean, and shadow on the
+/// floor. Parts added later cover those added earlier.
 class TargetActors {
 public:
   explicit TargetActors(vtkRenderer* renderer);
@@ -31,13 +31,13 @@ public:
   TargetActors& operator=(const TargetActors&) = delete;
 
   void show(const TargetSnapshot& target);
-  /// Shows lines of sight; empty: none.
+  /// Shows these lines of sight and hides all others.
   void showSights(const std::vector<SightLine>& lines);
-  /// Shows the path of the mean, oldest first, meters; empty: none.
+  /// Shows the path of the mean, oldest first, in meters. An empty path is not shown.
   void showPath(const std::vector<Eigen::Vector3d>& path) { path_.show(path); }
   /// Highlights the target if it is a selected person.
   void setChosen(bool chosen);
-  /// Sets whether the particle with the highest weight is marked; off by default.
+  /// Sets whether the highest-weight particle is marked; off by default.
   void setBestShown(bool shown);
   void setColors(const SceneColor& color, const ScenePalette& palette, bool dark);
   const SceneColor& color() const { return color_; }
@@ -46,7 +46,7 @@ public:
 private:
   void showPerson(const PersonShape* shape);
   void showEstimate(const TargetSnapshot& target);
-  /// Shows the shape of the target, at the origin.
+  /// Shows the target's shape, placed at the origin.
   void showBody(const TargetSnapshot& target);
   void showEllipsoid(const Eigen::Matrix3d& covariance);
   void showTruth(const TargetSnapshot& target);
@@ -61,21 +61,21 @@ private:
   ScenePalette palette_;
   Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d truth_ = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> best_; ///< particle with the highest weight, meters
+  std::optional<Eigen::Vector3d> best_; ///< highest-weight particle, meters
   bool bestShown_ = false;
   bool held_ = false;
   bool chosen_ = false;
   double radius_ = 0.0;
-  /// Semi-axes of the shape, meters; all equal the radius for a ball.
+  /// Semi-axes of the shape, meters. For a ball, all three equal the radius.
   Eigen::Vector3d semiAxes_ = Eigen::Vector3d::Zero();
   /// Directions of the semi-axes (columns).
   Eigen::Matrix3d directions_ = Eigen::Matrix3d::Identity();
   double cloudReach_ = 0.0; ///< distance from the mean to the surface of the ellipsoid, meters
 
-  // In drawing order.
+  // Parts in drawing order.
   FloorShadow shadow_;
   WireActor seen_;   ///< lines of sight of cameras that see the target
-  WireActor hidden_; ///< broken lines of sight of cameras that do not see it
+  WireActor hidden_; ///< dashed lines of sight of cameras that do not see it
   FadingLine tail_;
   FadingLine path_;
   GlassBody body_;
@@ -88,7 +88,7 @@ private:
   vtkNew<vtkPolyData> bestData_;
   vtkSmartPointer<vtkActor> truthMark_;
   vtkSmartPointer<vtkActor> bestMark_;
-  /// Created with the first shape, because most targets have none.
+  /// Created when the first shape is shown, because most targets have none.
   std::unique_ptr<PersonActors> person_;
 };
 

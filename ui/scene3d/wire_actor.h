@@ -10,18 +10,18 @@
 
 namespace dewpoint::ui {
 
-/// Thin lines of one color and of constant width on the screen.
+/// Thin single-color lines with constant width on the screen.
 class WireActor {
 public:
-  /// `widthPx`: line width in logical pixels.
+  /// `widthPx` is the line width in logical pixels.
   WireActor(vtkRenderer* renderer, double widthPx);
   ~WireActor();
   WireActor(const WireActor&) = delete;
   WireActor& operator=(const WireActor&) = delete;
 
-  /// Shows one line per list of points, meters; empty: none.
+  /// Shows one line per list of points (meters). Replaces all earlier lines.
   void show(const std::vector<std::vector<Eigen::Vector3d>>& lines);
-  /// Bounding box of all lines, meters; empty without lines.
+  /// Returns the bounding box of all lines in meters; empty without lines.
   const Eigen::AlignedBox3d& extent() const { return extent_; }
   void setColor(const SceneColor& color, double opacity);
   void prepareFrame(const ScreenScale& scale);

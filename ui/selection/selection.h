@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// Range of frames, both ends included.
+/// Range of frames, including both ends.
 struct SelectedRange {
   qint64 first = 0;
   qint64 last = 0;
@@ -17,41 +17,41 @@ struct SelectedRange {
 };
 
 /// Selection shared by all views: frame, range, target and camera. Views show what the `...Changed`
-/// signals report, and pass on what the user points at with `request...` and `select...`; they
-/// never talk to each other. The window forwards requests for a frame to the session, and sets the
+/// signals report, and call `request...` and `select...` when the user points at something. They
+/// never communicate directly. The window forwards frame requests to the session, and sets the
 /// current frame once its images are available.
 class Selection : public QObject {
   Q_OBJECT
 public:
   explicit Selection(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Frame shown in all views; -1 before the first.
+  /// Returns the frame shown in all views, or -1 before the first frame.
   qint64 currentFrame() const { return currentFrame_; }
-  /// Time of that frame, seconds.
+  /// Returns the time of that frame in seconds.
   double seconds() const { return seconds_; }
-  /// Whether that frame is earlier than the current frame of the run, or untracked.
+  /// Returns whether that frame is untracked or earlier than the run's current frame.
   bool isPast() const { return past_; }
   const std::optional<SelectedRange>& selectedRange() const { return selectedRange_; }
-  /// Index of the selected target or camera; -1: none.
+  /// Returns the index of the selected target or camera, or -1 if none is selected.
   int target() const { return target_; }
   int camera() const { return camera_; }
-  /// Index of the selected planned camera, which is highlighted instead of the selected camera; -1:
-  /// none.
+  /// Returns the index of the selected planned camera, or -1 if none is selected. A selected
+  /// planned camera is highlighted instead of the selected camera.
   int plannedCamera() const { return plannedCamera_; }
 
-  /// Requests a frame that the user points at (timeline, plot, table).
+  /// Requests a frame that the user points at (in the timeline, a plot or a table).
   void requestFrame(qint64 frame) { Q_EMIT frameRequested(frame); }
-  /// Requests the current frame of the run again.
+  /// Requests the run's current frame again.
   void requestLiveFrame() { Q_EMIT liveFrameRequested(); }
-  /// Sets the frame shown from now on; called by the window.
+  /// Sets the frame shown from now on. Called by the window.
   void setCurrentFrame(qint64 frame, double seconds, bool past);
 
   void selectRange(std::optional<SelectedRange> selectedRange);
   void selectTarget(int target);
   void selectCamera(int camera);
   void selectPlannedCamera(int planned);
-  /// Clears the selection and the current frame of a run. The selected camera stays, because it
-  /// does not depend on the run.
+  /// Clears a run's selection and current frame. The selected camera stays, because it does not
+  /// depend on the run.
   void clear();
 
 Q_SIGNALS:

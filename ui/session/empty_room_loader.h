@@ -19,21 +19,21 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Reads the background images of a project in another thread. The run continues and uses them once
-/// they are loaded.
+/// Reads a project's background images in another thread. The run continues and uses them once they
+/// are loaded.
 class EmptyRoomLoader : public QObject {
   Q_OBJECT
 public:
   explicit EmptyRoomLoader(QObject* parent = nullptr);
   ~EmptyRoomLoader() override;
 
-  /// Reads the images of this project; replaces a load under way.
+  /// Reads the background images of `project`. Replaces a load in progress.
   void load(const Project& project);
-  /// Drops a load under way: neither `loaded()` nor `failed()` follows.
+  /// Cancels a load in progress. Neither `loaded()` nor `failed()` follows.
   void forget();
 
 Q_SIGNALS:
-  /// Files and images, one per camera; empty where a camera has none.
+  /// Files and images, one per camera; empty if a camera has none.
   void loaded(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
   void failed(const QString& sentence);
 
@@ -42,7 +42,7 @@ private:
 
   BackgroundJob* job_;
   std::shared_ptr<const Project> wanted_; ///< project to read next
-  int generation_ = 0; ///< incremented by each load; results of earlier loads are dropped
+  int generation_ = 0; ///< incremented by each load; results of earlier loads are ignored
 };
 
 } // namespace dewpoint::ui

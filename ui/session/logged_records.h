@@ -7,11 +7,11 @@
 
 namespace dewpoint::ui {
 
-/// Frames that were tracked since the last time. A type of its own, so that signals can name it
-/// without the records.
+/// Frames tracked since the last signal. A separate type, so that signals can use a forward
+/// declaration.
 struct LoggedFrames : LogPiece<FrameRecord> {};
 
-/// The same of the filter's iterations.
+/// Filter iterations since the last signal.
 struct LoggedIterations : LogPiece<IterationRecord> {};
 
 } // namespace dewpoint::ui

@@ -10,16 +10,16 @@
 
 namespace dewpoint::ui {
 
-/// Request to open a project, with what to do with the document once it is open. It travels with
-/// the opening and comes back with the result, so it is stored nowhere else.
+/// Request to open a project, and instructions for the document once it is open. The request is
+/// returned with the result, so it is not stored anywhere else.
 struct OpenRequest {
   SessionRequest what;
-  /// The project of the document is reopened with other inputs; the document stays as it is.
+  /// Reopens the document's project with other inputs; the document stays unchanged.
   bool keepHistory = false;
   bool unsaved = false;                          ///< no file contains this state of the project
   bool calibrate = false;                        ///< opens the page for calibration by hand
-  QString note = {};                             ///< message shown once the project is open
-  std::optional<RecoverableWork> recovered = {}; ///< copy that the project comes from
+  QString note = {};                             ///< message to show once the project is open
+  std::optional<RecoverableWork> recovered = {}; ///< copy from which the project was read
 };
 
 } // namespace dewpoint::ui

@@ -23,35 +23,37 @@ struct MissingFile;
 namespace dewpoint::ui {
 
 struct OpenRequest;
-/// Missing files; null: none.
+/// Missing files, or null if there are none.
 using MissingFiles = std::shared_ptr<const std::vector<MissingFile>>;
 
-/// Opens a project with the functions of the application. Called in another thread.
+/// Opens a project with the functions of the application. Called from another thread.
 using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
 
-/// Does slow work, such as opening videos and joining threads, outside the thread of the window,
-/// which never waits for it.
+/// Performs slow work, such as opening videos and joining threads, outside the GUI thread, which
+/// never waits for it.
 class ProjectLoader : public QObject {
   Q_OBJECT
 public:
   explicit ProjectLoader(ProjectOpener opener, QObject* parent = nullptr);
   ~ProjectLoader() override;
 
-  /// Starts opening. If an opening is under way, it is dropped, and the newest request comes next.
+  /// Starts opening a project. If another project is being opened, its result is discarded, and the
+  /// newest request comes next.
   void open(OpenRequest request);
-  /// Function for other classes that open a project in their own thread.
+  /// Returns the function with which other classes open a project in their own threads.
   const ProjectOpener& opener() const { return opener_; }
   bool isOpening() const { return opening_; }
-  /// Whether the newest request reopens the project of the document with other inputs.
+  /// Returns whether the newest request reopens the document's project with other inputs.
   bool isReopening() const;
-  /// Destroys a session in a thread, however long its cameras take.
+  /// Destroys a session in another thread, no matter how long its cameras take.
   static void destroyInBackground(std::unique_ptr<Session> session);
 
 Q_SIGNALS:
   void openingChanged(bool opening);
-  /// The requested project is open. The receiver may move from the inputs.
+  /// Emitted when the requested project is open. The receiver may move from the inputs.
   void opened(const OpenRequest& request, std::shared_ptr<SessionInputs> inputs);
-  /// Opening failed. `missing`: files that were not found, which may be the reason.
+  /// Emitted when opening failed. `missing` lists files that were not found, which may be the
+  /// reason.
   void failed(const OpenRequest& request, const QString& sentence, const MissingFiles& missing);
 
 private:

@@ -15,37 +15,38 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 /// Keeps the results of a recording consistent with the current settings, according to the
-/// ChangeRule. Once the settings have not changed for a short time, it tracks frames with old
+/// ChangeRule. Once the settings have been unchanged for a short time, it tracks frames with old
 /// results again, or offers to do so.
 class ResultKeeper : public QObject {
   Q_OBJECT
 public:
   explicit ResultKeeper(QObject* parent = nullptr);
 
-  /// Watches a run; null: the run is over.
+  /// Watches a run; null if the run is over.
   void watch(Session* session);
-  /// Sets the limit in seconds below which tracking again counts as quick.
+  /// Sets the time limit (seconds) below which tracking again is considered quick.
   void setQuick(double seconds) { quickSeconds_ = seconds; }
-  /// Reports that a setting of the run was changed.
+  /// Tells the keeper that a setting of the run was changed.
   void edited();
-  /// Reports that the user plays, restarts or tracks again: no frames are tracked again
-  /// automatically before the next change.
+  /// Tells the keeper that the user plays, restarts or tracks again. No frames are then tracked
+  /// again automatically until the next change.
   void leaveAlone();
-  /// Processes the newest snapshot. `wentBack`: the log of the run starts over.
+  /// Processes the newest snapshot. `wentBack`: the run's log has restarted.
   void see(const TrackSnapshot& snapshot, bool wentBack);
-  /// Tracks again from the first old result on; the frame shown stays.
+  /// Tracks again from the first old result on. The frame shown stays the same.
   void trackAgain();
 
-  /// Results that do not match the current settings; none for live cameras.
+  /// Returns the results that do not match the current settings; none for live cameras.
   const OldResults& old() const { return old_; }
-  /// Whether frames are being tracked again while the view stays and the snapshots do not show it.
+  /// Returns whether frames are being tracked again while the view stays the same and the snapshots
+  /// do not show the progress.
   bool isRenewing() const { return renewing_ != Renewing::No && !isRerunning_; }
 
 Q_SIGNALS:
   void oldResultsChanged();
-  /// Whether results of earlier settings can be tracked again.
+  /// Emitted with whether results of earlier settings can be tracked again.
   void offered(bool offers);
-  /// The frames of `trackAgain()` are done or were given up.
+  /// Emitted when `trackAgain()` has finished or was abandoned.
   void renewed();
 
 private:
@@ -56,8 +57,8 @@ private:
   void apply();
 
   Session* session_ = nullptr;
-  QTimer* quiet_;   ///< settings change again and again while a slider is dragged
-  QTimer* timeout_; ///< with frames that are to be tracked again
+  QTimer* quiet_;   ///< waits while the settings keep changing, for example during a slider drag
+  QTimer* timeout_; ///< limits the wait for a requested rerun to begin
   double quickSeconds_ = ChangeRule::kQuick;
   OldResults old_;
   bool isLive_ = true;

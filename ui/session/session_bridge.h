@@ -19,8 +19,8 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Owns a Session and converts its wake-ups, which come from the tracking thread, into one queued
-/// signal. However fast the filter runs, at most one event waits in the queue.
+/// Owns a Session and converts its wake-ups, which come from the tracking thread, into a queued
+/// signal. At most one event waits in the queue, no matter how fast the filter runs.
 class SessionBridge : public QObject {
   Q_OBJECT
 public:
@@ -28,9 +28,9 @@ public:
   ~SessionBridge() override;
 
   Session& session() { return *session_; }
-  /// Returns a snapshot as camera views show it, see LiveFrameFiller.
+  /// Returns a snapshot as camera views show it; see LiveFrameFiller.
   TrackSnapshotPtr asSeen(const TrackSnapshotPtr& snapshot);
-  /// Releases the session and stops its wake-ups, so that its thread can be joined elsewhere.
+  /// Releases the session and stops its wake-ups, so that another thread can join its thread.
   std::unique_ptr<Session> release();
 
 Q_SIGNALS:
@@ -41,7 +41,7 @@ private:
 
   std::atomic<bool> pending_ = false;
   std::unique_ptr<LiveFrameFiller> frameFiller_;
-  // last: destroyed first, before the members that its thread uses
+  // last member, so that it is destroyed before the members that its thread uses
   std::unique_ptr<Session> session_;
 };
 

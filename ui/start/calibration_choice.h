@@ -16,19 +16,20 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// Selects the calibration file of a new project, or none. The file is read in another thread as
-/// soon as it is selected; a line below shows what it contains, or why it cannot be used.
+/// Lets the user select the calibration file for a new project, or none. The file is read in
+/// another thread as soon as it is selected. A line below shows what it contains, or why it cannot
+/// be used.
 class CalibrationChoice : public QWidget {
   Q_OBJECT
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Sets the file; empty: none.
+  /// Sets the file. An empty name means that no file is selected.
   void setFile(const QString& file);
   QString file() const { return file_; }
-  /// Sets the names of the cameras of the project.
+  /// Sets the names of the project's cameras.
   void setCameras(std::vector<std::string> names);
-  /// Last button in the order of the Tab key.
+  /// Returns the last button in Tab order.
   QWidget* lastButton() const;
 
 protected:
@@ -47,7 +48,7 @@ private:
   QLabel* result_;
   QString file_;
   std::vector<std::string> cameras_;
-  std::optional<CheckedCalibration> checked_; ///< result for the file; empty: it is being read
+  std::optional<CheckedCalibration> checked_; ///< result for the file; empty while it is being read
   LatestJob checking_{LatestJob::Overtaken::Dropped};
 };
 

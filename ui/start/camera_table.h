@@ -16,7 +16,7 @@
 
 namespace dewpoint::ui {
 
-/// Properties of a location. They are found in another thread, because the disk may be slow.
+/// Properties of a location. They are determined in another thread, because the disk may be slow.
 struct FootagePlace {
   std::string location;
   bool showsImages = false; ///< can be used as a camera
@@ -24,39 +24,40 @@ struct FootagePlace {
   bool isImages = false;    ///< a folder of images
 };
 
-/// Table of the cameras of a new project, one row each: name, image source, and what was found
-/// there. Each source is read in another thread as soon as it is in the table; the result is a
-/// small picture with size, frame rate and length, or the reason why it cannot be read.
+/// Table of a new project's cameras, one row each: name, image source, and what was found there.
+/// Each source is read in another thread as soon as it is added. The result is a small image with
+/// size, frame rate and length, or the reason why the source cannot be read.
 class CameraTable : public QTableWidget {
   Q_OBJECT
 public:
   explicit CameraTable(QWidget* parent = nullptr);
 
-  /// Clears the table and drops reads under way.
+  /// Clears the table and discards reads in progress.
   void begin();
   void add(const FootagePlace& place);
-  /// Adds a row whose source the user types.
+  /// Adds a row in which the user types the source.
   void addAddress();
   void removeSelected();
   bool isListed(const QString& location) const;
   bool hasSelection() const { return !selectedItems().isEmpty(); }
-  /// Whether one of the sources is a folder of images.
+  /// Returns whether any source is a folder of images.
   bool hasImageFolders() const;
   std::vector<NewCamera> cameras() const;
-  /// Hint about recordings that differ from each other; empty: none.
+  /// Returns a hint about recordings that differ from each other, or an empty string if there is
+  /// nothing to report.
   QString differenceText() const;
 
 Q_SIGNALS:
-  /// Rows, names, sources, the information about them, or the selection changed.
+  /// Emitted when rows, names, sources, source information or the selection have changed.
   void changed();
 
 protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  /// Information about a location.
+  /// Information found about a location.
   struct Known {
-    std::optional<FootageFacts> facts; ///< empty for a live camera, or if it cannot be read
+    std::optional<FootageFacts> facts; ///< empty for a live camera or an unreadable location
     std::optional<Error> problem;
   };
   void look(const QString& location);
@@ -66,9 +67,9 @@ private:
   void showKnown();
   void showKnown(int row);
 
-  std::map<QString, Known> known_; ///< by location
+  std::map<QString, Known> known_; ///< keyed by location
   QSet<QString> imageFolders_;     ///< sources that are known to be folders of images
-  std::unique_ptr<JobQueue> jobs_; ///< of this project; results for an earlier project are dropped
+  std::unique_ptr<JobQueue> jobs_; ///< for this project; results for an earlier project are ignored
 };
 
 } // namespace dewpoint::ui

@@ -8,24 +8,25 @@
 
 namespace dewpoint::ui {
 
-/// Flat button of the start page with a picture or an icon, a title, and a line that describes it.
-/// Enter and Space press it; its border shows hover and focus.
+/// Flat button on the start page with an image or an icon, a title, and a line that describes it.
+/// Enter and Space press it. Its border shows hover and focus.
 class GalleryCard : public QToolButton {
   Q_OBJECT
 public:
   enum class Form {
-    Tile,  ///< picture above the texts
-    Large, ///< picture on the left, large texts beside it
-    Row    ///< icon on the left, both texts beside it
+    Tile,  ///< image above the texts
+    Large, ///< image on the left, large texts next to it
+    Row    ///< icon on the left, both texts next to it
   };
   GalleryCard(const char* name, Form form, QWidget* parent);
 
-  /// Sets the picture of a tile, from the resources: gallery/`name`.jpg.
+  /// Sets the image of a tile from the resources: gallery/`name`.jpg.
   void setPicture(const QString& name);
-  /// Sets the icon of a row, from the resources: icons/`name`.svg.
+  /// Sets the icon of a row from the resources: icons/`name`.svg.
   void setSymbol(const QString& name);
   void setTexts(const QString& title, const QString& line);
-  /// Sets whether the card is being opened; a text replaces its line meanwhile.
+  /// Sets whether the project is being opened. Meanwhile, another text replaces the card's
+  /// description.
   void setBusy(bool busy);
   bool isBusy() const { return busy_; }
 
@@ -42,7 +43,7 @@ protected:
 private:
   QFont titleFont() const;
   QString lineShown() const;
-  /// Height of title and line, one above the other, pixels.
+  /// Returns the height of the title and line, one above the other, in pixels.
   int textHeight(int width) const;
   void paintTexts(QPainter& painter, const QRect& area) const;
   void paintPicture(QPainter& painter, const QRect& area);
@@ -50,7 +51,7 @@ private:
 
   Form form_;
   QPixmap picture_;
-  QPixmap shownPicture_; ///< the picture as drawn last, with its corners
+  QPixmap shownPicture_; ///< image as last drawn, with rounded corners
   QString symbol_;
   QString line_;
   bool busy_ = false;

@@ -35,16 +35,15 @@ public:
 
   /// Starts from scratch with these files (videos, image folders, a calibration).
   void begin(const QStringList& files);
-  /// Adds files once their kind is known. A file with the suffix of a calibration becomes the
-  /// calibration.
+  /// Adds files once their kind is known. A file with a calibration suffix becomes the calibration.
   void addFiles(const QStringList& files);
-  /// Asks for videos and adds them.
+  /// Asks the user for videos and adds them.
   void chooseVideos();
   /// Adds the cameras connected to this computer.
   void addConnectedCameras();
 
 Q_SIGNALS:
-  /// The project was created. `note`: a hint for the user; may be empty.
+  /// Emitted when the project was created. `note` is a hint for the user; may be empty.
   void made(const dewpoint::project::Project& project, const QString& note);
   void failed(const QString& sentence);
   void cancelled();
@@ -56,10 +55,10 @@ private:
   void makeButtons();
   void arrange();
   void retranslateUi();
-  /// Examines locations in another thread; requests are answered in order.
+  /// Examines locations in another thread. Requests are answered in order.
   void search(std::function<std::vector<FootagePlace>()> look,
               std::function<void(const std::vector<FootagePlace>&)> found);
-  /// Drops searches and project creation under way.
+  /// Cancels searches and project creation in progress.
   void forgetWork();
   void addFootage(const std::vector<FootagePlace>& places);
   void chooseFolder();
@@ -87,9 +86,9 @@ private:
   QDialogButtonBox* buttons_;
   QPushButton* create_ = nullptr;
   QPushButton* cancel_ = nullptr;
-  /// Jobs of this project; results for an earlier project are dropped.
+  /// Jobs for this project. Results for an earlier project are ignored.
   std::unique_ptr<JobQueue> searches_;
-  int underWay_ = 0; ///< searches whose rows are not added yet
+  int underWay_ = 0; ///< number of searches whose rows have not been added yet
   /// reading the first image of a video may take long
   LatestJob making_{LatestJob::Overtaken::Dropped};
 };

@@ -17,18 +17,18 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Thumbnails of projects in the cache folder of the user: the last image of the first camera of
-/// each. The thumbnail of a deleted project stays; it takes about 5 kB.
+/// Project thumbnails in the user's cache folder: the last image of each project's first camera.
+/// The thumbnail of a deleted project is kept; it takes about 5 kB.
 class ProjectThumbnails : public QObject {
   Q_OBJECT
 public:
   using QObject::QObject;
 
-  /// Returns the thumbnail of the project in this file; null if there is none. May be called in any
-  /// thread.
+  /// Returns the thumbnail of the project in this file, or null if there is none. May be called
+  /// from any thread.
   static QImage read(const QString& projectFile);
-  /// Makes the thumbnail again in another thread, from the first camera that has an image; `kept()`
-  /// follows.
+  /// Creates the thumbnail again in another thread, from the first camera that has an image. Emits
+  /// `kept()` afterwards.
   void keep(const QString& projectFile, const TrackSnapshotPtr& shown);
 
 Q_SIGNALS:

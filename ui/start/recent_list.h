@@ -9,15 +9,15 @@ namespace dewpoint::ui {
 
 class RecentProjects;
 
-/// List of recent projects, each with a thumbnail, name, folder and date. Projects whose file is
-/// missing are gray, show the reason and cannot be opened. The list is as high as its rows, because
+/// List of recent projects, each with a thumbnail, name, folder and date. Projects whose files are
+/// missing are gray, show the reason and cannot be opened. The list is as tall as its rows, because
 /// the page scrolls.
 class RecentList : public QListWidget {
   Q_OBJECT
 public:
   RecentList(RecentProjects& projects, QWidget* parent);
 
-  /// Lists the projects again.
+  /// Refills the list of projects.
   void fill();
 
 Q_SIGNALS:

@@ -16,35 +16,35 @@
 
 namespace dewpoint::ui {
 
-/// A recent project and what is known of its file.
+/// Recent project, and what is known about its file.
 struct RecentProject {
   QString file;
   bool isMissing = false; ///< the file does not exist
-  QDateTime changed = {}; ///< time of the last save; invalid: unknown
-  QImage thumbnail = {};  ///< see ProjectThumbnails; null: none
+  QDateTime changed = {}; ///< time of the last save; invalid if unknown
+  QImage thumbnail = {};  ///< see ProjectThumbnails; null for none
 
   bool operator==(const RecentProject&) const = default;
 };
 
-/// Recent projects. Another thread checks whether their files exist, because the disk may not
-/// respond; until then, a file is assumed to exist.
+/// Manages the recent projects. Another thread checks whether their files exist, because the disk
+/// may not respond. Until then, a file is assumed to exist.
 class RecentProjects : public QObject {
   Q_OBJECT
 public:
-  /// Whether a file exists; called in another thread.
+  /// Returns whether a file exists. Called from another thread.
   using Exists = std::function<bool(const QString& file)>;
   explicit RecentProjects(QObject* parent = nullptr);
   void setExists(Exists exists) { exists_ = std::move(exists); }
 
-  /// Projects that can be opened, newest first.
+  /// Returns the projects that can be opened, newest first.
   QStringList files() const;
-  /// All projects, newest first.
+  /// Returns all projects, newest first.
   std::vector<RecentProject> all() const;
   /// Adds a project that was just opened or saved.
   void add(const QString& file);
   void clear();
-  /// Checks the files in another thread; `changed()` follows if the result differs from the
-  /// previous one.
+  /// Checks the files in another thread. Emits `changed()` if the result differs from the previous
+  /// one.
   void checkFiles();
 
 Q_SIGNALS:

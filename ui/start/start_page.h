@@ -23,18 +23,18 @@ class StartPage : public QWidget {
 public:
   explicit StartPage(RecentProjects& recent, QWidget* parent = nullptr);
 
-  /// Reads the list of recent projects again, and checks which of them still exist.
+  /// Rereads the list of recent projects, and checks which of them still exist.
   void refresh();
-  /// Sets whether a project is being opened; the card that was pressed shows it.
+  /// Sets whether a project is being opened. The card that was pressed shows this state.
   void setOpening(bool opening);
 
 Q_SIGNALS:
-  /// The user chose the built-in scene with this name (empty: the demo). `calibrate`: opens its
-  /// calibration by hand.
+  /// Emitted when the user selects the built-in scene with this name (empty for the demo).
+  /// `calibrate`: also open its page for calibration by hand.
   void sceneWanted(const QString& name, bool calibrate);
   void videosWanted();
   void camerasWanted();
-  void projectWanted(const QString& file); ///< empty: the user selects a file
+  void projectWanted(const QString& file); ///< empty if the user should select a file
 
 private:
   void makeScenes();
@@ -49,7 +49,7 @@ private:
   QLabel* lead_;
   GalleryCard* demo_;
   CardGrid* gallery_;
-  std::vector<GalleryCard*> scenes_; ///< cards of the gallery, in the order of kGallery
+  std::vector<GalleryCard*> scenes_; ///< gallery cards, in the order of kGallery
   QLabel* ownTitle_;
   GalleryCard* videos_;
   GalleryCard* cameras_;
@@ -57,7 +57,7 @@ private:
   QLabel* recentTitle_;
   RecentList* recent_;
   QLabel* hint_;
-  GalleryCard* pressed_ = nullptr; ///< card that was pressed last
+  GalleryCard* pressed_ = nullptr; ///< last card that was pressed
 };
 
 } // namespace dewpoint::ui

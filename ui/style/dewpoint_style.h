@@ -5,8 +5,8 @@
 
 namespace dewpoint::ui {
 
-/// Fusion style of Qt with flat buttons, drop-down boxes and table headers instead of gradients.
-/// Adds an edge around check boxes, radio buttons and checked buttons: the edges of Fusion are
+/// Qt's Fusion style with flat buttons, drop-down boxes and table headers instead of gradients.
+/// Adds an edge around check boxes, radio buttons and checked buttons. Fusion's own edges are
 /// darker than the background and therefore invisible in dark colors.
 class DewpointStyle : public QProxyStyle {
 public:

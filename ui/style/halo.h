@@ -9,13 +9,13 @@
 
 namespace dewpoint::ui {
 
-/// Dark line under a bright stroke that makes it readable on any image.
+/// Dark line under a bright one that makes it readable on any image.
 struct Halo {
   int alpha = 150;
-  double extra = 2.2;                    ///< extra width over the stroke, pixels
-  bool whole = false;                    ///< solid, also under a dashed stroke
-  Qt::PenCapStyle cap = Qt::RoundCap;    ///< of the stroke as well
-  Qt::PenJoinStyle join = Qt::RoundJoin; ///< of the stroke as well
+  double extra = 2.2;                    ///< additional width compared with the bright line, pixels
+  bool whole = false;                    ///< solid, even under a dashed line
+  Qt::PenCapStyle cap = Qt::RoundCap;    ///< also used for the bright line
+  Qt::PenJoinStyle join = Qt::RoundJoin; ///< also used for the bright line
 };
 /// Halo under the lines of grids and boards, which lie close together.
 inline constexpr Halo kGridHalo{170, 2.0};
@@ -25,13 +25,13 @@ constexpr Halo edgeHalo(int alpha, double extra) {
   return {alpha, extra, true, Qt::SquareCap, Qt::BevelJoin};
 }
 
-/// Returns the pen of the halo under a stroke of this width (pixels).
+/// Returns the pen for the halo under a line of this width (pixels).
 inline QPen haloPen(double width, const Halo& halo = {}, Qt::PenStyle style = Qt::SolidLine) {
   return QPen(QColor(0, 0, 0, halo.alpha), width + halo.extra, halo.whole ? Qt::SolidLine : style,
               halo.cap, halo.join);
 }
 
-/// Draws twice: the halo, then the bright stroke.
+/// Draws twice: first the halo, then the bright line.
 template <class Draw>
 void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw,
               Qt::PenStyle style = Qt::SolidLine, const Halo& halo = {}) {

@@ -11,13 +11,12 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Color of a person's identity.
+/// Returns the color of a person's identity.
 QColor personColor(int identity);
 /// Returns black or white, whichever is readable on this background.
 QColor inkOn(const QColor& ground);
 
-/// Draws the number of a person in a round badge above `foot` and within `room`, on the color of
-/// the identity.
+/// Draws a person's number in a round badge above `foot` and within `room`, on the identity color.
 void paintBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
                 bool chosen);
 

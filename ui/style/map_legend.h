@@ -9,7 +9,7 @@ class QRect;
 
 namespace dewpoint::ui {
 
-/// Draws the legend of the colors of a map, in the upper right corner of `area`.
+/// Draws the color legend of a map in the upper right corner of `area`.
 void paintMapLegend(QPainter& painter, const QRect& area, const MapLook& look,
                     const QPalette& palette);
 

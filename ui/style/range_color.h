@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns a light and clear color from the center of a range, which represents a learned color.
+/// Returns the brightened center color of a range, to represent a learned color.
 QColor rangeColor(const ColorRange& range);
 
 } // namespace dewpoint::ui

@@ -5,8 +5,8 @@
 
 namespace dewpoint::ui {
 
-/// Spacing between neighboring controls and to the border of their container, pixels. A chosen
-/// value; most desktops use 6 to 9.
+/// Spacing between neighboring controls and to the border of their container, in pixels. A design
+/// choice; most desktops use 6 to 9.
 inline constexpr int kSpacing = 8;
 
 } // namespace dewpoint::ui

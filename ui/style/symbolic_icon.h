@@ -10,7 +10,7 @@ class QPalette;
 
 namespace dewpoint::ui {
 
-/// Returns one of the single-stroke icons of the window (resources/icons), in the text color of the
+/// Returns one of the window's single-stroke icons (resources/icons) in the text color of the
 /// palette.
 QIcon symbolicIcon(const QString& name, const QPalette& palette);
 

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Tracks whether the colors of the system are dark, also when the user changes them while the
+/// Monitors whether the system colors are dark, including when the user changes them while the
 /// program runs.
 class SystemColors : public QObject {
   Q_OBJECT
@@ -18,7 +18,8 @@ public:
 
 Q_SIGNALS:
   void changed(bool dark);
-  /// The colors of the application were replaced from outside; a theme must be applied again.
+  /// Emitted when the application colors were replaced from outside. A theme must then be applied
+  /// again.
   void replaced();
 
 protected:

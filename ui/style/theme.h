@@ -10,23 +10,21 @@
 
 namespace dewpoint::ui {
 
-/// Returns the palette of the window, in its dark or light variant, for the Fusion style of Qt.
+/// Returns the dark or light variant of the window palette for Qt's Fusion style.
 QPalette themePalette(bool dark);
-/// Whether a palette has dark colors.
+/// Returns whether a palette has dark colors.
 bool isDarkPalette(const QPalette& palette);
 /// Applies the style, palette and tooltip colors to the whole application, dark or light.
 void applyTheme(bool dark);
-/// Whether the palette set by `applyTheme()` is still that of the application.
+/// Returns whether the application still has the palette set by `applyTheme()`.
 bool isThemeApplied();
 
-/// Returns the color of a state, readable on the given palette; `holdText()` (ui/text) returns the
-/// words.
+/// Returns the color of a target state, readable on the given palette. `holdText()` (ui/text)
+/// returns the words.
 QColor holdColor(HoldState state, const QPalette& palette);
-/// Returns the color of a target by index (Okabe-Ito), for strokes on images and on a dark
-/// background.
+/// Returns a target color by index (Okabe-Ito), for lines on images and on a dark background.
 QColor targetColor(int target);
-/// Returns the color of a target of the project. A person has the color of the identity in all
-/// views.
+/// Returns the color of a target in the project. A person has the identity color in all views.
 QColor targetColor(const std::string& name, int target);
 
 } // namespace dewpoint::ui

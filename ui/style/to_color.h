@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// A color of the scene for a painter.
+/// Converts a scene color to a QColor.
 inline QColor toColor(const SceneColor& color) {
   return QColor::fromRgbF(float(color.x()), float(color.y()), float(color.z()));
 }

@@ -7,9 +7,9 @@
 
 namespace dewpoint::ui {
 
-// Font sizes of the window: its own font, and one step smaller.
+// Font sizes in the window: the window font, and one step smaller.
 
-/// Font one step smaller, for secondary and explanatory texts.
+/// Returns the font one step smaller, for secondary and explanatory texts.
 inline QFont smallerFont(QFont font) {
   constexpr double kStep = 0.9;
   font.pointSizeF() > 0.0 ? font.setPointSizeF(kStep * font.pointSizeF())
@@ -17,13 +17,13 @@ inline QFont smallerFont(QFont font) {
   return font;
 }
 
-/// Font for the name of one item among several.
+/// Returns the font for the name of one item among several.
 inline QFont mediumFont(QFont font) {
   font.setWeight(QFont::DemiBold);
   return font;
 }
 
-/// Font for the heading of a section in a panel.
+/// Returns the font for a section heading in a panel.
 inline QFont headingFont(const QFont& font) {
   return mediumFont(smallerFont(font));
 }

@@ -7,15 +7,15 @@
 
 namespace dewpoint::ui {
 
-/// File filter for dialogs that open calibrations: first the suffixes of all supported formats,
-/// then one row per format, then all files.
+/// Returns the file filter for dialogs that open calibrations: first the suffixes of all supported
+/// formats, then one row per format, then all files.
 QString calibrationFileFilter();
 
-/// Names of the formats: "OpenCV, Anipose, …".
+/// Returns the format names: "OpenCV, Anipose, …".
 QString calibrationFormatTitles();
 
-/// Whether a file name has the suffix of a calibration. Such a file is treated as one when it is
-/// dropped.
+/// Returns whether a file name has a calibration suffix. When such a file is dropped, it is treated
+/// as a calibration.
 bool endsAsCalibration(const QString& file);
 
 } // namespace dewpoint::ui

@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 /// Returns the translated text "In this volume ±3.1 mm (95 %), scale ±0.10 %, up ±0.20°.".
 QString accuracyText(const CalibrationAccuracy& accuracy);
 
-/// Returns the likely cause of a fault and what to do, translated.
+/// Returns the likely cause of a fault and its remedy, translated.
 QString faultText(const NamedFault& fault, const QStringList& cameraNames);
 
 } // namespace dewpoint::ui

@@ -10,11 +10,11 @@
 
 namespace dewpoint::ui {
 
-/// Returns a description of a disagreement: "left is about 0.20 s late." `names`: names of all
-/// cameras.
+/// Returns the description of a disagreement: "left is about 0.20 s late." `names` are the names of
+/// all cameras.
 QString disagreementText(const CameraDisagreement& found, const QStringList& names);
 
-/// Returns the text of one way to correct a disagreement (`mendingChoices()`): "Swap left and
+/// Returns the text for one way to correct a disagreement (`mendingChoices()`): "Swap left and
 /// right". Used for a button and for the undoable step.
 QString mendingText(const CameraDisagreement& found, std::size_t choice, const QStringList& names);
 

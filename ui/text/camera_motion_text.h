@@ -7,10 +7,11 @@
 
 namespace dewpoint::ui {
 
-/// Returns the newest report of a camera that has moved since it was calibrated; null if it has
-/// not.
+/// Returns the newest report of a camera that has moved since it was calibrated, or null if it has
+/// not moved.
 const CameraMotionReport* cameraMotionOf(const TrackSnapshot& snapshot, int camera);
-/// Returns how far the camera moved, such as its rotation in degrees; empty for null.
+/// Returns how far the camera moved, for example its rotation in degrees. Returns an empty string
+/// if `report` is null.
 QString cameraMotionText(const CameraMotionReport* report);
 
 } // namespace dewpoint::ui

@@ -9,11 +9,11 @@
 
 namespace dewpoint::ui {
 
-/// Returns what clicks on a target show about its radius (meters) if that differs from `given` (0:
-/// unknown); empty if they agree or if clicks show no radius.
+/// Returns a text about the target radius (meters) found from clicks if it differs from `given` (0
+/// if unknown). Returns an empty string if they agree or if the clicks do not determine a radius.
 QString clickRadiusText(double given, const std::optional<double>& shown);
-/// Returns the text about a target that was marked as a part of a larger object of its color;
-/// `radius` in meters.
+/// Returns the text about a target that was marked as part of a larger object of the same color.
+/// `radius` is in meters.
 QString markedPartText(double radius);
 
 } // namespace dewpoint::ui

@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns the assessment of a color range in sentences; `cameras`: names of the cameras.
+/// Returns the assessment of a color range in sentences. `cameras` are the camera names.
 QString colorAssessmentText(const ColorAssessment& assessment, const std::vector<QString>& cameras);
 
 /// Returns the name of a color: "red", "turquoise", ...

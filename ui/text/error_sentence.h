@@ -11,7 +11,7 @@ struct Error;
 
 namespace dewpoint::ui {
 
-/// Returns the sentence of an error, translated. File, field and details stay as they are.
+/// Returns the translated sentence for an error. File, field and details stay unchanged.
 QString errorSentence(const Error& error);
 
 } // namespace dewpoint::ui

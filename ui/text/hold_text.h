@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Shape and word of a state: "● held".
+/// Returns the shape and word for a state: "● held".
 QString holdText(HoldState state);
 
 } // namespace dewpoint::ui

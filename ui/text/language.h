@@ -8,12 +8,13 @@
 
 namespace dewpoint::ui {
 
-/// Languages that have a catalog (translations/), as two letters: "de", "en", "es", ...
+/// Returns the two-letter codes of the languages that have a catalog (translations/): "de", "en",
+/// "es", ...
 QStringList languages();
 
-/// Changes the language of the application: its own texts, those of Qt, and the number format.
-/// Empty: the language of the system. English replaces a language without a catalog. All widgets
-/// receive QEvent::LanguageChange.
+/// Changes the language of the application: its own texts, those of Qt, and the number format. An
+/// empty string selects the system language. A language without a catalog is replaced by English.
+/// All widgets receive QEvent::LanguageChange.
 void useLanguage(const QString& language);
 
 } // namespace dewpoint::ui

@@ -7,18 +7,18 @@
 
 namespace dewpoint::ui {
 
-/// Texts about a method that help the user select one, translated.
+/// Translated texts about a method, which help the user to select one.
 struct MethodWords {
-  QString heading;  ///< heading of its group: what the methods in it are for
+  QString heading;  ///< heading of its group: what the methods in the group are for
   QString title;    ///< what it tracks
   QString sentence; ///< how it differs from others
   QString name;     ///< name in files and on the command line, not translated
-  QString paper;    ///< paper it is from, not translated; empty: none
+  QString paper;    ///< paper that describes it, not translated; empty for none
 };
 /// Returns the texts about a method.
 MethodWords methodWords(const Method& method);
 
-/// Returns why a method cannot be used here and what to do; empty if it can.
+/// Returns why a method cannot be used here and what to do, or an empty string if it can be used.
 QString methodObstacleText(MethodObstacle obstacle);
 
 } // namespace dewpoint::ui

@@ -9,16 +9,17 @@
 
 namespace dewpoint::ui {
 
-/// Share of the background that a camera has learned, 0 to 1; nothing if it is not learning.
+/// Returns the fraction of the background that a camera has learned (0 to 1), or nothing if it is
+/// not learning.
 std::optional<double> learningOf(const TrackSnapshot& snapshot, int camera);
-/// Returns the learning progress in percent and the request to keep out of view.
+/// Returns the learning progress in percent and a request to stay out of view.
 QString learningText(double share);
 /// Returns the short form: "learning: 60 %".
 QString shortLearningText(double share);
-/// Returns what keeps a camera from detecting people (it is learning, or too much moves); empty:
-/// nothing.
+/// Returns the reason why a camera cannot detect people (it is learning, or too much is moving), or
+/// an empty string if it can.
 QString peopleObstacleText(const TrackSnapshot& snapshot, int camera);
-/// Number of people present in the frame shown.
+/// Returns the number of people present in the frame shown.
 int peopleThere(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

@@ -7,68 +7,69 @@
 
 namespace dewpoint::ui {
 
-// Formatting of numbers and quantities in the language of the window, with one function for each.
+// Formatting of numbers and quantities in the language of the window. Each quantity has one
+// function.
 
 /// Format of numbers that are negative, zero or not finite.
 enum class NumberForm {
   Plain,   ///< as usual in the language
   Signed,  ///< "+" before positive numbers
   Rounded, ///< rounded first, so that zero has no minus sign
-  Table    ///< with a true minus sign; "–" if not finite
+  Table    ///< with a real minus sign; "–" if not finite
 };
 /// Returns a number with `decimals` decimals; "∞" if it is infinite.
 QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
-/// Returns a number in the form for tables.
+/// Returns a number in the form used in tables.
 QString tableText(double value, int decimals);
 /// Returns a number with `digits` significant digits, at most four decimals and no exponent.
 QString digitsText(double value, int digits);
 /// Returns a ratio with at most three digits: 1000 or 1.08.
 QString ratioText(double value);
-/// Returns a bound or default of a parameter as declared, with at most six digits.
+/// Returns a parameter bound or default as declared, with at most six digits.
 QString declaredText(double value);
 /// Returns a rate with at most four digits: 30 or 29.97 per second.
 QString rateText(double perSecond);
 
-/// Precision of a length, which is written with its unit.
+/// Precision of a length that is written with its unit.
 enum class LengthForm {
   Readout,  ///< "4.2 mm", "123 mm", "1.23 m": a value that changes continuously
   Short,    ///< "0.4 mm", "12 mm", "1.20 m": the shortest form that is precise enough
   TwoDigits ///< "0.35 mm", "12 mm", "1.2 m": an accuracy
 };
-/// Returns a length with the unit that suits its size.
+/// Returns a length in the unit that suits its magnitude.
 QString lengthText(double meters, LengthForm form = LengthForm::Readout);
 /// Fixed unit for lengths that are compared with each other.
 enum class LengthScale { Millimeters, Centimeters, Meters };
 /// Returns a length with `decimals` decimals: "12.50 mm", "1.3 cm", "1.234 m".
 QString lengthText(double meters, LengthScale scale, int decimals,
                    NumberForm form = NumberForm::Plain);
-/// Returns the number without the unit, where a heading or the following text gives the unit.
+/// Returns a length without the unit, for use where a heading or the following text gives the unit.
 QString lengthNumber(double meters, LengthScale scale, int decimals,
                      NumberForm form = NumberForm::Plain);
 
 /// Returns an angle in degrees: "0.31°".
 QString angleText(double radians, int decimals, NumberForm form = NumberForm::Plain);
-/// Returns the number of degrees without the unit, where a heading gives it.
+/// Returns an angle in degrees without the unit, for use where a heading gives the unit.
 QString angleNumber(double radians, int decimals, NumberForm form = NumberForm::Plain);
 /// Returns the accuracy of an angle with two significant digits: "0.20°", "1.2°".
 QString angleAccuracyText(double radians);
 
-/// Returns a share (0 to 1) as percent. It is 100 only if nothing is missing, and 0 only if there
-/// is nothing.
+/// Returns a fraction (0 to 1) as a percentage. The result is 100 only if nothing is missing, and 0
+/// only if there is nothing.
 QString shareText(double share);
-/// Returns a share (0 to 1) as percent, without the sign.
+/// Returns a fraction (0 to 1) as a percentage, without the percent sign.
 QString percentText(double share, int decimals = 0);
-/// Returns an accuracy given as a share as percent, with two significant digits.
+/// Returns an accuracy, given as a fraction, as a percentage with two significant digits.
 QString percentAccuracyText(double share);
 
 /// Returns a time: "4.40 s".
 QString secondsText(double seconds, int decimals);
 /// Returns a duration: "12.3 ms".
 QString millisecondsText(double milliseconds);
-/// Converts seconds to milliseconds and returns the number without the unit, where a heading gives
-/// it.
+/// Converts seconds to milliseconds and returns the number without the unit, for use where a
+/// heading gives the unit.
 QString millisecondsNumber(double seconds, NumberForm form = NumberForm::Plain);
-/// Returns a duration: "850 µs"; from 10 ms on "12.3 ms".
+/// Returns a duration: "850 µs"; durations of 10 ms or more as "12.3 ms".
 QString durationText(double microseconds);
 
 /// Returns a length in image pixels: "12.3 px".

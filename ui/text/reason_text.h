@@ -8,18 +8,20 @@
 
 namespace dewpoint::ui {
 
-/// Returns why a camera does not confirm a target, in a few words ("hidden"); empty if it does.
+/// Returns the reason why a camera does not confirm a target, in a few words ("hidden"), or an
+/// empty string if the camera confirms it.
 QString cameraReasonText(const CameraReport& report);
-/// Returns the reason in the form shown with the image of that camera ("hidden here").
+/// Returns the reason in the form shown with that camera's image ("hidden here").
 QString cameraReasonHereText(const CameraReport& report);
-/// Whether a camera with this reason does not see the target at all, although it has an image.
+/// Returns whether a camera with this reason does not see the target at all, although the camera
+/// has an image.
 bool isBlind(const CameraReport& report);
-/// Returns the text shown for such a camera instead of the state of the target: "◌ hidden here".
+/// Returns the text that replaces the target state for such a camera: "◌ hidden here".
 QString cameraBlindText(const CameraReport& report);
-/// Returns the reasons of all cameras in one sentence: "left: hidden · right: …"; empty if all
-/// cameras confirm the target.
+/// Returns the reasons of all cameras in one sentence: "left: hidden · right: …". Returns an empty
+/// string if all cameras confirm the target.
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames);
-/// Names of the cameras of a snapshot, see cameraName().
+/// Returns the camera names in a snapshot; see cameraName().
 QStringList cameraNames(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

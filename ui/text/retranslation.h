@@ -9,8 +9,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Calls `retranslate` now and after every change of language while `widget` exists. For every
-/// setText(tr(...)) of a widget that outlives a change of language.
+/// Calls `retranslate` now and after every language change while `widget` exists. Use it for every
+/// setText(tr(...)) of a widget that outlives a language change.
 void onRetranslate(QWidget* widget, std::function<void()> retranslate);
 
 } // namespace dewpoint::ui

@@ -13,18 +13,18 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Changes the markers of the project, each change as an undoable step, and edits their names in
-/// place in the timeline.
+/// Changes the project's markers, each change in an undoable step, and edits their names in place
+/// in the timeline.
 class MarkerEditor : public QObject {
   Q_OBJECT
 public:
   MarkerEditor(QWidget& timeline, Document& document);
 
-  /// Adds a marker at a frame that has none.
+  /// Adds a marker at a frame that has no marker.
   void add(qint64 frame);
-  /// Removes the marker at a frame; returns false if there is none.
+  /// Removes the marker at a frame. Returns false if there is none.
   bool remove(qint64 frame);
-  /// Edits the name of a marker in place, at its flag in the timeline (widget coordinates).
+  /// Edits a marker's name in place, at its flag in the timeline (widget coordinates).
   void editName(const ProjectMarker& marker, const QRectF& flag);
   void retranslateUi();
 

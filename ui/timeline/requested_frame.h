@@ -9,7 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// The frame that was requested last, until it is shown; one that never comes is forgotten.
+/// Stores the frame that was requested last, until it is shown. A frame that is not shown in time
+/// is forgotten.
 class RequestedFrame {
 public:
   void request(qint64 frame) {
@@ -22,7 +23,7 @@ public:
     }
   }
   void forget() { frame_.reset(); }
-  /// Nothing: what is shown is what was requested.
+  /// Returns the requested frame, or nothing if there is no pending request.
   std::optional<qint64> frame() const {
     return since_.isValid() && since_.elapsed() < kTimeoutMs ? frame_ : std::nullopt;
   }

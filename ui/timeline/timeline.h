@@ -17,48 +17,49 @@ class Document;
 class MarkerEditor;
 
 /// Timeline of the run: the state of each target, missing camera images, markers, and the current
-/// frame. A drag moves through time; a drag in the axis (or with Shift) selects a range; the wheel
+/// frame. A drag moves through time. A drag on the axis (or with Shift) selects a range. The wheel
 /// zooms. Arrow keys move by frames, page keys by seconds, Home and End to the ends.
 class Timeline : public QWidget {
   Q_OBJECT
 public:
   Timeline(Selection& selection, Document& document, QWidget* parent = nullptr);
 
-  /// Sets the snapshot, which describes the run; null: no run, and the timeline is empty.
+  /// Sets the snapshot, which describes the run. Null means that there is no run, and the timeline
+  /// is empty.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   void append(const std::vector<FrameRecord>& records, bool restarted);
-  /// The frames whose results are of earlier settings.
+  /// Sets the frames whose results are from earlier settings.
   void setOldResults(const std::vector<ResultRange>& frames) {
     model_.oldResults = frames;
     update();
   }
   void clear();
 
-  /// Moves by this number of frames from the current or the requested frame.
+  /// Moves by this number of frames, starting at the current or the requested frame.
   void step(qint64 frames);
   /// Moves to the next (1) or previous (-1) marker.
   void stepToMarker(int direction);
-  /// Adds a marker at the current frame, as an undoable step, and edits its name in place.
+  /// Adds a marker at the current frame in an undoable step, and edits its name in place.
   void addMarker();
-  /// Removes the marker at the current frame; returns false if there is none.
+  /// Removes the marker at the current frame. Returns false if there is none.
   bool removeMarker();
-  /// Sets the frame under the pointer in another view; negative: none.
+  /// Sets the frame under the pointer in another view. A negative number means that there is none.
   void setHovered(qint64 frame);
   void zoomToRange();
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
-  /// Center of a frame in the ribbons, widget coordinates.
+  /// Returns the center of a frame in the ribbons, in widget coordinates.
   QPoint positionOf(qint64 frame) const;
 
   QSize sizeHint() const override { return {600, std::max(110, leastHeight_)}; }
-  /// Minimum size; it grows with the number of rows.
+  /// Returns the minimum size, which grows with the number of rows.
   QSize minimumSizeHint() const override { return {240, std::max(84, leastHeight_)}; }
 
 Q_SIGNALS:
-  /// The pointer is on this frame; negative: on none.
+  /// Emitted when the pointer is on this frame. A negative number means that it is on no frame.
   void hovered(qint64 frame);
-  /// A menu for the current frame is requested at this screen position.
+  /// Emitted when a menu for the current frame is requested at this screen position.
   void menuWanted(const QPoint& place);
 
 protected:
@@ -78,7 +79,7 @@ private:
   TimelineRows rows() const;
   int camerasWithDropouts() const;
   void place();
-  /// Current frame, or the frame requested last.
+  /// Returns the current frame, or the frame requested last.
   qint64 reached() const;
   void want(qint64 frame, bool extendsRange = false);
   void selectTo(qint64 frame);
@@ -95,11 +96,11 @@ private:
   enum class Drag { None, Frame, Range };
   Drag drag_ = Drag::None;
   qint64 hovered_ = -1;
-  qint64 anchor_ = -1; ///< where the range began
+  qint64 anchor_ = -1; ///< frame where the range begins
   RequestedFrame requested_;
   MarkerEditor* markers_;
   double gutter_ = 90.0;
-  int leastHeight_ = 0; ///< height in which all rows are readable, pixels
+  int leastHeight_ = 0; ///< height at which all rows are readable, pixels
 };
 
 } // namespace dewpoint::ui

@@ -15,35 +15,36 @@ namespace dewpoint::ui {
 
 /// Data that a timeline shows, except the selection.
 struct TimelineModel {
-  std::vector<FrameRecord> records; ///< by increasing frame; old ones in coarse steps
+  std::vector<FrameRecord> records; ///< in increasing frame order; old ones in coarse steps
   QStringList targets;
   QStringList cameras;
   std::vector<ProjectMarker> markers;
-  std::vector<PositionCorrection> corrections; ///< by rising frame
-  std::vector<ResultRange> oldResults;         ///< those of earlier settings, by rising frame
+  std::vector<PositionCorrection> corrections; ///< in increasing frame order
+  std::vector<ResultRange> oldResults;         ///< from earlier settings, in increasing frame order
   bool isOld(qint64 frame) const;
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;
-  double framesPerSecond = 30.0; ///< of the recording, from the time stamps of the records
+  double framesPerSecond = 30.0; ///< frame rate of the recording, from the record time stamps
 
-  /// Adds new records of the log; a repeated frame replaces its old record.
+  /// Adds new log records. If a frame is repeated, the new record replaces the old one.
   void append(const std::vector<FrameRecord>& more, bool restarted);
-  /// Returns one past the last frame that a record represents: the frame of the next record, unless
-  /// untracked frames lie between them.
+  /// Returns one past the last frame that a record represents. This is the frame of the next
+  /// record, unless untracked frames lie between them.
   qint64 endOf(std::size_t record) const;
-  /// Returns the record of a frame, or of the last frame before it within a coarse step; null if
-  /// there is none.
+  /// Returns the record of a frame, or of the closest earlier frame within a coarse step, or null
+  /// if there is none.
   const FrameRecord* at(qint64 frame) const;
-  /// Time of a frame in seconds, from its record or from the frame rate.
+  /// Returns the time of a frame in seconds, from its record or from the frame rate.
   double secondsOf(qint64 frame) const;
-  /// Whether any frame lacks the image of this camera.
+  /// Returns whether this camera's image is missing in any frame.
   bool hasDropouts(std::size_t camera) const { return (missing_ >> camera & 1U) != 0; }
-  /// Whether the user corrected the position of this target in this frame.
+  /// Returns whether the user corrected this target's position in this frame.
   bool isCorrected(std::size_t target, qint64 frame) const;
-  /// The frame of the nearest marker after (1) or before (-1) a frame; nothing: there is none.
+  /// Returns the frame of the closest marker after (1) or before (-1) a frame, or nothing if there
+  /// is none.
   std::optional<qint64> nextMarker(qint64 from, int direction) const;
-  /// "Frame 132, 4.400 s: ball held (0.99) · …".
+  /// Returns "Frame 132, 4.400 s: ball held (0.99) · …".
   QString describe(qint64 frame) const;
 
 private:

@@ -13,16 +13,17 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Positions of the rows of a timeline, in widget coordinates.
+/// Positions of the rows in a timeline, in widget coordinates.
 struct TimelineRows {
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
                         double gutter);
-  /// Height in which these rows are readable; it does not grow beyond a few targets.
+  /// Returns the height at which these rows are readable. It does not increase beyond a few
+  /// targets.
   static int leastHeight(int targets, int cameras, double fontHeight);
 
   QRectF axis;    ///< time and markers, at the top; a drag here selects a range
-  QRectF ribbons; ///< of the targets, one below the other
-  /// missing images: one thin row per affected camera, or one row for all without enough room
+  QRectF ribbons; ///< rows of the targets, one below the other
+  /// missing images: one thin row per affected camera, or a single row if there is not enough room
   QRectF cameras;
   QRectF footer; ///< frames kept in memory
   double ribbonHeight = 0.0;
@@ -32,14 +33,15 @@ struct TimelineRows {
   QRectF camera(int row) const;
 };
 
-/// Draws a timeline: ribbons (held: a thin line; ambiguous: dotted; searching: hatched; lost:
-/// crossed; results of earlier settings: pale), missing images, markers, the range, the play head,
-/// and a thin line at the frame under the pointer (`hovered`; negative: none).
+/// Draws a timeline: ribbons, missing images, markers, the range, the play head, and a thin line at
+/// the frame under the pointer (`hovered`; negative for none). Ribbon styles: held is a thin line,
+/// ambiguous is dotted, searching is hatched, lost is crossed, and results of earlier settings are
+/// pale.
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,
                    const QPalette& palette);
 
-/// Area of the flag of a marker in the widget.
+/// Returns the area of a marker's flag in the widget.
 QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
                   const QFontMetricsF& metrics);
 

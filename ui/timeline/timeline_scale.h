@@ -10,10 +10,10 @@
 
 namespace dewpoint::ui {
 
-/// Maps frames to positions along a timeline: frame k covers x(k) to x(k + 1), widget units.
+/// Maps frames to positions along a timeline. Frame k covers x(k) to x(k + 1), in widget units.
 class TimelineScale {
 public:
-  /// Sets the first and last frame, both included.
+  /// Sets the first and last frame, both inclusive.
   void setExtent(qint64 first, qint64 last) {
     const bool whole = showsAll();
     first_ = first;
@@ -46,7 +46,7 @@ public:
     length_ = static_cast<double>(last - first + 1);
     keepInside();
   }
-  /// Zooms by `factor` (above 1: in) around `x`, which keeps its frame.
+  /// Zooms by `factor` (above 1 zooms in) around `x`, which keeps its frame.
   void zoom(double factor, double x) {
     const double frame = begin_ + (x - left_) / pixelsPerFrame();
     const double share = (x - left_) / width_;

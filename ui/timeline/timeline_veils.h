@@ -5,11 +5,11 @@
 
 namespace dewpoint::ui {
 
-/// Fades the frames whose results are known but can no longer be shown.
+/// Draws a veil over the frames whose results are known but can no longer be shown.
 void paintForgotten(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                     const TimelineRows& rows, const QPalette& palette);
 
-/// Fades and hatches the ribbons where the results are from earlier settings.
+/// Draws a hatched veil over the ribbons where the results are from earlier settings.
 void paintOldResults(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                      const TimelineRows& rows, const QPalette& palette);
 

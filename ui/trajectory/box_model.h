@@ -10,8 +10,7 @@
 
 namespace dewpoint::ui {
 
-/// Table of the bounding boxes of a run, one row per target and frame, in pixels. Grows with the
-/// run.
+/// Table of a run's bounding boxes, one row per target and frame, in pixels. It grows with the run.
 class BoxModel : public QAbstractTableModel {
   Q_OBJECT
 public:
@@ -20,9 +19,9 @@ public:
 
   const std::vector<BoxSample>& samples() const { return samples_; }
   void clear() { replaceFrom(0, {}); }
-  /// Replaces the samples from index `first` on.
+  /// Replaces the samples from index `first` onward.
   void replaceFrom(std::size_t first, const std::vector<BoxSample>& samples);
-  /// Sets the names of the targets, in their order.
+  /// Sets the target names, in target order.
   void setNames(const QStringList& names);
 
   int rowCount(const QModelIndex& parent = {}) const override;

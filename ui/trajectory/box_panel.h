@@ -21,23 +21,23 @@ class BoxModel;
 class Selection;
 class TableHead;
 
-/// Bounding boxes of a run whose method tracks boxes: a table that follows the frame shown.
+/// Bounding boxes of a run whose method tracks boxes, in a table that follows the frame shown.
 class BoxPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Session::boxesSince() of the session to follow.
+  /// Function that returns new boxes: Session::boxesSince() of the session to follow.
   using Source =
       std::function<LogPiece<BoxSample>(std::uint64_t& generation, std::size_t& position)>;
 
   explicit BoxPanel(Selection& selection, QWidget* parent = nullptr);
 
-  /// Sets the source of the boxes; an empty function: none.
+  /// Sets the source of the boxes. An empty function means no source.
   void follow(Source source);
-  /// Schedules a fetch of new boxes; they are fetched only while the panel is visible.
+  /// Schedules fetching new boxes. They are fetched only while the panel is visible.
   void refresh();
-  /// Sets the newest snapshot, which provides the names of the targets.
+  /// Sets the newest snapshot, which provides the target names.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Returns the selected rows, or all rows, in the format of boxes.csv.
+  /// Returns the selected rows, or all rows if none are selected, in the format of boxes.csv.
   QByteArray csv();
 
 Q_SIGNALS:

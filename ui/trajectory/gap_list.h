@@ -11,7 +11,8 @@
 
 namespace dewpoint::ui {
 
-/// List of the gaps of a trajectory, with start, end and length; the newest kMostGaps.
+/// List of the gaps in a trajectory, with start, end and length. It contains the newest kMostGaps
+/// gaps.
 class GapList : public QTableWidget {
   Q_OBJECT
 public:
@@ -19,7 +20,7 @@ public:
   explicit GapList(QWidget* parent = nullptr);
 
   void setGaps(std::vector<TrajectoryGap> gaps);
-  /// Highlights the gap that equals this range.
+  /// Highlights the gap that is equal to this range.
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
 
 Q_SIGNALS:

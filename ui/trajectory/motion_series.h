@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// Speed (m/s) and height (m) of one target over time, as input for plots.
+/// Speed (m/s) and height (m) of one target over time, for use in plots.
 class MotionSeries {
 public:
   static constexpr std::size_t kSpeed = 0; ///< column indices
@@ -19,11 +19,11 @@ public:
   MotionSeries() { series_.reset(kColumns); }
 
   const PlotSeries& series() const { return series_; }
-  /// Name of the target; empty while nothing was tracked.
+  /// Returns the target name, or an empty string while nothing has been tracked.
   const std::string& target() const { return target_; }
-  /// Selects a target and fills the series from all rows of the log.
+  /// Selects a target and fills the series from all log rows.
   void setTarget(const std::string& target, const std::vector<MotionLog::Row>& rows);
-  /// Updates the series after the rows of the log from `firstChanged` on have changed.
+  /// Updates the series after the log rows from `firstChanged` onward have changed.
   void update(const std::vector<MotionLog::Row>& rows, std::size_t firstChanged);
   void clear();
 
@@ -34,8 +34,8 @@ private:
   std::string target_;
 };
 
-/// Returns the path of a target in rows [first, last) of a log, in meters: one stroke per
-/// uninterrupted part, with at most `most` positions in total.
+/// Returns a target's path in rows [first, last) of a log, in meters. There is one list of
+/// positions per uninterrupted part, with at most `most` positions in total.
 std::vector<std::vector<Eigen::Vector3d>> strokesOf(const std::vector<MotionLog::Row>& rows,
                                                     std::size_t first, std::size_t last,
                                                     const std::string& target, std::size_t most);

@@ -14,22 +14,22 @@ namespace dewpoint::ui {
 
 class Selection;
 
-/// Delegate of a table with one or more rows per frame. It highlights the rows of the frame shown
-/// and scrolls them into view. It does not scroll while a range is selected, or after the user has
-/// scrolled them out of view, until they are scrolled back or a frame is requested. All rows have
-/// the same height.
+/// Delegate for a table with one or more rows per frame. It highlights the rows of the frame shown
+/// and scrolls them into view. It does not scroll while a range is selected. If the user scrolls
+/// these rows out of view, it stops scrolling until they are scrolled back or a frame is requested.
+/// All rows have the same height.
 class TableHead : public QStyledItemDelegate {
   Q_OBJECT
 public:
-  /// Returns the rows [first, last) of a frame. If it has none, both are the index where they would
-  /// be.
+  /// Returns the rows [first, last) of a frame. If the frame has no rows, both values are the index
+  /// where they would be.
   using RowsOf = std::function<std::pair<int, int>(qint64 frame)>;
 
   TableHead(QTableView* table, Selection& selection, RowsOf rowsOf);
 
   /// Updates after the rows of the table or the frame shown have changed.
   void refresh();
-  /// Highlighted rows.
+  /// Returns the highlighted rows.
   std::pair<int, int> rows() const { return rows_; }
 
 protected:
@@ -37,7 +37,8 @@ protected:
 
 private:
   void prepare();
-  /// The row to be seen: the last of the frame shown, or of all; -1: none.
+  /// Returns the row that should be visible: the last row of the frame shown, or the last row of
+  /// the table, or -1 if there is none.
   int wantedRow() const;
   int rowsInSight() const;
   bool isInSight(int row) const;
@@ -49,7 +50,7 @@ private:
   RowsOf rowsOf_;
   std::pair<int, int> rows_;
   bool following_ = true;
-  bool moving_ = false; ///< the table is being scrolled by the program
+  bool moving_ = false; ///< the program is scrolling the table
 };
 
 } // namespace dewpoint::ui

@@ -9,8 +9,8 @@ class BirdsEyeView;
 class TrajectoryPanel;
 struct Workbench;
 
-/// Adds the trajectory of the run to the window. A range selected in it is highlighted in the
-/// bird's-eye view, and a click on a tail there selects a position in it.
+/// Adds the run's trajectory to the window. A range selected in it is highlighted in the bird's-eye
+/// view. A click on a tail there selects a position in the trajectory.
 TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEye);
 
 } // namespace dewpoint::ui

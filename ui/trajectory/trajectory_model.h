@@ -10,7 +10,7 @@
 
 namespace dewpoint::ui {
 
-/// Table of the trajectory of a run, one row per target and frame. Grows with the run.
+/// Table of a run's trajectory, one row per target and frame. It grows with the run.
 class TrajectoryModel : public QAbstractTableModel {
   Q_OBJECT
 public:
@@ -34,9 +34,9 @@ public:
 
   const MotionLog& log() const { return log_; }
   void clear();
-  /// Replaces the samples from index `first` on; returns the first row that has changed.
+  /// Replaces the samples from index `first` onward. Returns the first row that has changed.
   std::size_t replaceFrom(std::size_t first, const std::vector<TrajectorySample>& samples);
-  /// Returns the rows [first, last) of a range of frames.
+  /// Returns the rows [first, last) for a range of frames.
   std::pair<int, int> rowsOf(const SelectedRange& selectedRange) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -47,7 +47,7 @@ public:
 
 private:
   MotionLog log_;
-  int rows_ = 0; ///< rows of the log that the views know
+  int rows_ = 0; ///< number of log rows that the views know
 };
 
 } // namespace dewpoint::ui

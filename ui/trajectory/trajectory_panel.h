@@ -34,43 +34,44 @@ class TableHead;
 class TrajectoryModel;
 
 /// Trajectory of the run: a table that follows the frame shown, plots of speed and height over
-/// time, and the gaps. A range selected in one of them is selected in all. For methods that track
-/// bounding boxes: their boxes.
+/// time, and the gaps. A range selected in one of them is selected in all of them. For methods that
+/// track bounding boxes, the panel shows the boxes instead.
 class TrajectoryPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Session::samplesSince() of the session to follow.
+  /// Function that returns new samples: Session::samplesSince() of the session to follow.
   using Source =
       std::function<LogPiece<TrajectorySample>(std::uint64_t& generation, std::size_t& position)>;
 
-  /// Connects the trajectory actions of the registry.
+  /// Connects the trajectory actions in the registry.
   TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~TrajectoryPanel() override;
 
-  /// Sets the source of the samples; an empty function: none, and the table is cleared.
+  /// Sets the source of the samples. An empty function means no source and clears the table.
   void follow(Source source);
-  /// Schedules a fetch of new samples; they are fetched only while the panel is visible.
+  /// Schedules fetching new samples. They are fetched only while the panel is visible.
   void refresh();
   /// Sets the newest snapshot, which provides the targets.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// The user points at a position of a target's trajectory: requests that frame, or, to `extend`,
-  /// selects the range from the current frame to it.
+  /// Handles a click on a position in a target's trajectory. Requests that frame or, if `extend` is
+  /// true, selects the range from the current frame to it.
   void choosePosition(int target, const Eigen::Vector3d& position, bool extend);
-  /// The boxes of a run whose method follows those.
+  /// Returns the panel with the bounding boxes, for methods that track boxes.
   BoxPanel& boxes() { return *boxes_; }
   PlotStack& plots() { return *plots_; }
-  /// Copies the selected rows, or all rows, to the clipboard; they are prepared in another thread.
+  /// Copies the selected rows, or all rows if none are selected, to the clipboard. The text is
+  /// prepared in another thread.
   void copyCsv();
-  /// Duration of the last fetch and redraw, milliseconds.
+  /// Returns the duration of the last fetch and redraw in milliseconds.
   double lastRefreshMs() const { return lastRefreshMs_; }
 
   QSize sizeHint() const override { return {900, 240}; }
 
 Q_SIGNALS:
   void notice(const QString& sentence);
-  /// The user wants to remove the correction of this target at this frame.
+  /// Emitted when the user wants to remove this target's correction at this frame.
   void correctionRemovalWanted(qint64 frame, int target);
-  /// Positions of the selected range, meters: one stroke per uninterrupted part.
+  /// Emitted with the positions in the selected range (meters), one list per uninterrupted part.
   void highlightChanged(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
 protected:
@@ -79,7 +80,8 @@ protected:
 private:
   void setTarget(const std::string& name);
   void showSelectedRange();
-  /// Opens the menu at a screen position, with the entries for a table row; a negative `row`: none.
+  /// Opens the menu at a screen position, with the entries for a table row. If `row` is negative,
+  /// the menu has no such entries.
   void showMenu(const QPoint& place, int row);
   void showCurrentFrame();
   void makeTable();
@@ -102,12 +104,12 @@ private:
   PlotStack* plots_;
   BoxPanel* boxes_;
   QStackedLayout* pages_;
-  MotionSeries motion_;            ///< motion of one target
+  MotionSeries motion_;            ///< speed and height of one target
   std::vector<std::string> names_; ///< names of all targets
   Source source_;
   std::uint64_t generation_ = 0;
   std::size_t position_ = 0;
-  bool choosing_ = false; ///< rows are being selected by the program
+  bool choosing_ = false; ///< the program is selecting rows
   QTimer timer_;
   QElapsedTimer sinceRefresh_;
   double lastRefreshMs_ = 0.0;

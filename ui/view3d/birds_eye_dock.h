@@ -9,7 +9,7 @@ class BirdsEyeView;
 struct Workbench;
 
 /// Adds the bird's-eye view to the window. It is hidden while a method that tracks bounding boxes
-/// is selected, because boxes have no positions in the room.
+/// is selected, because image boxes have no 3D positions.
 BirdsEyeView* installBirdsEyeView(const Workbench& bench);
 
 } // namespace dewpoint::ui

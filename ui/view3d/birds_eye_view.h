@@ -22,8 +22,9 @@ namespace dewpoint::ui {
 class ScenePicture;
 
 /// 3D view of the room. VTK renders into its own off-screen context and this widget paints the
-/// resulting image, so OpenGL is not used for the rest of the window. It is redrawn at its own
-/// rate, slower than the cameras. Without OpenGL it shows a message, and the program continues.
+/// resulting image, so OpenGL is not used for the rest of the window. The view is redrawn at its
+/// own rate, slower than the cameras. Without OpenGL, it shows a message, and the program
+/// continues.
 class BirdsEyeView : public QWidget {
   Q_OBJECT
 
@@ -34,43 +35,45 @@ public:
   /// Must be called once before the QApplication is created.
   static void prepareSurfaceFormat();
 
-  /// Creates the OpenGL context and renders once while hidden, so that the first picture appears
+  /// Creates the OpenGL context and renders once while hidden, so that the first image appears
   /// without delay.
   void prepare();
 
-  /// Sets the frame for the next picture; null clears the scene. Cheap, also while hidden.
+  /// Sets the frame for the next rendering; null clears the scene. This call is fast, even while
+  /// the view is hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Shows all of another project in perspective, whatever the view showed before.
+  /// Shows the whole scene of another project in perspective, regardless of the previous view.
   void startAnew() { lookFree(); }
-  /// Highlights a part of a trajectory: strokes of positions, meters; empty: none.
+  /// Highlights part of a trajectory, given as lists of positions (meters). An empty list removes
+  /// the highlight.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
-  /// Sets the cameras that can be dragged; the selected one also has a handle for the point it
-  /// looks at. Empty: none.
+  /// Sets the cameras that can be dragged. The selected camera also has a handle for the point it
+  /// looks at. If the list is empty, no camera can be dragged.
   void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
 
-  /// Shows the map of expected errors with a legend; null: none. If several maps arrive before the
-  /// next picture, only the last one is drawn.
+  /// Shows the map of expected errors with a legend, or hides it if `map` is null. If several maps
+  /// arrive before the next rendering, only the last one is drawn.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
   const RigMap* map() const { return map_.map(); }
   const MapLook& mapLook() const { return map_.look(); }
-  /// Shows planned cameras, drawn differently from those of the snapshots.
+  /// Shows planned cameras, which look different from those in the snapshots.
   void showPlanned(const CameraRig& cameras);
 
-  /// Shows the volume of interest; nothing: none.
+  /// Shows the volume of interest, or hides it if `volume` is empty.
   void showVolume(const std::optional<WorldBox>& volume) {
     scene_.showVolume(volume);
     requestPicture();
   }
-  /// Shows a line of sight through the room, meters; empty: none.
+  /// Shows a line of sight through the room (meters), or hides it if `line` is empty.
   void showSight(const std::vector<Eigen::Vector3d>& line) {
     scene_.showSight(line);
     requestPicture();
   }
 
-  /// Highlights the selected target if it is a person; -1: none.
+  /// Highlights the selected target if it is a person. If `target` is -1, nothing is highlighted.
   void setChosenTarget(int target);
-  /// Sets whether the particle with the highest weight of each target is shown.
+  /// Sets whether each target's highest-weight particle is shown.
   void setBestShown(bool shown) {
     scene_.showBest(shown);
     requestPicture();
@@ -81,27 +84,27 @@ public:
     sceneStale_ = true;
     requestPicture();
   }
-  /// Sets whether the images of the cameras are shown in the scene.
+  /// Sets whether camera images are shown in the scene.
   void setImagesShown(bool shown) {
     scene_.showImages(shown);
     sceneStale_ = true;
     requestPicture();
   }
-  /// Sets the placing mode, in which a click on the floor emits `placeClicked()`. `floor`: its
-  /// height, world z in meters.
+  /// Sets the placing mode, in which a click on the floor emits `floorClicked()`. `floor` is the
+  /// floor height, world z in meters.
   void setPlacing(bool placing, double floor = 0.0);
 
   Scene3d::View currentView() const;
-  /// Returns the current picture with its legend, without the buttons, in device pixels; null
+  /// Returns the current image with its legend but without the buttons, in device pixels; null
   /// without OpenGL.
   QImage currentPicture();
-  /// The scene as drawn, for conversions between pixels and meters.
+  /// Returns the scene as drawn, for conversions between pixels and meters.
   const Scene3d& scene() const { return scene_; }
   const CameraLabels& cameraLabels() const { return labels_; }
   const SceneInset& cloudInset() const { return inset_; }
-  /// Whether the picture shows all that was given last; true while hidden.
+  /// Returns whether the image shows everything that was last set. Also true while hidden.
   bool isDrawn() const;
-  /// False when there is no usable OpenGL (known after the first attempt to draw).
+  /// Returns false if there is no usable OpenGL. This is known after the first attempt to draw.
   bool hasPicture() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -111,21 +114,22 @@ public Q_SLOTS:
   void lookFromAbove() { look(Scene3d::View::Above); }
   void lookFromFront() { look(Scene3d::View::Front); }
   void lookFree() { look(Scene3d::View::Free); }
-  /// Fits the current view to everything.
+  /// Fits the current view to the whole scene.
   void resetView();
 
 Q_SIGNALS:
   void viewChanged(dewpoint::ui::Scene3d::View view);
-  /// A click on a target's tail: the nearest position in it, meters. `extend`: with Shift.
+  /// Emitted after a click on a target's tail, with the closest position in it (meters). `extend`:
+  /// Shift was held down.
   void tailClicked(int target, const Eigen::Vector3d& position, bool extend);
-  /// While placing: a click on the floor here, world x and y in meters.
+  /// Emitted after a click on the floor in placing mode, with world x and y in meters.
   void floorClicked(const Eigen::Vector2d& position);
-  /// A click on a person: its index among the targets.
+  /// Emitted after a click on a person, with the person's index among the targets.
   void personClicked(int target);
-  /// A handle was pressed.
+  /// Emitted when a handle was pressed.
   void cameraChosen(int camera);
-  /// A camera, or the point it looks at, is dragged to this world position (meters): in the plane
-  /// of a flat view, otherwise parallel to the picture.
+  /// Emitted while a camera, or the point it looks at, is dragged to this world position (meters).
+  /// The drag stays in the plane of a flat view; in the 3D view, it is parallel to the image plane.
   void cameraDragged(int camera, const Eigen::Vector3d& center);
   void cameraAimed(int camera, const Eigen::Vector3d& target);
   void cameraDropped();
@@ -146,9 +150,9 @@ protected:
 
 private:
   void requestPicture();
-  /// Before it is drawn.
+  /// Updates the scene before it is rendered.
   void updateScene();
-  /// What is part of the picture, but is painted over it.
+  /// Paints the parts of the image that lie over the rendered scene.
   void paintOver(QPainter& painter) const;
   void applyTheme();
   void retranslateUi();
@@ -157,18 +161,18 @@ private:
   void sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers);
 
   Scene3d scene_;
-  std::unique_ptr<ScenePicture> picture_; ///< after the scene: must go first
+  std::unique_ptr<ScenePicture> picture_; ///< after the scene: must be destroyed first
   TrackSnapshotPtr snapshot_;
   CameraHandles* handles_;
   CameraLabels labels_;
   SceneInset inset_;
   MapOverlay map_;
-  PersonBadges people_; ///< badges in the picture
+  PersonBadges people_; ///< badges in the image
   ViewButtons* buttons_;
   int chosenTarget_ = -1;
   bool placing_ = false;
   double floor_ = 0.0;
-  QPointF pressed_; ///< where the left button went down
+  QPointF pressed_; ///< position where the left button was pressed
   bool sceneStale_ = false;
 };
 

@@ -14,24 +14,24 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Handle of a camera that can be dragged: its position and a point it looks at, world coordinates
-/// in meters.
+/// Handle of a draggable camera: its position and a point it looks at, in world coordinates
+/// (meters).
 struct CameraHandle {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d target = Eigen::Vector3d::Zero();
 };
 
-/// Handles to drag cameras with the mouse in a picture of the scene; the selected camera also has a
-/// handle for the point it looks at.
+/// Handles for dragging cameras with the mouse in a rendered image of the scene. The selected
+/// camera also has a handle for the point it looks at.
 class CameraHandles : public QObject {
   Q_OBJECT
 public:
-  /// `view` must show the whole picture of `scene`.
+  /// `view` must show the whole rendered image of `scene`.
   CameraHandles(QWidget& view, Scene3d& scene);
 
-  /// Sets the handles; empty: no camera can be dragged.
+  /// Sets the handles. If the list is empty, no camera can be dragged.
   void set(std::vector<CameraHandle> handles, int chosen);
-  /// Starts dragging the handle at a position of the view; returns false if there is none.
+  /// Starts dragging the handle at a position in the view. Returns false if there is none.
   bool take(QPointF position);
   bool isHeld() const { return held_.has_value(); }
   void drag(QPointF position);
@@ -39,10 +39,10 @@ public:
   void paint(QPainter& painter) const;
 
 Q_SIGNALS:
-  /// A handle was pressed.
+  /// Emitted when a handle was pressed.
   void chosen(int camera);
-  /// A camera, or the point it looks at, is dragged to this world position (meters): in the plane
-  /// of a flat view, otherwise parallel to the picture.
+  /// Emitted while a camera, or the point it looks at, is dragged to this world position (meters).
+  /// The drag stays in the plane of a flat view; in the 3D view, it is parallel to the image plane.
   void dragged(int camera, const Eigen::Vector3d& center);
   void aimed(int camera, const Eigen::Vector3d& target);
   void dropped();

@@ -12,7 +12,7 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Names of the cameras beside their viewing pyramids.
+/// Camera names next to the viewing pyramids.
 class CameraLabels {
 public:
   explicit CameraLabels(const Scene3d& scene) : scene_(scene) {}
@@ -21,8 +21,8 @@ public:
     QString text;
     QRectF place; ///< view coordinates
   };
-  /// Returns the labels. They avoid all pyramids, the numbers on the floor and each other if there
-  /// is room. Cameras outside the picture have none.
+  /// Returns the labels. If there is room, they avoid all pyramids, the floor numbers and each
+  /// other. Cameras outside the rendered image have no labels.
   std::vector<Label> labels(const QWidget& view) const;
   void paint(QPainter& painter, const QWidget& view) const;
 

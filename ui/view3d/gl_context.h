@@ -8,8 +8,8 @@
 
 namespace dewpoint::ui {
 
-/// OpenGL context on an off-screen surface. Kept apart from the VTK code, because the OpenGL
-/// headers of Qt and of the VTK loader cannot be included together.
+/// OpenGL context on an off-screen surface. It is separate from the VTK code because the OpenGL
+/// headers of Qt and the VTK loader cannot be included together.
 class GlContext {
 public:
   GlContext();
@@ -20,12 +20,12 @@ public:
   /// Must be called once before the QApplication is created.
   static void prepareSurfaceFormat();
 
-  /// Creates the context and makes it current. Returns an empty text on success, otherwise a
+  /// Creates the context and makes it current. Returns an empty string on success, otherwise a
   /// message for users.
   std::string start();
   bool isCurrent() const;
-  /// Makes the context current only if it is not: a second call would bypass the state cache of VTK
-  /// and give empty pictures.
+  /// Makes the context current unless it already is. A second call would bypass VTK's state cache
+  /// and produce empty images.
   void makeCurrent();
   void doneCurrent();
 

@@ -13,20 +13,20 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Map of expected errors: the map in the scene, its legend over the picture, and its values as
-/// text.
+/// Map of expected errors: the map in the scene, its legend over the rendered image, and its values
+/// as text.
 class MapOverlay {
   Q_DECLARE_TR_FUNCTIONS(MapOverlay)
 public:
   explicit MapOverlay(Scene3d& scene) : scene_(scene) {}
 
-  /// Sets the map; null: none. Returns false if nothing changes.
+  /// Sets the map, or removes it if `map` is null. Returns false if nothing changes.
   bool set(std::shared_ptr<const RigMap> map, const MapLook& look);
   const RigMap* map() const { return map_.get(); }
   const MapLook& look() const { return look_; }
-  /// Updates the scene once, however many maps were set since the last update.
+  /// Updates the scene once, no matter how many maps were set since the last update.
   void updateScene();
-  /// Returns the value at a position of the view; empty outside the map.
+  /// Returns the map value at a position in the view, or an empty string outside the map.
   QString textAt(const ViewProjection& projection, QPointF position) const;
   void paintLegend(QPainter& painter, const QWidget& view) const;
 

@@ -15,8 +15,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Renders a VTK scene in its own OpenGL context, which belongs to no window, and returns pictures.
-/// Only for the GUI thread. Using it requires no VTK or OpenGL header.
+/// Renders a VTK scene in its own OpenGL context, which belongs to no window, and returns images.
+/// Use it only in the GUI thread. It requires no VTK or OpenGL headers.
 class OffscreenVtk {
 public:
   enum class Pointer {
@@ -36,15 +36,15 @@ public:
   OffscreenVtk(const OffscreenVtk&) = delete;
   OffscreenVtk& operator=(const OffscreenVtk&) = delete;
 
-  /// Creates the context; call it once. Returns false if OpenGL is not usable: `reason()` then
-  /// explains why, in English, and nothing else may be called.
+  /// Creates the context. Call it once. Returns false if OpenGL is not usable. `reason()` then
+  /// explains why, in English, and no other function may be called.
   bool start();
   const std::string& reason() const;
 
-  /// Renders one picture of this size in device pixels.
+  /// Renders one image of this size in device pixels.
   QImage render(QSize size);
 
-  /// Passes a mouse event to the trackball camera; `position` in device pixels from the top left
+  /// Passes a mouse event to the trackball camera. `position` is in device pixels from the top left
   /// corner.
   void pointer(Pointer what, QPoint position, bool shift, bool control);
   /// Called when the trackball has moved the camera.

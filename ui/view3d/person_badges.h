@@ -12,15 +12,16 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Badges with the numbers of people, above their heads in a picture of the scene.
+/// Numbered badges for people, above their heads in a rendered image of the scene.
 class PersonBadges {
 public:
-  /// Sets the people of the snapshot that the picture shows; null: none.
+  /// Sets the snapshot shown in the rendered image, which provides the people. Without a snapshot,
+  /// there are no badges.
   void setSnapshot(const TrackSnapshot* snapshot);
-  /// Returns the person whose badge or body is at a position of the view, as an index among the
-  /// targets; -1: none.
+  /// Returns the person whose badge or body is at a position in the view, as an index among the
+  /// targets, or -1 if there is none.
   int personAt(const ViewProjection& projection, QPointF position) const;
-  /// Draws the badges; the selected person (`chosen`, an index among the targets) is highlighted.
+  /// Draws the badges. The selected person (`chosen`, an index among the targets) is highlighted.
   void paint(QPainter& painter, const QWidget& view, const ViewProjection& projection,
              int chosen) const;
 

@@ -12,18 +12,18 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Inset that enlarges a particle cloud too small to see in the picture, in a corner of the view,
-/// with its 95 % ellipsoid and a scale bar.
+/// Inset in a corner of the view that enlarges a particle cloud that is too small to see, with its
+/// 95 % ellipsoid and a scale bar.
 class SceneInset {
 public:
   explicit SceneInset(const Scene3d& scene) : scene_(scene) {}
 
-  /// Sets the snapshot that the picture shows; null: none.
+  /// Sets the snapshot shown in the rendered image. May be null.
   void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
-  /// Returns the target that is enlarged: the selected one, else the first whose cloud is too small
-  /// to see; -1: none, or no room in the view.
+  /// Returns the enlarged target: the selected target, or else the first one whose cloud is too
+  /// small to see. Returns -1 if there is none or the view has no room.
   int target(const QWidget& view, int chosen) const;
-  /// Area of the inset, view pixels.
+  /// Returns the area of the inset in view pixels.
   static QRectF place(const QWidget& view);
   void paint(QPainter& painter, const QWidget& view, int chosen) const;
 

@@ -17,40 +17,43 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// The picture of a scene for a view, drawn at its own rate: at most about 15 times a second, and
-/// never for more than half of one processor's time. Without OpenGL there is none, and a reason.
+/// Rendered image of a scene for a view. It is drawn at its own rate: at most about 15 times per
+/// second, using at most half of the time of one processor. Without OpenGL, there is no image, and
+/// `failure()` gives the reason.
 class ScenePicture : public QObject {
   Q_OBJECT
 public:
   ScenePicture(Scene3d& scene, QWidget& view);
   ~ScenePicture() override;
 
-  /// Makes the OpenGL context and draws once, unseen: what the first picture would be waited for.
+  /// Creates the OpenGL context and renders once while hidden, so that the first visible image
+  /// appears without delay.
   void prepare();
-  /// It shows no more what it should: draws it soon, or when the view is shown.
+  /// Marks the image as outdated. It is redrawn soon, or when the view becomes visible.
   void request();
-  /// Draws it now.
+  /// Renders the image immediately.
   void render();
 
-  /// Null: there is none yet, or never.
+  /// Returns the image, or null if nothing has been rendered.
   const QImage& image() const { return image_; }
-  /// Whether it is of the view's size.
+  /// Returns whether the image has the size of the view.
   bool fits() const;
-  /// Whether it does not show all that was given last.
+  /// Returns whether the image is outdated.
   bool isStale() const { return stale_; }
   bool isUpToDate() const { return !stale_ && !timer_.isActive(); }
-  /// Why there is no 3D (known after the first attempt to draw); empty while there is.
+  /// Returns the reason why there is no 3D view, or an empty string if there is one. Known after
+  /// the first attempt to draw.
   const std::string& failure() const { return failure_; }
 
-  /// What the mouse does to the trackball camera; `position` in the view.
+  /// Passes a mouse event to the trackball camera. `position` is in view coordinates.
   void movePointer(OffscreenVtk::Pointer what, QPointF position, bool shift);
 
 Q_SIGNALS:
-  /// It is drawn next: the scene has to be up to date.
+  /// Emitted before the image is rendered. The scene must be updated now.
   void drawing();
-  /// It is new.
+  /// Emitted after the image was rendered.
   void drawn();
-  /// There is no usable OpenGL.
+  /// Emitted if there is no usable OpenGL.
   void unavailable();
 
 private:
@@ -64,7 +67,7 @@ private:
   std::string failure_;
   QTimer timer_;
   QElapsedTimer sinceDrawn_;
-  qint64 costMs_ = 0; ///< of the last one
+  qint64 costMs_ = 0; ///< duration of the last rendering
   bool started_ = false;
   bool stale_ = true;
 };

@@ -8,14 +8,14 @@
 
 namespace dewpoint::ui {
 
-/// A position in the tail of a target, meters.
+/// Position in a target's tail, meters.
 struct TailPosition {
   int target = -1;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The position in any tail that is seen nearest to a position of the picture, within `reach`; all
-/// in device pixels right of and above the center.
+/// Returns the position in any tail that is closest to a position in the rendered image, within
+/// `reach`. Distances and positions are in device pixels, to the right of and above the center.
 std::optional<TailPosition> nearestInTails(const TrackSnapshot& snapshot, const Scene3d& scene,
                                            const Eigen::Vector2d& position, double reach);
 

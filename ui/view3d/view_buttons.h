@@ -13,8 +13,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Buttons in a corner of the picture that select the view (3D, top, front), and a button that fits
-/// it to everything.
+/// Buttons in a corner of the view that select the viewing direction (3D, top, front), and a button
+/// that fits the view to the whole scene.
 class ViewButtons : public QObject {
   Q_OBJECT
 public:

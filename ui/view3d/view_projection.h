@@ -8,24 +8,24 @@
 
 namespace dewpoint::ui {
 
-/// Converts between positions in a widget that shows the whole picture of a scene, and positions in
-/// the scene.
+/// Converts between positions in a scene and positions in a widget that shows the whole rendered
+/// image.
 class ViewProjection {
 public:
   ViewProjection(const QWidget& view, const Scene3d& scene) : view_(view), scene_(scene) {}
 
-  /// Position of a world point (meters) in the widget, pixels.
+  /// Returns the widget position (pixels) of a world point (meters).
   QPointF inWidget(const Eigen::Vector3d& point) const {
     return inWidget(scene_.placeInPicture(point));
   }
-  /// Position in the widget of a position in the picture: device pixels to the right of and above
-  /// the center.
+  /// Returns the widget position of a position in the rendered image, given in device pixels to the
+  /// right of and above the center.
   QPointF inWidget(const Eigen::Vector2d& picture) const {
     const Eigen::Vector2d place = picture / view_.devicePixelRatioF();
     return {view_.width() / 2.0 + place.x(), view_.height() / 2.0 - place.y()};
   }
-  /// Position in the picture of a widget position: device pixels to the right of and above the
-  /// center.
+  /// Returns the position in the rendered image of a widget position: device pixels to the right of
+  /// and above the center.
   Eigen::Vector2d inPicture(QPointF position) const {
     const QPointF middle(view_.width() / 2.0, view_.height() / 2.0);
     const QPointF offset = (position - middle) * view_.devicePixelRatioF();

@@ -9,8 +9,9 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Creates a button that triggers an action and shows its icon and hint while both exist; it is
-/// enabled and checked like the action. The caller sets its text, which is shorter than in a menu.
+/// Creates a button that triggers an action and shows its icon and hint while both exist. The
+/// button follows the action's enabled and checked states. The caller sets its text, which is
+/// shorter than the menu text.
 QToolButton* makeActionButton(const char* name, QAction* action, QWidget* parent);
 
 } // namespace dewpoint::ui

@@ -14,13 +14,15 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Creates a combo box with this object name that may be narrower than its longest text.
+/// Creates a combo box with this object name. It may be narrower than its longest text.
 QComboBox* makeChoice(const char* name, QWidget* parent);
 
-/// Gives a choice other texts without emitting signals; the same row stays chosen, or the first.
+/// Replaces the texts of a combo box without emitting signals. Keeps the selected row if it still
+/// exists; otherwise selects the last row.
 void setChoices(QComboBox& box, const QStringList& texts);
-/// The same of texts with data.
+/// Texts with associated data, for a combo box.
 using ChoicesWithData = std::vector<std::pair<QString, QVariant>>;
+/// Replaces the texts and data of a combo box in the same way as `setChoices()`.
 void setChoicesWithData(QComboBox& box, const ChoicesWithData& choices);
 
 } // namespace dewpoint::ui

@@ -11,8 +11,8 @@ class QVBoxLayout;
 
 namespace dewpoint::ui {
 
-/// Section of a form under a heading that opens and closes it, with a dot if something inside
-/// deserves notice. Closed at first. The texts keep the language in which it was created.
+/// Form section under a heading that opens and closes it. The heading has a dot if something inside
+/// needs attention. Initially closed. The texts keep the language in which the section was created.
 class CollapsibleSection : public QWidget {
   Q_OBJECT
 public:
@@ -22,11 +22,11 @@ public:
   void addWidget(QWidget* widget);
   bool isOpen() const;
   void setOpen(bool open);
-  /// Shows a dot behind the heading, with a hint; an empty hint removes it.
+  /// Shows a dot after the heading, with a hint. An empty hint removes the dot.
   void setMark(const QString& hint);
 
 Q_SIGNALS:
-  /// The user opened or closed the section.
+  /// Emitted when the user opens or closes the section.
   void openedByUser(bool open);
 
 private:

@@ -8,7 +8,8 @@
 namespace dewpoint::ui {
 
 /// Number field in the format of the selected language. It accepts a point or a comma as decimal
-/// separator and shows at once how the input is read. Thousands are not grouped.
+/// separator and immediately shows how the input is interpreted. It does not use thousands
+/// separators.
 class DecimalField : public QDoubleSpinBox {
 public:
   using QDoubleSpinBox::QDoubleSpinBox;

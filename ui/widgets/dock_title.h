@@ -14,28 +14,28 @@ namespace dewpoint::ui {
 class ElidedLabel;
 
 /// Title of a dock: its name, the state of its content (word, shape and color), and a button to
-/// float it. A double click maximizes it; a button with a text then restores the other views.
+/// float it. A double click maximizes the dock; a text button then restores the other views.
 class DockTitle : public QWidget {
   Q_OBJECT
 public:
   explicit DockTitle(QDockWidget* dock);
 
-  /// Sets whether the name is shown; it is not if a tab above shows it.
+  /// Sets whether the name is shown. It is hidden if a tab above already shows it.
   void setNameShown(bool shown);
   void setState(HoldState state);
-  /// Sets the reason for the state, in a few words; empty: none.
+  /// Sets the reason for the state, in a few words. An empty string removes it.
   void setReason(const QString& reason);
-  /// Sets a reason that replaces the state, in the color of a target that is not seen.
+  /// Sets a reason that replaces the state, in the color used for a target that is not seen.
   void setReasonAlone(const QString& reason);
-  /// Adds a widget (a small tool button) before the float button.
+  /// Adds a widget (a small tool button) before the button that floats the dock.
   void addTool(QWidget* tool);
   /// Sets whether the dock fills the window.
   void setMaximized(bool maximized);
 
 Q_SIGNALS:
-  /// The user wants to maximize the dock or restore the other views.
+  /// Emitted when the user wants to maximize the dock or restore the other views.
   void maximizeWanted();
-  /// The user wants to float the dock or put it back.
+  /// Emitted when the user wants to float the dock or put it back.
   void floatWanted();
 
 protected:

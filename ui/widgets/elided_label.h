@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Line of text that uses the available width. Text that does not fit is cut at its end with an
-/// ellipsis; the tooltip shows all of it.
+/// Single line of text that uses the available width. Text that does not fit is truncated at its
+/// end with an ellipsis; the tooltip shows the full text.
 class ElidedLabel : public QLabel {
 public:
   explicit ElidedLabel(QWidget* parent = nullptr);

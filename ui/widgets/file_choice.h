@@ -10,13 +10,16 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-// File dialogs that start in the folder used last, and save their own. They return an empty result
-// if nothing was selected.
+// File dialogs that start in the folder used last and remember the folder of the selected file.
+// They return an empty result if nothing was selected.
 
+/// Asks for an existing file.
 QString askForFile(QWidget* parent, const QString& title, const QString& filter);
+/// Asks for one or more existing files.
 QStringList askForFiles(QWidget* parent, const QString& title, const QString& filter);
+/// Asks for an existing folder.
 QString askForFolder(QWidget* parent, const QString& title);
-/// `proposed`: a name, or a file with its folder.
+/// Asks for a file to save to. `proposed` is a file name, with or without a folder.
 QString askForFileToSave(QWidget* parent, const QString& title, const QString& proposed,
                          const QString& filter);
 

@@ -10,9 +10,9 @@
 
 namespace dewpoint::ui {
 
-/// Color ring of hues that shows a range as an arc. Its ends and the whole arc can be dragged; with
-/// the keyboard, Tab selects an end or the arc and the arrows move it. Degrees, 0 to 360; if from >
-/// to, the range wraps through red.
+/// Color ring of hues that shows a range as an arc. The user can drag the ends or the whole arc.
+/// With the keyboard, Tab selects an end or the arc and the arrow keys move it. Values are in
+/// degrees, 0 to 360. If from > to, the range wraps through red.
 class HueRing : public QWidget {
   Q_OBJECT
 public:
@@ -21,8 +21,8 @@ public:
   void setRange(double from, double to);
   double from() const { return from_; }
   double to() const { return to_; }
-  /// Sets the frequency of each hue in the image, in equal bins from 0 degrees on; drawn inside the
-  /// ring.
+  /// Sets the frequency of each hue in the image, in equal bins starting at 0 degrees. It is drawn
+  /// inside the ring.
   void setHistogram(std::vector<double> counts);
 
   QSize sizeHint() const override { return {200, 200}; }
@@ -30,7 +30,7 @@ public:
 
 Q_SIGNALS:
   void rangeEdited(double from, double to);
-  /// A drag has ended; the next change is a new step.
+  /// Emitted when a drag has ended. The next change is a new undo step.
   void editingFinished();
 
 protected:

@@ -19,40 +19,40 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// Importance of a message; each has a word, a color and a shape.
+/// Severity of a message. Each has a word, a color and a shape.
 enum class Severity { Information, Warning, Error };
 
 /// Message strip across the window (MessageRow) with one sentence: an error, a notice, or a
-/// question with answers. It blocks nothing. A notice disappears once there was time to read it;
-/// others stay until closed, answered or replaced. When the user answers or closes it, the keyboard
-/// focus returns to where it was before.
+/// question with answers. It does not block the window. A notice disappears once there was time to
+/// read it. Other messages stay until closed, answered or replaced. When the user answers or closes
+/// a message, the keyboard focus returns to where it was before.
 class MessageBar : public QFrame {
   Q_OBJECT
 public:
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showError(const QString& text);
-  /// Shows a message that needs attention; it stays until closed.
+  /// Shows a message that needs attention. It stays until closed.
   void showWarning(const QString& text);
   void showNotice(const QString& text);
   /// Answer to a question: its text, and the function it calls.
   using Answer = std::pair<QString, std::function<void()>>;
-  /// Asks a question; closing the bar gives no answer.
+  /// Asks a question. Closing the bar gives no answer.
   void ask(const QString& question, const std::vector<Answer>& answers);
-  /// Asks a question, and again after another message that replaced it is gone, until it is
-  /// answered or closed.
+  /// Asks a question until it is answered or closed. If another message replaces it, the question
+  /// is asked again when that message is gone.
   void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
   QString text() const;
   /// Removes the current message.
   void dismiss();
-  /// Removes an outdated message after other work has begun: an error or warning, and with
-  /// `notices` also a notice. Questions stay.
+  /// Removes an outdated error or warning after other work has begun. If `notices` is true, also
+  /// removes a notice. Questions stay.
   void forget(bool notices);
-  /// Last messages of this window, oldest first, each with its time.
+  /// Returns the last messages in this window, oldest first, each with its time.
   const QStringList& recent() const { return recent_; }
 
 protected:
-  void enterEvent(QEnterEvent* event) override; ///< keeps the message while the pointer is on it
+  void enterEvent(QEnterEvent* event) override; ///< keeps the message while the pointer is over it
   void leaveEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override; ///< Esc closes it
@@ -73,13 +73,13 @@ private:
   QTimer* leave_;
   std::vector<QPushButton*> answers_;
   Severity severity_ = Severity::Information;
-  QPointer<QWidget> focusBefore_; ///< widget that had the keyboard focus before a part of the bar
+  QPointer<QWidget> focusBefore_; ///< widget that had the keyboard focus before the bar got it
   QStringList recent_;
   struct Question {
     QString text;
     std::vector<Answer> answers;
   };
-  std::optional<Question> pending_; ///< question still to be answered
+  std::optional<Question> pending_; ///< question that still needs an answer
   bool showsPending_ = false;
 };
 

@@ -9,9 +9,9 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Row under the toolbar for messages. It pushes the views down and covers nothing; without a
-/// message it has no height. It is a toolbar, so that the window gives it a row, and always shown,
-/// so that restoring a layout neither shows nor hides a message.
+/// Row under the toolbar for messages. A message pushes the views down and covers nothing; without
+/// a message, the row has no height. It is a toolbar so that the window gives it a row. It is
+/// always shown, so that restoring a layout neither shows nor hides a message.
 class MessageRow : public QToolBar {
   Q_OBJECT
 public:
@@ -22,7 +22,7 @@ public:
   QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-  /// The height is about to change.
+  /// Emitted when the height is about to change.
   void heightChanging();
   void heightChanged();
 

@@ -6,8 +6,8 @@
 
 namespace dewpoint::ui {
 
-/// Sets the object name of a new widget, by which style sheets and tests find it, and returns the
-/// widget.
+/// Sets the object name of a new widget and returns the widget. Style sheets and tests find the
+/// widget by this name.
 template <class Widget> Widget* named(Widget* widget, const char* name) {
   widget->setObjectName(QLatin1String(name));
   return widget;

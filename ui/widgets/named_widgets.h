@@ -10,14 +10,14 @@
 
 namespace dewpoint::ui {
 
-/// Creates a button with an object name; its texts are set with the language.
+/// Creates a button with an object name. Its texts are set when the language is set.
 inline QPushButton* makeButton(const char* name, QWidget* parent) {
   auto* button = new QPushButton(parent);
   button->setObjectName(QLatin1String(name));
   return button;
 }
 
-/// Returns a square icon of one color, for lists. `size`: pixels.
+/// Returns a square single-color icon for lists. `size` is in pixels.
 inline QIcon colorChip(const QColor& color, int size) {
   QPixmap pixmap(size, size);
   pixmap.fill(color);

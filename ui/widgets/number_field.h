@@ -11,8 +11,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Bounds, step and number of decimals of a number field. The field shows a unit, has tabular
-/// digits, is right-aligned, and reports a value only when editing ends or it is stepped.
+/// Bounds, step and number of decimals for a number field. The field shows a unit, has tabular
+/// digits, is right-aligned, and reports a value only when editing ends or a step is made.
 struct NumberRange {
   double low = -1e4;
   double high = 1e4;

@@ -7,15 +7,15 @@
 
 namespace dewpoint::ui {
 
-/// Field for a path or an address. While it is not edited, text that does not fit is cut at its
-/// beginning with an ellipsis, because files differ at the end. The tooltip then starts with the
-/// full text.
+/// Field for a path or an address. While it is not edited, text that does not fit is truncated at
+/// its beginning with an ellipsis, because paths usually differ at the end. The tooltip then starts
+/// with the full text.
 class PathField : public QLineEdit {
   Q_OBJECT
 public:
   using QLineEdit::QLineEdit;
 
-  /// Text shown while the field is not edited.
+  /// Returns the text shown while the field is not edited.
   QString shownText() const;
 
 protected:

@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// Bar from 0 to 1 that shows a range, with the histogram of the image behind it. Its ends and the
-/// whole range can be dragged; with the keyboard, Tab selects a part and the arrows move it.
+/// Bar from 0 to 1 that shows a range, with the image histogram behind it. The user can drag the
+/// ends or the whole range. With the keyboard, Tab selects a part and the arrow keys move it.
 class RangeBar : public QWidget {
   Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
 
 Q_SIGNALS:
   void rangeEdited(double from, double to);
-  /// A drag has ended; the next change is a new step.
+  /// Emitted when a drag has ended. The next change is a new undo step.
   void editingFinished();
 
 protected:

@@ -9,11 +9,11 @@ class QSpinBox;
 
 namespace dewpoint::ui {
 
-/// Asks for the number of threads of the filter, and stores it in the preferences.
+/// Asks for the number of filter threads and stores it in the preferences.
 class ThreadCountDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `most`: number of threads that this machine runs at once.
+  /// `most` is the number of threads that this machine runs simultaneously.
   explicit ThreadCountDialog(int most, QWidget* parent = nullptr);
 
 private:

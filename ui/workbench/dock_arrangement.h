@@ -13,29 +13,30 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// The arrangement that the window begins with: where each dock stands, and which sizes suit the
-/// window. It moves the docks when DockManager calls it.
+/// Default arrangement of the docks in the window: the position of each dock, and the sizes that
+/// suit the window. It moves the docks when DockManager calls it.
 class DockArrangement {
 public:
   DockArrangement(QMainWindow& window, const Document& document)
       : window_(window), document_(document) {}
 
-  /// All docks there are, in the order of the window's children.
+  /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const;
-  /// Those of one place, by rank.
+  /// Returns the docks at one position, ordered by rank.
   std::vector<ViewDock*> at(DockPlace place) const;
-  /// Null: there is none.
+  /// Returns the first dock at a position, or null if there is none.
   ViewDock* first(DockPlace place) const;
 
-  /// Takes all docks out of the window and puts them where they belong.
+  /// Removes all docks from the window and adds them at their default positions.
   void place();
-  /// In how many columns the cameras stand; 0: not placed yet.
+  /// Returns the number of columns of camera views, or 0 if they have not been placed yet.
   int cameraColumns() const { return cameraColumns_; }
-  /// With the next place().
+  /// Sets the number of columns that the next `place()` uses.
   void setCameraColumns(int columns) { cameraColumns_ = columns; }
-  /// The columns in which the images are largest; without cameras those they have.
+  /// Returns the number of columns with the largest images. Without cameras, returns the current
+  /// number.
   int bestCameraColumns() const;
-  /// Gives the docks the sizes that suit the window; the cameras stand in the best columns.
+  /// Resizes the docks to suit the window. The camera views must already be in the best columns.
   void distributeSizes();
 
 private:

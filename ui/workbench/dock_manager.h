@@ -19,9 +19,9 @@ class DockNames;
 class Document;
 class SessionController;
 
-/// Docks of the window: creates and arranges them, maximizes and restores one, hides all while a
-/// page fills the center of the window, and stores their layout in the document. Until the user
-/// rearranges them, they are arranged to suit the size of the window.
+/// Manages the docks in the window: creates and arranges them, maximizes and restores one, hides
+/// all while a page fills the center of the window, and stores their layout in the document. Until
+/// the user rearranges them, they are arranged to suit the window size.
 class DockManager : public QObject {
   Q_OBJECT
 public:
@@ -32,52 +32,54 @@ public:
   ViewDock* make(const DockDeclaration& declaration);
   /// Removes a dock and its view from the window permanently.
   void remove(ViewDock* dock);
-  /// All there are, in the order of the window's children.
+  /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const { return arrangement_.docks(); }
-  /// Whether a widget is in a dock of which nothing is seen.
+  /// Returns whether a widget is in a dock of which no part is visible.
   static bool isBehind(const QWidget* widget);
 
-  /// Applies the default arrangement, then the one of the document if it has one.
+  /// Applies the default arrangement, followed by the document's layout if it has one.
   void layOut();
-  /// Restores the default arrangement, also of hidden camera views, and drops that of the document.
+  /// Restores the default arrangement, including hidden camera views, and discards the document's
+  /// layout.
   void reset();
   /// Resizes the views to suit the window once the layout has settled; does nothing if the user has
   /// rearranged them.
   void distributeDockSizesSoon();
-  /// Call with `kept` true before the height above the views changes, and with false afterwards:
-  /// the images take or give the room, and the docks below them keep their heights.
+  /// Call this with `kept` true before the height above the views changes, and with false
+  /// afterward. The images then shrink or grow, and the docks below them keep their heights.
   void keepHeightsBelow(bool kept);
-  /// Stores the layout of all views in the document, also while one is maximized or a page hides
+  /// Stores the layout of all views in the document, even while one is maximized or a page hides
   /// them.
   void storeLayout();
 
   /// Shows the views, or the page in the center of the window.
   void showViews(bool shown);
-  /// Drops the layout saved behind a page, because the views of another project follow.
+  /// Discards the layout saved while a page hides the views, because another project's views
+  /// follow.
   void forgetLayoutBehindPages() { layoutBehindPages_.clear(); }
 
-  /// Maximizes a dock, or restores all views; docks a floating dock again.
+  /// Maximizes a dock, or restores all views. A floating dock is docked again.
   void toggleMaximized(ViewDock* dock);
   void restoreMaximized();
-  /// Dock that fills the window; null if none does.
+  /// Returns the dock that fills the window, or null if there is none.
   ViewDock* maximized() const { return maximized_; }
 
 Q_SIGNALS:
   void made(ViewDock* dock);
-  /// The docks have been arranged again; modes of the window show theirs.
+  /// Emitted when the docks have been arranged again. Window modes then show their docks.
   void laidOut();
-  /// The views or the page are about to be shown, and have been shown.
+  /// Emitted before (`viewsShowing`) and after (`viewsShown`) the views or the page are shown.
   void viewsShowing(bool shown);
   void viewsShown(bool shown);
 
 protected:
-  /// Handles events of the window: resizing, dragging a separator, and Esc, which restores all
-  /// views.
+  /// Handles window events: resizing, dragging a separator, and Esc, which restores all views.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   void arrange();
-  /// Arranges the cameras in this number of columns; docks that are hidden or in front stay so.
+  /// Arranges the cameras in this number of columns. Hidden docks stay hidden, and docks in front
+  /// stay in front.
   void rearrange(int columns);
   void distributeDockSizes();
   QByteArray save() const;
@@ -90,14 +92,14 @@ private:
   const SessionController& session_;
   DockNames* names_;
   DockArrangement arrangement_;
-  bool suitsSize_ = true;    ///< nobody has arranged the views otherwise
-  bool arranging_ = false;   ///< what moves now, nobody has moved
-  bool separator_ = false;   ///< the pointer was pressed on one
-  int adjustments_ = 0;      ///< so often are sizes given soon
-  HeldHeights heightsBelow_; ///< of what lies below, while messages come and go
+  bool suitsSize_ = true;    ///< the user has not rearranged the views
+  bool arranging_ = false;   ///< docks are being moved by the program, not by the user
+  bool separator_ = false;   ///< the pointer was pressed on a separator
+  int adjustments_ = 0;      ///< remaining number of times to set the sizes
+  HeldHeights heightsBelow_; ///< heights of the lower docks while messages come and go
   ViewDock* maximized_ = nullptr;
   QByteArray layoutBeforeMaximized_;
-  /// Docks, and whether they were hidden, when one was maximized.
+  /// Docks when one was maximized, and whether each was hidden.
   std::vector<std::pair<ViewDock*, bool>> hiddenBeforeMaximized_;
   QByteArray layoutBehindPages_; ///< layout of the views while a page hides them
 };

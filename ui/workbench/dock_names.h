@@ -17,7 +17,7 @@ class DockNames : public QObject {
 public:
   DockNames(QMainWindow& window, QObject* parent);
 
-  /// Handles a dock from now on.
+  /// Starts to manage where the name of this dock is shown.
   void follow(ViewDock* dock);
   /// Updates all docks once the layout has settled.
   void showSoon();

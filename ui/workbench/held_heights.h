@@ -15,18 +15,18 @@ class QMainWindow;
 namespace dewpoint::ui {
 
 /// Keeps the heights of the docks at the bottom of a window while the height above them changes, so
-/// that only the views between shrink and grow. It keeps the same heights until they are forgotten,
-/// so that rounding in the layout of the window does not accumulate.
+/// that only the views in between shrink and grow. The same heights are kept until they are
+/// forgotten, so that rounding in the window layout does not accumulate.
 class HeldHeights : public QObject {
   Q_OBJECT
 public:
   explicit HeldHeights(QMainWindow& window, QObject* parent = nullptr);
 
-  /// Forgets the heights, after the docks were rearranged.
+  /// Forgets the heights after the docks were rearranged.
   void forget() { heights_.clear(); }
   /// Fixes the heights of the docks until `release()`.
   void hold();
-  /// Updates the layout of the window and releases the heights.
+  /// Updates the window layout and releases the heights.
   void release();
 
 private:

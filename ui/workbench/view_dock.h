@@ -14,7 +14,7 @@ class DockTitle;
 
 /// Position of a dock in the default arrangement.
 enum class DockPlace {
-  Cameras,   ///< on the left, in the number of columns that keeps the images nearly square
+  Cameras,   ///< on the left, in the number of columns that makes the images largest
   Scene,     ///< to the right of the cameras
   Inspector, ///< tabs at the right edge
   History,   ///< below the inspector
@@ -22,19 +22,19 @@ enum class DockPlace {
   Timeline   ///< below the plots
 };
 
-/// Declares one dock.
+/// Declaration of one dock.
 struct DockDeclaration {
   QString name;                   ///< objectName, used in saved layouts
   std::function<QString()> title; ///< called again when the language changes
   QWidget* content;
   DockPlace place = DockPlace::Inspector;
-  int rank = 100;              ///< order among the docks at this position; the lowest comes first
-  bool hiddenAtFirst = false;  ///< until the user opens it
+  int rank = 100;              ///< order among the docks at this position, lowest first
+  bool hiddenAtFirst = false;  ///< hidden until the user opens it
   bool openedByAction = false; ///< an action shows it, so the palette lists the action instead
 };
 
-/// Dock of the window with the common title. Besides the state of Qt, it knows whether the user hid
-/// it and whether it lies behind another tab.
+/// Dock in the window with the common title. In addition to Qt's state, it stores whether the user
+/// hid it and whether it is behind another tab.
 class ViewDock : public QDockWidget {
   Q_OBJECT
 public:
@@ -44,28 +44,29 @@ public:
   DockPlace place() const { return place_; }
   int rank() const { return rank_; }
   bool isOpenedByAction() const { return openedByAction_; }
-  /// Whether the user or the method hid it; it is then not shown with the other views.
+  /// Returns whether the user or the method hid the dock. Such a dock is not shown with the other
+  /// views.
   bool isHiddenByUser() const { return hiddenByUser_; }
   void setHiddenByUser(bool hidden) { hiddenByUser_ = hidden; }
-  /// Shows or hides the dock, and stores that as the choice of the user.
+  /// Shows or hides the dock, and stores this as the user's choice.
   void setWanted(bool wanted);
-  /// Whether nothing of it is visible, because it lies behind another tab or is hidden.
+  /// Returns whether no part of the dock is visible, because it is behind another tab or hidden.
   bool isBehind() const { return behind_; }
-  /// Shows the dock in front of its tabs, and marks it as wanted.
+  /// Shows the dock in front of its tabs, and stores this as the user's choice.
   void bringToFront();
-  /// Moves the dock into its own window, beside its former position and in front, or puts it back.
+  /// Moves the dock into its own window, next to its former position and in front, or puts it back.
   void toggleFloating();
 
 protected:
-  /// Gives a view that was dragged out of the window its frame where it is dropped.
+  /// Adds the window frame to a view when it is dropped outside the window.
   bool event(QEvent* event) override;
   /// Hides the dock when the user closes its window.
   void closeEvent(QCloseEvent* event) override;
 
 Q_SIGNALS:
-  /// The user wants to maximize this dock or restore the other views.
+  /// Emitted when the user wants to maximize this dock or restore the other views.
   void maximizeWanted();
-  /// The user hid or showed the dock in the list of views.
+  /// Emitted when the user hides or shows the dock in the list of views.
   void toggledByUser(bool shown);
 
 private:

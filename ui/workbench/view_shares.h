@@ -17,12 +17,12 @@ namespace dewpoint::ui {
 
 class ViewDock;
 
-/// Sizes for each kind of view in a window of its size, with priority for images. Pixels.
+/// Sizes of each kind of view for a given window size, in pixels. Images have priority.
 struct ViewShares {
   QSize cameras;           ///< maximum size of all camera views together
   int leastForCameras = 0; ///< minimum width for two or more cameras
   int inspector = 0;       ///< width
-  int scene = 0;           ///< width of the scene; 0: it is hidden
+  int scene = 0;           ///< width of the scene; 0 if it is hidden
   int plots = 0;           ///< height
   int timeline = 0;        ///< height
 };
@@ -30,12 +30,13 @@ struct ViewShares {
 /// Approximate width of the separator between two docks, pixels.
 inline constexpr int kDockSeparator = 6;
 
-/// Returns the sizes for a window. `inspectors`: all docks at that position; the widest visible one
-/// counts.
+/// Returns the sizes for a window. `inspectors` are all docks at that position; the widest visible
+/// one counts.
 ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
                         const ViewDock& scene, const ViewDock& timeline);
 
-/// Width / height of the images of each camera, as far as known.
+/// Returns the image aspect ratio (width / height) of each camera, or a usual ratio if it is
+/// unknown.
 std::vector<double> imageAspectsOf(const project::Project& project, std::size_t cameras);
 
 } // namespace dewpoint::ui

@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Calls `show` with the volume of interest to show, now and after every change, while `view`
-/// exists: the volume of the project, or nothing if its method does not use one or the layer is
+/// Calls `show` with the volume of interest, now and after every change, while `view` exists. The
+/// argument is the project's volume, or nothing if the method does not use one or the layer is
 /// switched off.
 void connectVolume(const Workbench& bench, QObject* view,
                    const std::function<void(const std::optional<WorldBox>&)>& show);

@@ -20,15 +20,15 @@ class MessageBar;
 class Selection;
 class TargetListModel;
 
-/// Shared parts of the window that views and features are installed into. A feature takes it in its
-/// constructor (or in an install function), creates its dock, connects its actions and subscribes
-/// to snapshots. No other part of the window knows about the feature.
+/// Shared parts of the window that views and features are installed with. A feature receives them
+/// in its constructor or install function, creates its dock, connects its actions and subscribes to
+/// snapshots. No other part of the window knows about the feature.
 struct Workbench {
   QMainWindow& window; ///< parent of docks, views and dialogs
   ActionRegistry& actions;
   Document& document;
-  CameraListModel& cameras; ///< cameras of the document, for all lists of cameras
-  TargetListModel& targets; ///< targets of the document, for all lists of targets
+  CameraListModel& cameras; ///< document cameras, for all lists of cameras
+  TargetListModel& targets; ///< document targets, for all lists of targets
   Selection& selection;
   SessionController& session;
   DockManager& docks;
@@ -46,12 +46,12 @@ struct Workbench {
   /// Shows a dialog in front of the window.
   static void present(QWidget* dialog);
 
-  /// Connects a view to the snapshots: its setSnapshot(const TrackSnapshotPtr&) is called with each
-  /// one, and with null when there is nothing to show.
+  /// Connects a view to the snapshots. Its setSnapshot(const TrackSnapshotPtr&) is called with each
+  /// snapshot, and with null when there is nothing to show.
   template <class View> void connectView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view, &View::setSnapshot);
   }
-  /// Connects a view of images in the same way; live cameras that are late keep their last image.
+  /// Connects a view of images in the same way. Delayed live cameras keep their last image.
   template <class View> void connectImageView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view,
                      [view, run = &session](const TrackSnapshotPtr& snapshot) {

@@ -15,13 +15,13 @@ class BoardCalibrator;
 class BoardForm;
 class BoardLive;
 
-/// Page of the calibration dock for calibrating with a printed board.
+/// Calibration dock page for calibrating with a printed board.
 class BoardCalibrationPage : public QWidget {
   Q_OBJECT
 public:
   explicit BoardCalibrationPage(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
-  /// Asks the user for a file and writes the board to it as a PDF.
+  /// Asks the user for a file and writes the board to it as PDF.
   void print();
 
 private:

@@ -18,17 +18,18 @@ class Document;
 struct BoardPreferences;
 class BackgroundJob;
 
-/// Calibration with a board. Holds the settings of the user, searches a recording for the board or
-/// guides the user in front of live cameras, and applies the result as one step of the document.
+/// Board calibration. Holds the user's settings, searches a recording for the board or guides the
+/// user in front of live cameras, and applies the result as one step of the document.
 class BoardCalibrator : public QObject {
   Q_OBJECT
 public:
-  /// Opens the recording of the document a second time; called in another thread.
+  /// Opens the recording of the document a second time. Called from another thread.
   using Opener = std::function<Result<SessionInputs>(const SessionRequest&)>;
   BoardCalibrator(Document& document, Opener open, QObject* parent = nullptr);
   ~BoardCalibrator() override;
 
-  /// Settings, saved in the preferences except for the frame of the floor.
+  /// Returns the settings. All are saved in the preferences except the frame in which the board
+  /// lies on the floor.
   const BoardGuideRequest& request() const { return request_; }
   void setRequest(const BoardGuideRequest& request);
   const Project& project() const;
@@ -37,19 +38,20 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   bool isLive() const { return live_; }
-  /// Number of the frame shown; -1 before the first one.
+  /// Returns the number of the frame shown, or -1 before the first frame.
   qint64 shownFrame() const { return shownFrame_; }
 
-  // A recording.
+  // Calibration from a recording.
   void calibrate();
   void cancel();
-  /// Whether a computation is running: on a recording, or on the views of live cameras.
+  /// Returns whether a computation is running, either on a recording or on views from live cameras.
   bool isComputing() const;
-  /// Whether the recording is still being searched for the board, before solving starts.
+  /// Returns whether the recording is still being searched for the board. Solving starts after the
+  /// search.
   bool isLooking() const { return *looking_; }
 
   // Live cameras.
-  void start(); ///< starts the guidance, or starts it over
+  void start(); ///< starts or restarts the guidance
   void stop();
   bool isWatching() const { return watching_; }
   void captureNow() { watch_->captureNow(); }
@@ -57,32 +59,32 @@ public:
   void goOn() { watch_->goOn(); }
   /// Calibrates from the views captured so far and ends the guidance.
   void finish();
-  /// Newest state of the guidance; never null.
+  /// Returns the newest state of the guidance; never null.
   BoardGuideStatePtr guide() const { return watch_->newest(); }
-  /// Whether any view has been captured.
+  /// Returns whether any view has been captured.
   bool hasViews() const;
 
   // The result.
-  /// The last calibration; null before the first one and after a failure.
+  /// Returns the last calibration, or null before the first one and after a failure.
   std::shared_ptr<const BoardOutcome> outcome() const { return outcome_; }
-  /// One sentence that explains why the last calibration failed.
+  /// Returns one sentence that explains why the last calibration failed.
   const QString& failure() const { return failure_; }
-  /// Whether the cameras of the project are those of the outcome.
+  /// Returns whether the project's cameras are those of the outcome.
   bool isApplied() const;
   void apply();
-  /// Writes the HTML report in another thread; `saved()` or `failed()` follows.
+  /// Writes the HTML report in another thread; emits `saved()` or `failed()` afterwards.
   void saveReport(const QString& file);
-  /// Writes the board as a PDF in another thread; `saved()` or `failed()` follows.
+  /// Writes the board as PDF in another thread; emits `saved()` or `failed()` afterwards.
   void printBoard(const QString& paper, const QString& file);
 
 Q_SIGNALS:
   void requestChanged();
   void changed(); ///< anything else has changed
   void guideChanged();
-  void progressChanged(double part); ///< 0 to 1; negative: unknown
+  void progressChanged(double part); ///< 0 to 1; negative if unknown
   void calibrated();                 ///< the computation has ended, with or without a result
   void playWanted();                 ///< live images are needed
-  void boardShown(bool shown);       ///< whether the board is now being shown to live cameras
+  void boardShown(bool shown);       ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
   void failed(const QString& sentence);
 
@@ -106,12 +108,12 @@ private:
   FrameSetPtr shownToWatch_;
   std::shared_ptr<const BoardOutcome> outcome_;
   QString failure_;
-  bool forgotten_ = false; ///< the running computation belongs to an earlier project
+  bool forgotten_ = false; ///< the running computation belongs to a previous project
   std::shared_ptr<std::atomic<bool>> looking_;
-  BackgroundJob* job_; ///< child of the calibrator; ends with it
+  BackgroundJob* job_; ///< child of the calibrator, which deletes it
   BackgroundJob* writer_;
-  JobMailbox mailbox_; ///< results from the thread of the watch
-  /// its thread may end after the window closes
+  JobMailbox mailbox_; ///< results from the thread of `watch_`
+  /// its thread may outlive the window
   std::unique_ptr<BoardWatch, DetachedDelete> watch_;
 };
 

@@ -24,7 +24,7 @@ class BoardForm : public QWidget {
 public:
   explicit BoardForm(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
-  /// Asks the user for a file and writes the board to it as a PDF at true size.
+  /// Asks the user for a file and writes the board to it as PDF at actual size.
   void print();
 
 private:

@@ -23,7 +23,7 @@ namespace dewpoint::ui {
 class BoardCalibrator;
 
 /// Fields for the goal of a board calibration: intrinsics, poses or both; the lens model; the
-/// requested accuracy; and whether the board lies on the floor in some frame of the recording.
+/// requested accuracy; and whether the board lies on the floor in one frame of the recording.
 class BoardGoalForm : public QWidget {
   Q_OBJECT
 public:

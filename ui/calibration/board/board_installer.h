@@ -9,7 +9,7 @@ class CalibrationMode;
 class CameraDocks;
 struct Workbench;
 
-/// Adds board calibration to the window: its page, its actions, and the outlines of detected boards
+/// Adds board calibration to the window: its page, its actions, and outlines of detected boards
 /// over the camera views.
 void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
                              const CameraDocks& cameras);

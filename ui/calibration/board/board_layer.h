@@ -10,8 +10,8 @@ namespace dewpoint::ui {
 class BoardCalibrator;
 class CameraView;
 
-/// Overlay of a camera view during live board calibration. Draws the outline of the detected board
-/// and highlights it briefly when the view is captured. Ignores mouse and keys.
+/// Camera view overlay for live board calibration. Draws the outline of the detected board and
+/// highlights it briefly when the view is captured. Ignores mouse and keyboard input.
 class BoardLayer : public QWidget {
   Q_OBJECT
 public:

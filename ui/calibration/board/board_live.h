@@ -17,15 +17,15 @@ namespace dewpoint::ui {
 class BoardCalibrator;
 class BoardMap;
 
-/// Guidance in front of live cameras: buttons and, for each camera, its coverage, sharpness,
-/// accuracy and the view to show next.
+/// Guidance for live cameras: buttons and, for each camera, its coverage, sharpness, accuracy and
+/// the view to show next.
 class BoardLive : public QWidget {
   Q_OBJECT
 public:
   explicit BoardLive(BoardCalibrator& calibrator, QWidget* parent = nullptr);
 
 private:
-  /// Widgets of one camera.
+  /// Widgets for one camera.
   struct Row {
     BoardMap* map;
     QLabel* name;

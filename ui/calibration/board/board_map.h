@@ -9,15 +9,16 @@
 
 namespace dewpoint::ui {
 
-/// Shows where in the image of one camera, and at which tilts, the board has been captured. Draws
-/// regions filled by their number of corners, outlines of the captured views, the board as it is
-/// seen now, and the view to show next. A captured view is highlighted briefly.
+/// Shows in which image regions of one camera, and at which tilts, the board has been captured.
+/// Draws regions filled according to their number of corners, outlines of the captured views, the
+/// board as currently seen, and the view to show next. A newly captured view is highlighted
+/// briefly.
 class BoardMap : public QWidget {
   Q_OBJECT
 public:
   explicit BoardMap(QWidget* parent = nullptr);
 
-  /// Shows the state of a camera. `lens`: draws regions and tilts besides the outlines.
+  /// Shows the state of a camera. If `lens` is true, also draws regions and tilts.
   void setCamera(const BoardGuideState::PerCamera& camera, bool lens);
 
   QSize sizeHint() const override { return {148, 140}; }

@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Dialog that writes the cameras of the project in the format of another tool. A preview shows the
-/// choices made and the information lost.
+/// Dialog that writes the project's cameras in the format of another tool. A preview shows the
+/// choices made and any information that is lost.
 class CalibrationExportDialog : public ExchangeDialog {
   Q_OBJECT
 public:
@@ -27,8 +27,8 @@ private:
   CalibrationTarget target() const;
   bool isFolder() const;
   void formatChanged();
-  /// Shows a conversion. `replaced`: existing file that would be overwritten; empty if there is
-  /// none.
+  /// Shows a conversion. `replaced` is the existing file that would be overwritten, or empty if
+  /// there is none.
   void applyResult(const Result<CalibrationConversion>& outcome, const QString& replaced);
   void finish(const Result<CalibrationConversion>& written);
   QString textOf(const CalibrationConversion& conversion, const QString& replaced) const;

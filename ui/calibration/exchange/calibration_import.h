@@ -11,13 +11,13 @@ namespace dewpoint::ui {
 class CameraListModel;
 class Document;
 
-/// Dialog that imports a calibration of another tool into the project. Asks for what the file does
-/// not define, shows the choices made and the resulting changes, and applies them as one step of
-/// the document.
+/// Dialog that imports a calibration from another tool into the project. Asks for anything the file
+/// does not define, shows the choices made and the resulting changes, and applies them as one step
+/// of the document.
 class CalibrationImportDialog : public ExchangeDialog {
   Q_OBJECT
 public:
-  /// `cameras`: cameras of the document, from which the user selects one.
+  /// `cameras` is the document's list of cameras, from which the user selects one.
   CalibrationImportDialog(Document& document, const CameraListModel& cameras,
                           QWidget* parent = nullptr);
 

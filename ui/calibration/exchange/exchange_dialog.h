@@ -19,9 +19,9 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Base of the dialogs that import and export calibrations: a file, some questions, a preview, and
-/// a button to accept. The preview is computed in another thread whenever an answer changes. Not
-/// modal.
+/// Base class of the dialogs that import and export calibrations: a file, some questions, a
+/// preview, and a button to accept. The preview is recomputed in another thread whenever an answer
+/// changes. Not modal.
 class ExchangeDialog : public QDialog {
   Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
 
   QString file() const;
   void setFile(const QString& file);
-  /// Whether the previewed operation can be carried out.
+  /// Returns whether the previewed operation can be carried out.
   bool isReady() const { return ready_; }
 
 Q_SIGNALS:
@@ -37,19 +37,19 @@ Q_SIGNALS:
   void failed(const QString& sentence);
 
 protected:
-  /// Computes the preview in another thread; returns a function that shows it in the thread of the
-  /// window.
+  /// Computes the preview in another thread. Returns a function that shows it and runs in the GUI
+  /// thread.
   using Preview = std::function<std::function<void()>()>;
   virtual Preview preview() = 0;
   virtual void accepted() = 0;
   virtual void chooseFile() = 0;
   virtual void retranslateFields() = 0;
 
-  /// Completes the dialog; call it after adding all questions.
+  /// Completes the dialog. Call it after adding all questions.
   void begin();
   /// Recomputes the preview after an answer has changed.
   void refresh();
-  /// Runs a long task in another thread; nothing can be accepted until it ends.
+  /// Runs a long task in another thread. The dialog cannot be accepted until the task ends.
   void work(const Preview& task);
   void showPreview(const QString& text, bool ready);
   QComboBox* addChoice(const char* name);

@@ -7,7 +7,7 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Adds the dialogs that import calibrations from other tools and export calibrations to them.
+/// Adds the dialogs that import calibrations from other tools and export calibrations for them.
 void installCalibrationExchange(const Workbench& bench);
 
 } // namespace dewpoint::ui

@@ -16,9 +16,9 @@ namespace dewpoint::ui {
 
 class ManualCalibration;
 
-/// Fields of the selected camera: position in meters or centimeters; orientation as a point it
-/// looks at plus roll, or as yaw, pitch and roll; focal length or field of view. Also sets what
-/// mouse and keys do.
+/// Fields for the selected camera: position in meters or centimeters; orientation as a target point
+/// plus roll, or as yaw, pitch and roll; focal length or field of view. Also sets what the mouse
+/// and keys do.
 class CameraForm : public QWidget {
   Q_OBJECT
 public:

@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 
 class ManualCalibration;
 
-/// Fields of the reference grid, and how it is shown over the images.
+/// Fields for the reference grid and its appearance over the images.
 class GridForm : public QWidget {
   Q_OBJECT
 public:

@@ -16,10 +16,10 @@ class CameraView;
 class ManualCalibration;
 class PointCalibrator;
 
-/// Overlay of a camera view during calibration by hand. Draws the reference grid, pins and measured
-/// points over the image, and handles mouse and keys. A drag moves the grid. A click pins a grid
-/// point or removes its pin. Arrows, W A S D, Q and E move or rotate the camera; Shift takes coarse
-/// steps; Ctrl (with arrows, page keys, plus and minus) takes fine steps.
+/// Camera view overlay for calibration by hand. Draws the reference grid, pins and measured points
+/// over the image, and handles mouse and keyboard input. A drag moves the grid. A click pins a grid
+/// point or removes its pin. Arrows, W A S D, Q and E move or rotate the camera. Shift takes coarse
+/// steps. Ctrl (with arrows, page keys, plus and minus) takes fine steps.
 class GridLayer : public QWidget {
   Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
-  /// Whether the edges, if shown, belong to the newest image; true while hidden.
+  /// Returns whether the edges belong to the newest image. Also true while edges are hidden.
   bool isDrawn() const;
 
 protected:
@@ -46,10 +46,10 @@ protected:
 private:
   void retranslateUi();
   void follow();
-  /// Input of the edge detection; empty while edges are not shown.
+  /// Input for the edge detection; empty while edges are hidden.
   struct EdgeSource {
     FramePtr frame;
-    QSize size; ///< device pixels; no larger than shown
+    QSize size; ///< device pixels; at most the displayed size
     bool operator==(const EdgeSource&) const = default;
   };
   EdgeSource edgeSource() const;
@@ -63,8 +63,8 @@ private:
   bool isInside(const Eigen::Vector2d& pixel) const;
   /// Converts a length in widget pixels to image pixels.
   double inImage(double widgetPixels) const;
-  /// Returns the image pixel that a click stands for. It snaps to a corner nearby unless Alt is
-  /// held down.
+  /// Returns the image pixel that a click refers to. It snaps to a nearby corner unless Alt is held
+  /// down.
   Eigen::Vector2d clicked(QPointF position, Qt::KeyboardModifiers modifiers) const;
   void placeClick(QMouseEvent* event);
 
@@ -77,7 +77,7 @@ private:
   std::optional<QPointF> pointer_; ///< widget coordinates
   bool exact_ = false;             ///< Alt is held down: no snapping
   EdgeSource edgesOf_;             ///< input of `edges_`
-  EdgeSource edgesOrdered_;        ///< input that `edgeJob_` works on, or will work on
+  EdgeSource edgesOrdered_;        ///< input that `edgeJob_` is processing or will process
   QImage edges_;
   LatestJob edgeJob_{LatestJob::Overtaken::Kept};
 };

@@ -15,21 +15,21 @@ class Mat;
 
 namespace dewpoint::ui {
 
-/// Returns the position in the widget of an image pixel; pixel centers lie at integers.
+/// Returns the widget position of an image pixel. Pixel centers lie at integer coordinates.
 QPointF placeOf(const Eigen::Vector2d& pixel, const ImagePlacement& placement);
 
-/// Draws the reference grid as thin bright strokes on a dark halo. Each axis has its own color, a
+/// Draws the reference grid as thin bright lines with a dark halo. Each axis has its own color, a
 /// name and labels in meters.
 void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
                double opacity);
 
-/// Draws a held point as a pin with a ring, so that it can be recognized without its color.
+/// Draws a fixed point as a pin with a ring, which can be recognized without its color.
 void paintPin(QPainter& painter, QPointF place);
-/// Draws the dragged point.
+/// Draws the point being dragged.
 void paintGrip(QPainter& painter, QPointF place);
 
-/// A measured point: a cross where the user clicked it, a ring at its projection, and a line
-/// between the two. Positions are in widget coordinates.
+/// Measured point: a cross where the user clicked it, a ring at its projection, and a line between
+/// them. Positions are in widget coordinates.
 struct PaintedPoint {
   QString name;
   std::optional<QPointF> click;
@@ -37,11 +37,11 @@ struct PaintedPoint {
   bool chosen = false;
   bool worst = false;
 };
-/// Draws a measured point; a selected point and the worst point stand out.
+/// Draws a measured point. The selected point and the worst point are highlighted.
 void paintPoint(QPainter& painter, const PaintedPoint& point);
 
 /// Returns the edges of an image scaled to `size`, in one bright color on a transparent background.
-/// Slow for large images; may be called in any thread.
+/// Slow for large images. May be called from any thread.
 QImage edgeImage(const cv::Mat& image, const QSize& size);
 
 } // namespace dewpoint::ui

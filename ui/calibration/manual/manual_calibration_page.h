@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 class ManualCalibration;
 class PointCalibrator;
 
-/// Page of the calibration dock for adjusting cameras by hand.
+/// Calibration dock page for adjusting cameras by hand.
 class ManualCalibrationPage : public QWidget {
   Q_OBJECT
 public:

@@ -11,14 +11,15 @@ namespace dewpoint::ui {
 
 /// Effect of a key on the selected camera.
 struct KeyNudge {
-  int axis = 0;        ///< axis of `ManualCalibration::nudge()`; -1: the focal length
+  int axis = 0;        ///< axis of `ManualCalibration::nudge()`; -1 for the focal length
   double factor = 1.0; ///< number of steps; percent for the focal length
 };
 
-/// Returns the effect of a key press, or nothing if the key has none. Arrows and W A S D move the
-/// camera sideways and forward, or rotate it left, right, up and down. Q, E and the page keys move
-/// it down and up, or roll it. Plus and minus change the focal length. Shift multiplies the step by
-/// ten. Ctrl divides it by ten, but not with letters, because those are shortcuts of the window.
+/// Returns the effect of a key press, or nothing if the key has no effect. Arrows and W A S D move
+/// the camera sideways and forward, or rotate it left, right, up and down. Q, E and the page keys
+/// move it down and up, or roll it. Plus and minus change the focal length. Shift multiplies the
+/// step by ten. Ctrl divides it by ten, except with letters, because Ctrl with a letter is a window
+/// shortcut.
 std::optional<KeyNudge> nudgeOf(const QKeyEvent& event, KeyMode mode);
 
 } // namespace dewpoint::ui

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 class RigPlanner;
 
-/// Page of the calibration dock for planning a rig.
+/// Calibration dock page for planning a rig.
 class PlanPage : public QWidget {
   Q_OBJECT
 public:

@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 class RigPlanner;
 
-/// Fields of the planned cameras, and the search for the best position of another camera.
+/// Fields for the planned cameras, and the search for the best position of an additional camera.
 class PlannerForm : public QWidget {
   Q_OBJECT
 public:

@@ -11,7 +11,7 @@ class ManualCalibration;
 class RigPlanner;
 
 /// Connects the rig planner to the window: its page and actions and, in the bird's-eye view, the
-/// map, the planned cameras, and handles on all cameras of the project and all planned ones.
+/// map, the planned cameras, and handles for all project and planned cameras.
 class PlannerInstaller : public QObject {
   Q_OBJECT
 public:
@@ -22,8 +22,8 @@ private:
   void connectBirdsEye();
   void showHandles();
   void open();
-  /// Returns the index of a planned camera for a handle; negative if the camera belongs to the
-  /// project.
+  /// Returns the index of the planned camera for a handle, or a negative number if the camera
+  /// belongs to the project.
   int planned(int handle) const;
 
   Workbench bench_;

@@ -28,9 +28,9 @@ struct PlannedLens {
   bool operator==(const PlannedLens&) const = default;
 };
 
-/// Plans a rig: computes how accurately the cameras of the project and the planned cameras see a
-/// volume. Maps are computed in another thread and follow every change of a camera. Planned cameras
-/// belong neither to the project nor to the run.
+/// Plans a rig: computes how accurately the project cameras and the planned cameras measure
+/// positions in a volume. Maps are recomputed in another thread after every camera change. Planned
+/// cameras are part of neither the project nor the run.
 class RigPlanner : public QObject {
   Q_OBJECT
 public:
@@ -38,53 +38,54 @@ public:
              QObject* parent = nullptr);
   ~RigPlanner() override;
 
-  // The map.
+  // Map of expected errors.
   bool isMapShown() const { return mapShown_; }
   void setMapShown(bool shown);
-  /// The newest map; null before the first one.
+  /// Returns the newest map, or null before the first one.
   const std::shared_ptr<const RigMap>& map() const { return map_; }
   const MapLook& look() const { return look_; }
-  /// Sets how the map is drawn. The height is clamped to the volume.
+  /// Sets the appearance of the map. The height is clamped to the volume.
   void setLook(const MapLook& look);
   double pixelSigma() const { return pixelSigma_; }
   void setPixelSigma(double pixels);
-  /// Mapped volume in world coordinates (meters): the room of the project, or the box set by the
-  /// user.
+  /// Returns the mapped volume in world coordinates (meters): the project's room, or the box set by
+  /// the user.
   const Eigen::AlignedBox3d& volume() const { return volume_; }
-  /// Sets the mapped volume. An empty or flat box changes nothing.
+  /// Sets the mapped volume. An empty or flat box is ignored.
   void setVolume(const Eigen::AlignedBox3d& volume);
   bool followsRoom() const { return followsRoom_; }
   void followRoom();
 
   // Planned cameras.
   const CameraRig& planned() const { return planned_; }
-  int chosen() const; ///< index of the selected planned camera; -1: none
+  int chosen() const; ///< index of the selected planned camera; -1 if none
   void choose(int planned);
-  /// Adds a camera in an upper corner of the volume, as far as possible from the others, and
+  /// Adds a camera in an upper corner of the volume, as far as possible from the other cameras, and
   /// selects it.
   void add();
   void remove(int planned);
   void change(int planned, const Camera& camera);
   const PlannedLens& lens() const { return lens_; }
-  /// Sets the lens of the selected planned camera and of cameras added later.
+  /// Sets the lens for the selected planned camera and for cameras added later.
   void setLens(const PlannedLens& lens);
-  /// Returns the name of the next camera; its number continues the count of the cameras of the
-  /// project.
+  /// Returns the name for the next camera. Its number continues the numbering of the project
+  /// cameras.
   QString nextName() const;
 
-  // The search for a position.
+  // Search for a position.
   double wallDistance() const { return wallDistance_; }
   void setWallDistance(double meters);
-  /// Searches for the best position for another camera and adds the camera there.
+  /// Searches for the best position of an additional camera and adds the camera there.
   void findPlace();
   BackgroundJob& search() { return search_; }
 
 Q_SIGNALS:
-  /// A setting or a planned camera has changed.
+  /// Emitted when a setting or a planned camera has changed.
   void changed();
-  /// The map, or how it is drawn, has changed.
+  /// Emitted when the map or its appearance has changed.
   void mapChanged();
-  /// The result of a search, or why it found nothing; valid until something changes.
+  /// Emitted with the result of a search, or the reason why it found nothing. The sentence is valid
+  /// until the next change.
   void messageRequested(const QString& sentence);
 
 private:
@@ -98,7 +99,7 @@ private:
   Document& document_;
   ManualCalibration& manual_;
   Selection& selection_;
-  /// Input of a map. A request equal to the previous one is skipped.
+  /// Input for computing a map. A request identical to the previous one is skipped.
   struct MapOrder {
     VolumeGrid grid;
     double pixelSigma = 0.5;

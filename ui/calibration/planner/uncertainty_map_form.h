@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 class RigPlanner;
 
-/// Fields of the map of expected errors: quantity, volume, and a summary in one line.
+/// Fields for the map of expected errors: quantity, volume, and a one-line summary.
 class UncertaintyMapForm : public QWidget {
   Q_OBJECT
 public:

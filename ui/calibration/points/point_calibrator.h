@@ -21,9 +21,9 @@ namespace dewpoint::ui {
 class Document;
 class ManualCalibration;
 
-/// Measured points of the project: selects and edits them, records where they are clicked, and
-/// solves the cameras from them. Every change is a step of the document; solving runs in another
-/// thread.
+/// Manages the measured points in the project: selects and edits them, records where they are
+/// clicked, and solves for the cameras. Every change is a step of the document. Solving runs in
+/// another thread.
 class PointCalibrator : public QObject {
   Q_OBJECT
 public:
@@ -31,34 +31,36 @@ public:
   ~PointCalibrator() override;
 
   const std::vector<MeasuredPoint>& points() const;
-  /// Index of the selected point; -1: none.
+  /// Returns the index of the selected point, or -1 if none is selected.
   int chosen() const { return chosen_; }
   void choose(int point);
   void add();
   void remove();
-  /// Renames a point, or sets its world position (meters). Both return false if the change is
-  /// refused: an empty or used name, or a coordinate that is not a number.
+  /// Renames a point, or sets its world position (meters). Both functions return false if the
+  /// change is rejected because the name is empty or already used, or a coordinate is not a number.
   bool rename(int point, const QString& name);
   bool setWorld(int point, const Eigen::Vector3d& world);
 
-  /// Whether the next click in an image marks where the selected point is.
+  /// Returns whether the next click in an image marks the position of the selected point.
   bool isClicking() const { return clicking_; }
   void setClicking(bool clicking);
   void setClick(int camera, const Eigen::Vector2d& pixel);
-  /// Removes the click on the selected point in a camera.
+  /// Removes the selected point's click in a camera.
   void removeClick(int camera);
 
-  /// Residuals of all clicks with the current cameras.
+  /// Returns the residuals of all clicks with the current cameras.
   std::vector<ClickResidual> residuals() const;
 
   bool isSolving() const { return job_.isRunning(); }
   void solve(bool alsoFocal);
-  /// Report of the last solution, one sentence per line; empty before the first one.
+  /// Returns the report of the last solution, one sentence per line, or an empty string before the
+  /// first solution.
   const QString& resultText() const { return resultText_; }
-  /// Index of the worst point of the last solution, as long as the solution is valid.
+  /// Returns the index of the worst point in the last solution, or nothing if that solution is no
+  /// longer valid.
   std::optional<int> worst() const { return worst_; }
-  /// Camera whose images are rotated or mirrored according to the last solution, if this can be set
-  /// in the project.
+  /// Returns the camera whose images are rotated or mirrored according to the last solution, if the
+  /// project can correct this.
   std::optional<int> proposedCamera() const;
   QString proposalText() const;
   void acceptProposal();

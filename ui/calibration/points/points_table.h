@@ -16,7 +16,7 @@ class ManualCalibration;
 class PointCalibrator;
 
 /// Table of the measured points: editable names and positions, residuals in pixels and millimeters,
-/// and buttons to click the points in images and to solve the cameras from them.
+/// and buttons to click the points in images and to solve for the cameras.
 class PointsTable : public QWidget {
   Q_OBJECT
 public:

@@ -7,13 +7,13 @@
 
 namespace dewpoint::ui {
 
-/// Small map of the image of a camera: how often the wand was seen in each region.
+/// Small map of a camera image that shows how often the wand was seen in each region.
 class CoverageMap : public QWidget {
   Q_OBJECT
 public:
   explicit CoverageMap(QWidget* parent = nullptr);
 
-  /// Shows the sightings of a camera. `shape`: width divided by height of the image.
+  /// Shows the wand sightings of a camera. `shape` is the image width divided by the image height.
   void setCamera(const QString& camera, const CameraSightings& seen, double shape);
   QSize sizeHint() const override { return {112, 84}; }
   QSize minimumSizeHint() const override { return {72, 54}; }

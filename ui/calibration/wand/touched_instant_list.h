@@ -13,8 +13,8 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// Lists the frames in which the ball touched the floor or an end of a known distance, or fell
-/// freely. Adds the frame shown and removes frames.
+/// Lists the frames in which the ball touched the floor, touched one end of a known distance, or
+/// fell freely. The user can add the frame shown and remove frames.
 class TouchedInstantList : public QWidget {
   Q_OBJECT
 public:

@@ -12,7 +12,8 @@ namespace dewpoint::ui {
 class WandCalibrator;
 class WandWaving;
 
-/// Page of the calibration dock for refining cameras with a wand (one ball, or a stick with two).
+/// Calibration dock page for refining cameras with a wand: a single ball, or a stick with two
+/// balls.
 class WandCalibrationPage : public QWidget {
   Q_OBJECT
 public:

@@ -20,7 +20,7 @@ class ManualCalibration;
 class TargetListModel;
 class BackgroundJob;
 
-/// Calibration with a wand. Holds the settings and the views collected live, runs the refinement in
+/// Wand calibration. Holds the settings and the views collected live, runs the refinement in
 /// another thread, and applies the result as one step of the document.
 class WandCalibrator : public QObject {
   Q_OBJECT
@@ -31,7 +31,8 @@ public:
     ManualCalibration& manual;
     Selection& selection;
     TargetListModel& targets;
-    std::function<Result<SessionInputs>(const SessionRequest&)> open; ///< called in another thread
+    std::function<Result<SessionInputs>(const SessionRequest&)>
+        open;                          ///< called from another thread
     std::function<Session*()> session; ///< returns the running session, or null
   };
   explicit WandCalibrator(Surroundings around, QObject* parent = nullptr);
@@ -42,53 +43,54 @@ public:
   const Project& project() const;
   TargetListModel& targets() const { return around_.targets; }
 
-  // Frames in which the ball touched the floor or an end of a distance, or fell.
+  // Returns the frames in which the ball touched the floor, touched one end of a known distance, or
+  // fell freely.
   const std::vector<TouchedInstant>& touchedInstants() const { return touchedInstants_; }
-  /// Adds the frame shown. A new end of a distance or a new fall replaces the previous one.
+  /// Adds the frame shown. A new distance end or a new fall replaces the previous one.
   void addTouchedInstant(TouchRole role);
   void removeTouchedInstant(std::size_t index);
-  /// Shows the images of that frame.
+  /// Shows the images of the touched instant with this index.
   void showTouchedInstant(std::size_t index);
-  /// Whether a frame is shown that can be added.
+  /// Returns whether a frame is shown that can be added.
   bool canAddTouchedInstant() const { return shownFrame_ >= 0; }
-  /// Whether a range of frames is selected in the timeline.
+  /// Returns whether a range of frames is selected in the timeline.
   bool hasSelectedRange() const { return around_.selection.selectedRange().has_value(); }
 
   // Live cameras.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   bool isLive() const { return live_; }
   bool isWaving() const { return waving_ != nullptr; }
-  /// Starts collecting from scratch.
+  /// Restarts collecting from scratch.
   void startWaving();
   void stopWaving();
-  /// Returns the views collected so far, or nothing if nothing has been collected.
+  /// Returns the views collected so far, or nothing if there are none.
   std::optional<WandCollector::State> collected() const;
 
   // Refinement.
-  /// Returns why the refinement cannot start; empty if it can.
+  /// Returns why the refinement cannot start, or an empty string if it can.
   QString missing() const;
   void refine();
   void cancel();
   bool isRefining() const;
-  /// The last refinement; null before the first one and after a failure.
+  /// Returns the last refinement, or null before the first one and after a failure.
   std::shared_ptr<const WandRefinement> refinement() const { return refinement_; }
-  /// One sentence that explains why the last refinement gave no calibration.
+  /// Returns one sentence that explains why the last refinement produced no calibration.
   const QString& failure() const { return failure_; }
-  /// Whether the cameras of the last refinement have been applied to the project.
+  /// Returns whether the cameras from the last refinement have been applied to the project.
   bool isApplied() const { return applied_; }
-  /// Whether the cameras of the project have changed since the refinement was applied.
+  /// Returns whether the project's cameras have changed since the refinement was applied.
   bool isStale() const;
   void apply();
   void setFlipped(bool flipped);
-  /// Writes the HTML report in another thread; `saved()` or `failed()` follows.
+  /// Writes the HTML report in another thread; emits `saved()` or `failed()` afterwards.
   void saveReport(const QString& file);
 
 Q_SIGNALS:
   void changed();
   void collectedChanged();
-  /// 0 to 1; negative: unknown.
+  /// Emitted with the progress from 0 to 1; negative if unknown.
   void progressChanged(double part);
-  /// A refinement has ended, with or without a result.
+  /// Emitted when a refinement has ended, with or without a result.
   void refined();
   void saved(const QString& file);
   void failed(const QString& sentence);
@@ -103,14 +105,14 @@ private:
   std::vector<TouchedInstant> touchedInstants_;
   bool live_ = false;
   qint64 shownFrame_ = -1;
-  double shownSeconds_ = 0.0; ///< time of the frame shown on the clock of the calibration, seconds
-  std::shared_ptr<WandCollector> collector_; ///< its thread may end after the window closes
-  Session* waving_ = nullptr;                ///< session whose frames are collected; null: none
+  double shownSeconds_ = 0.0; ///< time of the frame shown, seconds on the calibration clock
+  std::shared_ptr<WandCollector> collector_; ///< its thread may outlive the window
+  Session* waving_ = nullptr;                ///< session whose frames are collected; null if none
   std::shared_ptr<const WandRefinement> refinement_;
   QString failure_;
   bool applied_ = false;
   QTimer tick_;        ///< runs while collecting
-  BackgroundJob* job_; ///< child of the calibrator; ends with it
+  BackgroundJob* job_; ///< child of the calibrator, which deletes it
 };
 
 } // namespace dewpoint::ui

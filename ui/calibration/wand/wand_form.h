@@ -20,7 +20,7 @@ namespace dewpoint::ui {
 
 class WandCalibrator;
 
-/// Fields for the kind of wand, the source of the scale, and the parameters to refine.
+/// Fields for the wand type, the source of the scale, and the parameters to refine.
 class WandForm : public QWidget {
   Q_OBJECT
 public:

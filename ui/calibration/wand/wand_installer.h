@@ -8,7 +8,7 @@ namespace dewpoint::ui {
 class CalibrationMode;
 struct Workbench;
 
-/// Adds calibration with a wand to the window: its page and its action.
+/// Adds wand calibration to the window: its page and its action.
 void installWandCalibration(const Workbench& bench, CalibrationMode& mode);
 
 } // namespace dewpoint::ui

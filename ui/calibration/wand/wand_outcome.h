@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 class WandCalibrator;
 
 /// Shows the button that starts the refinement, its progress, and its result: quality, faults, and
-/// each camera.
+/// details for each camera.
 class WandOutcome : public QWidget {
   Q_OBJECT
 public:

@@ -9,11 +9,11 @@
 
 namespace dewpoint::ui {
 
-/// Role of a touched instant in words: "touches the floor".
+/// Returns the role of a touched instant in words: "touches the floor".
 QString touchText(TouchRole role);
 
 /// Returns a sentence that explains why a calibration with these settings cannot start
-/// (`obstacleOf()`); empty if it can.
+/// (`obstacleOf()`), or an empty string if it can.
 QString validationMessage(const WandSettings& settings, const std::vector<TouchedInstant>& instants,
                           const Project& project);
 

@@ -16,8 +16,8 @@ namespace dewpoint::ui {
 class CoverageMap;
 class WandCalibrator;
 
-/// Collects wand views from live cameras: a button to start and stop, the time so far, and what
-/// each camera has seen.
+/// Collects wand views from live cameras. Shows a button to start and stop, the elapsed time, and
+/// what each camera has seen.
 class WandWaving : public QWidget {
   Q_OBJECT
 public:
